@@ -1,0 +1,77 @@
+//! How an element reads its parameters, whoever holds them: the language's cursor over tokens, a test, a caller in Rust.
+
+mod steps;
+
+pub use crate::syntax::Word;
+pub use steps::transform_step;
+
+use crate::color::Color;
+use crate::source::{Diagnostic, Span};
+use glam::{DVec2, DVec3};
+use std::any::{Any, TypeId};
+use std::sync::Arc;
+
+/// What reading gives: a value, or the finding that ended it.
+pub type Parse<T> = Result<T, Box<Diagnostic>>;
+
+/// The parameters of one element, read from left to right.
+///
+/// Numbers, vectors and colours are whole expressions at the additive level; commas between them are optional in the
+/// language, so readers call [`Args::comma`] where one may stand.
+pub trait Args {
+    /// A number.
+    fn float(&mut self) -> Parse<f64>;
+    /// A number if one begins here, otherwise `default`: `metallic`, `no_shadow off`.
+    fn float_or(&mut self, default: f64) -> Parse<f64>;
+    /// A vector of two; a number stands for both components.
+    fn vector2(&mut self) -> Parse<DVec2>;
+    /// A vector of three; a number stands for all components.
+    fn vector(&mut self) -> Parse<DVec3>;
+    /// A vector of four; a number stands for all components.
+    fn vector4(&mut self) -> Parse<[f64; 4]>;
+    /// A colour in any form the language has.
+    fn color(&mut self) -> Parse<Color>;
+    /// A colour if one begins here (a colour word, a colour identifier, `rgb`, a vector of five).
+    fn color_if_any(&mut self) -> Parse<Option<Color>>;
+    /// A string.
+    fn string(&mut self) -> Parse<String>;
+    /// Passes a comma if one is next, and says whether.
+    fn comma(&mut self) -> Parse<bool>;
+    /// The next token if it is a reserved word; it is not taken.
+    fn word(&mut self) -> Parse<Option<Word>>;
+    /// Takes the next token if it is this reserved word.
+    fn accept(&mut self, word: Word) -> Parse<bool>;
+    /// Takes the next token if it is this punctuation mark (`[`, `]`, `,`, `(`, ...).
+    fn accept_mark(&mut self, mark: char) -> Parse<bool>;
+    /// Takes `{`.
+    fn open(&mut self) -> Parse<()>;
+    /// Takes `}` if it is next.
+    fn accept_close(&mut self) -> Parse<bool>;
+    /// Takes `}`; anything else is an error that names what was found and the `{` that is still open.
+    fn close(&mut self) -> Parse<()>;
+    /// Whether a number, vector or expression could begin at the next token.
+    fn at_expression(&mut self) -> Parse<bool>;
+    /// If the next token is an identifier that holds a value of this Rust type, takes it and gives the value.
+    /// Use [`declared`], which knows the type.
+    fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>>;
+    /// The place of the next token.
+    fn span(&mut self) -> Span;
+    /// The place of the token last taken.
+    fn last_span(&self) -> Span;
+    /// "expected WHAT, found ..." at the next token. WHAT is in the author's words: "a vector after `location`".
+    fn expected(&mut self, what: &str) -> Box<Diagnostic>;
+    /// Records a warning.
+    fn warn(&mut self, warning: Diagnostic);
+    /// The language version in force, as `#version` writes it: 3.7, 3.1.
+    fn version(&self) -> f64;
+}
+
+/// The value of the next token, if that is an identifier declared as a `T`.
+///
+/// # Errors
+/// When finding the next token fails: a directive before it is faulty.
+pub fn declared<T: Any + Send + Sync>(args: &mut dyn Args) -> Parse<Option<Arc<T>>> {
+    Ok(args
+        .declared_any(TypeId::of::<T>())?
+        .and_then(|value| value.downcast::<T>().ok()))
+}

@@ -1,0 +1,157 @@
+//! Colours: three or five channels in single precision, as POV-Ray keeps them, and what is done to them.
+
+mod gamma;
+
+pub use gamma::Gamma;
+
+use std::ops::{Add, AddAssign, Mul, MulAssign, Sub};
+
+/// Linear red, green and blue.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rgb {
+    /// Red.
+    pub r: f32,
+    /// Green.
+    pub g: f32,
+    /// Blue.
+    pub b: f32,
+}
+
+/// A colour of a scene: red, green, blue, and how much passes through, tinted (`filter`) and untinted (`transmit`).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Color {
+    /// Red, green and blue in the working space.
+    pub rgb: Rgb,
+    /// The share of light that passes tinted by the colour.
+    pub filter: f32,
+    /// The share of light that passes untinted.
+    pub transmit: f32,
+}
+
+impl Rgb {
+    /// No light.
+    pub const BLACK: Rgb = Rgb::splat(0.0);
+    /// Full light in each channel.
+    pub const WHITE: Rgb = Rgb::splat(1.0);
+
+    /// A colour of three channels.
+    #[must_use]
+    pub const fn new(r: f32, g: f32, b: f32) -> Self {
+        Rgb { r, g, b }
+    }
+
+    /// The same value in each channel.
+    #[must_use]
+    pub const fn splat(v: f32) -> Self {
+        Rgb { r: v, g: v, b: v }
+    }
+
+    /// The weighted sum by which POV-Ray calls a colour grey.
+    #[must_use]
+    pub fn grey(self) -> f32 {
+        0.297 * self.r + 0.589 * self.g + 0.114 * self.b
+    }
+
+    /// The largest channel.
+    #[must_use]
+    pub fn max(self) -> f32 {
+        self.r.max(self.g).max(self.b)
+    }
+
+    /// Each channel through a function.
+    #[must_use]
+    pub fn map(self, f: impl Fn(f32) -> f32) -> Rgb {
+        Rgb::new(f(self.r), f(self.g), f(self.b))
+    }
+}
+
+impl Color {
+    /// An opaque colour.
+    #[must_use]
+    pub const fn opaque(rgb: Rgb) -> Self {
+        Color {
+            rgb,
+            filter: 0.0,
+            transmit: 0.0,
+        }
+    }
+
+    /// From five components in the language's order: red, green, blue, filter, transmit.
+    #[must_use]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision, as in POV-Ray"
+    )]
+    pub fn from_components(c: [f64; 5]) -> Self {
+        Color {
+            rgb: Rgb::new(c[0] as f32, c[1] as f32, c[2] as f32),
+            filter: c[3] as f32,
+            transmit: c[4] as f32,
+        }
+    }
+
+    /// The factor by which light behind shows through: `rgb · filter + transmit` in each channel.
+    #[must_use]
+    pub fn transmission(self) -> Rgb {
+        self.rgb * self.filter + Rgb::splat(self.transmit)
+    }
+
+    /// Whether anything at all shows through.
+    #[must_use]
+    pub fn is_transparent(self) -> bool {
+        self.filter != 0.0 || self.transmit != 0.0
+    }
+}
+
+impl Add for Rgb {
+    type Output = Rgb;
+    fn add(self, o: Rgb) -> Rgb {
+        Rgb::new(self.r + o.r, self.g + o.g, self.b + o.b)
+    }
+}
+
+impl Sub for Rgb {
+    type Output = Rgb;
+    fn sub(self, o: Rgb) -> Rgb {
+        Rgb::new(self.r - o.r, self.g - o.g, self.b - o.b)
+    }
+}
+
+impl Mul for Rgb {
+    type Output = Rgb;
+    fn mul(self, o: Rgb) -> Rgb {
+        Rgb::new(self.r * o.r, self.g * o.g, self.b * o.b)
+    }
+}
+
+impl Mul<f32> for Rgb {
+    type Output = Rgb;
+    fn mul(self, k: f32) -> Rgb {
+        Rgb::new(self.r * k, self.g * k, self.b * k)
+    }
+}
+
+/// The product is formed in double precision and rounded once, as POV-Ray forms it.
+impl Mul<f64> for Rgb {
+    type Output = Rgb;
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision, as in POV-Ray"
+    )]
+    fn mul(self, k: f64) -> Rgb {
+        let scaled = |c: f32| (f64::from(c) * k) as f32;
+        Rgb::new(scaled(self.r), scaled(self.g), scaled(self.b))
+    }
+}
+
+impl AddAssign for Rgb {
+    fn add_assign(&mut self, o: Rgb) {
+        *self = *self + o;
+    }
+}
+
+impl MulAssign for Rgb {
+    fn mul_assign(&mut self, o: Rgb) {
+        *self = *self * o;
+    }
+}

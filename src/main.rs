@@ -1,0 +1,3 @@
+//! The `povr` command.
+
+fn main() {}

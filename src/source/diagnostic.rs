@@ -1,0 +1,80 @@
+//! What is wrong or doubtful in a scene, with its place, related places and remedies.
+
+use super::Span;
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Severity {
+    /// The scene is drawn; something was assumed.
+    Warning,
+    /// The scene is not drawn.
+    Error,
+}
+
+/// A note on a related place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// The place.
+    pub span: Span,
+    /// What it has to do with the matter: "this `{` is still open".
+    pub text: String,
+}
+
+/// One finding about a scene. Messages start in lower case and end without a full stop.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, in the words of the scene's author.
+    pub message: String,
+    /// Where; `None` for what has no place in a text (a missing file named on the command line).
+    pub span: Option<Span>,
+    /// Related places.
+    pub labels: Vec<Label>,
+    /// Things to do about it, each a full sentence without the word "hint".
+    pub hints: Vec<String>,
+    /// Calls and includes on the way here, innermost first: "in the macro `Leg`, called here".
+    pub trace: Vec<Label>,
+}
+
+impl Diagnostic {
+    /// An error at a place.
+    #[must_use]
+    pub fn error(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
+        Diagnostic::new(Severity::Error, span.into(), message.into())
+    }
+
+    /// A warning at a place.
+    #[must_use]
+    pub fn warning(span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
+        Diagnostic::new(Severity::Warning, span.into(), message.into())
+    }
+
+    fn new(severity: Severity, span: Option<Span>, message: String) -> Self {
+        Diagnostic {
+            severity,
+            message,
+            span,
+            labels: Vec::new(),
+            hints: Vec::new(),
+            trace: Vec::new(),
+        }
+    }
+
+    /// The same with a note on a related place.
+    #[must_use]
+    pub fn with_label(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push(Label {
+            span,
+            text: text.into(),
+        });
+        self
+    }
+
+    /// The same with something to do about it.
+    #[must_use]
+    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
+        self.hints.push(hint.into());
+        self
+    }
+}

@@ -1,0 +1,62 @@
+//! The reserved words, from `grammar/words.pest`.
+
+use rustc_hash::FxHashMap;
+use std::fmt;
+use std::sync::LazyLock;
+
+include!(concat!(env!("OUT_DIR"), "/words.rs"));
+
+static BY_SPELLING: LazyLock<FxHashMap<&'static str, Word>> = LazyLock::new(|| {
+    WORDS
+        .iter()
+        .map(|&(word, spelling, _)| (spelling, word))
+        .collect()
+});
+
+impl Word {
+    /// How many reserved words there are.
+    pub const COUNT: usize = WORDS.len();
+
+    /// The word with this spelling; all are lower case.
+    #[must_use]
+    pub fn from_spelling(spelling: &str) -> Option<Word> {
+        BY_SPELLING.get(spelling).copied()
+    }
+
+    /// The word as a scene writes it.
+    #[must_use]
+    pub fn spelling(self) -> &'static str {
+        WORDS[self as usize].1
+    }
+
+    /// The class under which the grammar lists it.
+    #[must_use]
+    pub fn class(self) -> Class {
+        WORDS[self as usize].2
+    }
+
+    /// All words in the grammar's order, which is the order of `self as usize`.
+    pub fn all() -> impl Iterator<Item = Word> {
+        WORDS.iter().map(|entry| entry.0)
+    }
+}
+
+impl fmt::Display for Word {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.spelling())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_found_by_its_spelling() {
+        assert_eq!(Word::COUNT, 499);
+        for word in Word::all() {
+            assert_eq!(Word::from_spelling(word.spelling()), Some(word));
+        }
+        assert_eq!(Word::from_spelling("Sphere"), None);
+    }
+}
