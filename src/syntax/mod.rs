@@ -1,5 +1,21 @@
 //! From text to flat tokens by the pest grammar of `grammar/`, and the table of reserved words made from the same folder.
+//!
+//! Tokens are flat because directives and macros act on tokens: `#if (A) merge { #else union { #end` stands in the
+//! standard includes. [`tokenize`] links the directives of each group, so that a branch can be skipped in one step;
+//! everything else is for the language.
 
+mod faults;
+mod groups;
+mod lexer;
+mod names;
+mod scan;
+mod token;
 mod word;
 
+#[cfg(test)]
+mod tests;
+
+pub use lexer::tokenize;
+pub use names::{Names, Symbol};
+pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens};
 pub use word::{Class, Word};

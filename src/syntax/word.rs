@@ -23,6 +23,12 @@ impl Word {
         BY_SPELLING.get(spelling).copied()
     }
 
+    /// The word with this number, which is its place in [`Word::all`].
+    #[must_use]
+    pub fn from_index(index: u32) -> Option<Word> {
+        WORDS.get(index as usize).map(|entry| entry.0)
+    }
+
     /// The word as a scene writes it.
     #[must_use]
     pub fn spelling(self) -> &'static str {
@@ -56,7 +62,31 @@ mod tests {
         assert_eq!(Word::COUNT, 499);
         for word in Word::all() {
             assert_eq!(Word::from_spelling(word.spelling()), Some(word));
+            assert_eq!(Word::from_index(word as u32), Some(word));
         }
+        assert_eq!(Word::from_index(499), None);
         assert_eq!(Word::from_spelling("Sphere"), None);
+    }
+
+    /// The classes in which the grammar lists words; a word outside them would have no place in the table.
+    #[test]
+    fn every_word_of_the_grammar_has_a_class() {
+        let grammar = include_str!("../../grammar/words.pest");
+        let lines = grammar.lines().filter(|line| !line.starts_with("//"));
+        let quoted: Vec<&str> = lines
+            .flat_map(|line| line.split('"').skip(1).step_by(2))
+            .collect();
+        assert_eq!(quoted.len(), Word::COUNT);
+        for spelling in quoted {
+            let word = Word::from_spelling(spelling).unwrap();
+            let class = format!("{:?}", word.class()).to_lowercase();
+            let rule = grammar.find(&format!("\n{class} = {{")).unwrap();
+            let body = &grammar[rule..];
+            let end = body.find("}").unwrap();
+            assert!(
+                body[..end].contains(&format!("\"{spelling}\"")),
+                "{spelling}: {class}"
+            );
+        }
     }
 }

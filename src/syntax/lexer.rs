@@ -1,0 +1,329 @@
+//! Drives the grammar over a text, one slice after the other, and makes tokens of what it finds.
+//!
+//! pest keeps some eighty bytes for each pair, so a whole text in one call costs more in page faults than in parsing.
+//! A slice may end within a token: what touches its end is read again at the start of the next slice, and a slice that
+//! holds not even one whole token is doubled. Both keep the time linear in the length of the text.
+
+use super::faults;
+use super::groups;
+use super::names::Names;
+use super::scan::{self, Item};
+use super::token::{Directive, END_OF_FILE, Kind, Token, Tokens};
+use super::word::{Class, Word};
+use crate::source::{Diagnostic, FileId, Span};
+use grammar::{Grammar, Rule};
+use pest::{Parser, Token as Edge};
+use std::sync::Arc;
+
+#[allow(
+    missing_docs,
+    unreachable_pub,
+    reason = "pest_derive makes a public enum of the rules, without docs"
+)]
+mod grammar {
+    /// The rules of `grammar/pov.pest`.
+    #[derive(pest_derive::Parser)]
+    #[grammar = "grammar/pov.pest"]
+    pub(super) struct Grammar;
+}
+
+/// Bytes of a slice: pest's pairs for one stay in the cache of a core.
+const SLICE: usize = 1 << 15;
+
+/// Bytes of a slice within the long list of a mesh, of which pest makes a single pair.
+const LIST_SLICE: usize = 1 << 20;
+
+/// How many faults of one text are told; a file that is no scene has thousands.
+const MAX_FAULTS: usize = 20;
+
+/// The tokens of a text, with its groups of directives linked; identifiers go to `names`.
+///
+/// # Errors
+/// All strings and comments that are not closed and all numbers with two points, skipped regions included, up to 20 of
+/// them; a text of 4 GiB or more.
+pub fn tokenize(
+    file: FileId,
+    text: &Arc<str>,
+    names: &mut Names,
+) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+    if u32::try_from(text.len()).is_err() {
+        let error = Diagnostic::error(None, "a text of 4 GiB or more is too long for a scene");
+        return Err(vec![Box::new(error)]);
+    }
+    let mut lexer = Lexer {
+        text,
+        names,
+        out: Tokens {
+            file,
+            // A token takes five to six bytes of ordinary text.
+            tokens: Vec::with_capacity(text.len() / 5 + 1),
+            numbers: Vec::new(),
+            directives: Vec::new(),
+            text: Arc::clone(text),
+            strings: Vec::new(),
+        },
+        faults: Vec::new(),
+        is_in_list: false,
+    };
+    lexer.run();
+    lexer.push(Kind::End, 0, text.len());
+    if !lexer.faults.is_empty() {
+        return Err(lexer.faults.into_iter().map(Box::new).collect());
+    }
+    let mut tokens = lexer.out;
+    tokens.tokens.shrink_to_fit();
+    groups::link(&mut tokens);
+    Ok(tokens)
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    names: &'a mut Names,
+    out: Tokens,
+    faults: Vec<Diagnostic>,
+    /// Whether the last token lies in a list of a `mesh2`.
+    is_in_list: bool,
+}
+
+/// The part of the text that pest reads at once.
+#[derive(Clone, Copy)]
+struct Slice<'a> {
+    text: &'a str,
+    /// Where it begins in the whole text.
+    base: usize,
+    /// Whether more text follows.
+    is_cut: bool,
+}
+
+impl<'a> Slice<'a> {
+    /// About `size` bytes of `text` from `base` on.
+    fn new(text: &'a str, base: usize, size: usize) -> Self {
+        let mut end = base.saturating_add(size).min(text.len());
+        while !text.is_char_boundary(end) {
+            end += 1;
+        }
+        Slice {
+            text: &text[base..end],
+            base,
+            is_cut: end < text.len(),
+        }
+    }
+
+    /// Whether a token that ends here might go on behind the slice.
+    fn cuts(&self, end: usize) -> bool {
+        self.is_cut && end == self.text.len()
+    }
+}
+
+impl<'a> Lexer<'a> {
+    fn run(&mut self) {
+        let mut at = 0;
+        let mut size = SLICE;
+        while at < self.text.len() && self.faults.len() < MAX_FAULTS {
+            let slice = Slice::new(self.text, at, size);
+            at = self.read(slice);
+            if at == slice.base {
+                at = self.read_hard(at);
+            }
+            if at > slice.base {
+                size = if self.is_in_list { LIST_SLICE } else { SLICE };
+            } else if slice.is_cut && !self.text[at..].starts_with("/*") {
+                size = size.saturating_mul(2);
+            } else {
+                self.faults.push(faults::unclosed(&self.out, at));
+                return;
+            }
+        }
+    }
+
+    /// Reads a comment within which another begins, or a directive with one before its word.
+    fn read_hard(&mut self, at: usize) -> usize {
+        let rest = Slice::new(self.text, at, usize::MAX);
+        match rest.text.as_bytes() {
+            [b'/', b'*', ..] => self.read_rule(rest, Rule::nested),
+            [b'#', ..] => self.read_rule(rest, Rule::nested_directive),
+            _ => at,
+        }
+    }
+
+    /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
+    /// with a token that it does not hold whole.
+    fn read(&mut self, slice: Slice<'a>) -> usize {
+        if self.is_in_list {
+            let reached = self.read_rule(slice, Rule::raw);
+            if reached > slice.base {
+                return reached;
+            }
+        }
+        self.read_rule(slice, Rule::piece)
+    }
+
+    fn read_rule(&mut self, slice: Slice<'a>, rule: Rule) -> usize {
+        let Ok(pairs) = Grammar::parse(rule, slice.text) else {
+            return slice.base;
+        };
+        let mut start = 0;
+        let mut directive = None;
+        let mut head = None;
+        let mut done = 0;
+        for edge in pairs.tokens() {
+            let (rule, end) = match edge {
+                Edge::Start { rule, pos } => {
+                    start = pos.pos();
+                    if matches!(rule, Rule::directive | Rule::nested_directive) {
+                        directive = Some(start);
+                    }
+                    continue;
+                }
+                Edge::End { rule, pos } => (rule, pos.pos()),
+            };
+            match (rule, directive) {
+                (Rule::directive, Some(start))
+                    if slice.cuts(end) || head.is_none() && self.has_comment(slice.base + end) =>
+                {
+                    return slice.base + start;
+                }
+                (Rule::directive | Rule::nested_directive, Some(start)) => {
+                    self.push_directive(slice, start, head.take());
+                    directive = None;
+                }
+                (Rule::head, _) => head = Some((start, end)),
+                (_, Some(_)) | (Rule::piece, _) => continue,
+                (Rule::numbers | Rule::raw, None) => {
+                    let reached = self.push_numbers(slice, start, end);
+                    if rule == Rule::raw {
+                        self.is_in_list = slice.cuts(end) && reached > 0;
+                    }
+                    if reached < end {
+                        return slice.base + reached;
+                    }
+                }
+                _ if slice.cuts(end) => return slice.base + start,
+                (Rule::word, None) => self.push_word(slice, start, end),
+                (Rule::string, None) => self.push_string(slice.base + start, slice.base + end),
+                (Rule::mark | Rule::other | Rule::comparison, None) => {
+                    self.push_mark(slice, start, end);
+                }
+                _ => {}
+            }
+            done = end;
+        }
+        slice.base + skip_blanks(slice.text, done)
+    }
+
+    /// Whether a comment begins here, be it within the slice or not.
+    fn has_comment(&self, at: usize) -> bool {
+        matches!(self.text.as_bytes().get(at..at + 2), Some(b"/*" | b"//"))
+    }
+
+    fn push(&mut self, kind: Kind, value: u32, start: usize) {
+        let start = offset(start);
+        self.out.tokens.push(Token { kind, value, start });
+    }
+
+    fn push_word(&mut self, slice: Slice, start: usize, end: usize) {
+        let spelling = &slice.text[start..end];
+        let start = slice.base + start;
+        if let Some(word) = Word::from_spelling(spelling) {
+            self.push(Kind::Word, word as u32, start);
+            self.is_in_list |= begins_list(word);
+        } else {
+            let symbol = self.names.intern(spelling);
+            self.push(Kind::Name, symbol.0, start);
+        }
+    }
+
+    fn push_mark(&mut self, slice: Slice, start: usize, end: usize) {
+        let text = &slice.text[start..end];
+        let start = slice.base + start;
+        match text {
+            "<=" => self.push(Kind::LessEqual, 0, start),
+            ">=" => self.push(Kind::GreaterEqual, 0, start),
+            "!=" => self.push(Kind::NotEqual, 0, start),
+            _ => {
+                self.is_in_list &= text != "}";
+                let code = text.chars().next().map_or(0, u32::from);
+                self.push(Kind::Mark, code, start);
+            }
+        }
+    }
+
+    fn push_string(&mut self, start: usize, end: usize) {
+        let index = offset(self.out.strings.len());
+        self.out.strings.push(offset(start + 1)..offset(end - 1));
+        self.push(Kind::String, index, start);
+    }
+
+    /// `#` with its word, if it has one. What is no directive's word is a token of its own, and the `#` is passed over.
+    fn push_directive(&mut self, slice: Slice, start: usize, head: Option<(usize, usize)>) {
+        let Some((head_start, head_end)) = head else {
+            return;
+        };
+        let word = Word::from_spelling(&slice.text[head_start..head_end]);
+        if word.is_some_and(|word| !is_directive(word)) {
+            self.push_word(slice, head_start, head_end);
+            return;
+        }
+        let index = offset(self.out.directives.len());
+        self.out.directives.push(Directive {
+            word,
+            next: END_OF_FILE,
+            end: END_OF_FILE,
+            stop: offset(slice.base + head_end),
+        });
+        self.push(Kind::Directive, index, slice.base + start);
+    }
+
+    /// Makes tokens of numbers and the marks between them; gives where in the slice that ended, before `end` if
+    /// something else stands there or the slice cuts the last number.
+    fn push_numbers(&mut self, slice: Slice, start: usize, end: usize) -> usize {
+        let text = slice.text;
+        let is_cut = slice.cuts(end);
+        scan::split_numbers(text.as_bytes(), start..end, is_cut, |at, item| match item {
+            Item::Mark(mark) => self.push(Kind::Mark, u32::from(mark), slice.base + at),
+            Item::Number(end) => self.push_number(slice, at, end),
+        })
+    }
+
+    fn push_number(&mut self, slice: Slice, start: usize, end: usize) {
+        let value = scan::number_value(&slice.text[start..end]);
+        let index = offset(self.out.numbers.len());
+        self.push(Kind::Number, index, slice.base + start);
+        self.out.numbers.push(value.unwrap_or(0.0));
+        if value.is_none() && self.faults.len() < MAX_FAULTS {
+            let (start, end) = (offset(slice.base + start), offset(slice.base + end));
+            let span = Span::new(self.out.file, start, end);
+            self.faults.push(faults::bad_number(self.text, span));
+        }
+    }
+}
+
+/// A byte of the text, or a count of tokens in it. [`tokenize`] refuses texts that are longer.
+fn offset(at: usize) -> u32 {
+    u32::try_from(at).expect("texts are shorter than 4 GiB")
+}
+
+/// pest gives no pair for blanks.
+fn skip_blanks(text: &str, start: usize) -> usize {
+    let rest = &text[start..];
+    start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
+}
+
+/// Whether a word begins one of the lists of a `mesh2`.
+fn begins_list(word: Word) -> bool {
+    matches!(
+        word,
+        Word::VertexVectors
+            | Word::NormalVectors
+            | Word::UvVectors
+            | Word::FaceIndices
+            | Word::NormalIndices
+            | Word::UvIndices
+    )
+}
+
+/// Whether `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.
+fn is_directive(word: Word) -> bool {
+    let is_of_class = word.class() == Class::Directive || word == Word::Default;
+    is_of_class && !matches!(word, Word::Deprecated | Word::Once | Word::Append)
+}
