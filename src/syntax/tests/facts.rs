@@ -1,7 +1,9 @@
 //! Single facts about the tokens, each as POV-Ray 3.7 has it.
 
-use super::super::{END_OF_FILE, Kind, Word};
+use super::super::{END_OF_FILE, Kind, Names, Word, tokenize};
 use super::{lex, spellings};
+use crate::source::Sources;
+use crate::source::print::{Styling, annotated};
 
 #[test]
 fn a_token_takes_twelve_bytes() {
@@ -200,4 +202,31 @@ fn long_lists_of_a_mesh_are_read_as_any_other_text() {
     }
     text.push_str("} face_indices { 1 <1,2,3> } }");
     super::corpus::assert_same_tokens(&text, "mesh");
+}
+
+#[test]
+fn lexical_faults_are_shown_in_the_scene() {
+    let mut sources = Sources::new(Vec::new());
+    let file = sources.add_text(
+        "x.pov",
+        "#include \"a.inc\nsphere { 1.5.2 }\n#debug \"done\"\n",
+    );
+    let faults = tokenize(file, sources.text(file), &mut Names::new()).unwrap_err();
+    assert_eq!(faults.len(), 1);
+    assert_eq!(
+        annotated(&faults[0], &sources, Styling::Plain),
+        "\
+error: no closing quote for this string
+ --> x.pov:3:13
+  |
+1 | #include \"a.inc
+  |          ------ this string spans lines: is its closing quote missing?
+2 | sphere { 1.5.2 }
+3 | #debug \"done\"
+  |        -    ^
+  |        |
+  |        it ends only here
+  |
+  = help: one missing quote turns all the later strings of the file inside out"
+    );
 }

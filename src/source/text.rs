@@ -1,0 +1,57 @@
+//! From the bytes of a file to a text.
+
+use std::borrow::Cow;
+
+/// The text that bytes mean.
+///
+/// UTF-8 stays as it is, but for a byte-order mark at the start, which goes; a text that begins with the mark of
+/// UTF-16 is that. A byte that is no UTF-8 becomes the character of the same code, as in Latin-1, which is what old
+/// scenes are written in; so lines and columns (in characters) are those an editor shows, `°` and `ü` are printed as
+/// they were meant, and only byte offsets differ from those of the file. All spans count bytes of this text.
+pub(super) fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    match bytes {
+        [0xef, 0xbb, 0xbf, rest @ ..] => from_utf8_or_latin1(rest),
+        [0xff, 0xfe, rest @ ..] => Cow::Owned(from_utf16(rest, u16::from_le_bytes)),
+        [0xfe, 0xff, rest @ ..] => Cow::Owned(from_utf16(rest, u16::from_be_bytes)),
+        _ => from_utf8_or_latin1(bytes),
+    }
+}
+
+fn from_utf8_or_latin1(bytes: &[u8]) -> Cow<'_, str> {
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(bytes.len() + bytes.len() / 8);
+    for chunk in bytes.utf8_chunks() {
+        out.push_str(chunk.valid());
+        out.extend(chunk.invalid().iter().copied().map(char::from));
+    }
+    Cow::Owned(out)
+}
+
+fn from_utf16(bytes: &[u8], unit: impl Fn([u8; 2]) -> u16) -> String {
+    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    char::decode_utf16(units)
+        .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_become_the_characters_that_were_meant() {
+        for (bytes, text) in [
+            (&b"plain"[..], "plain"),
+            (b"\xef\xbb\xbfmarked", "marked"),
+            ("grün".as_bytes(), "grün"),
+            (b"gr\xfcn 45\xb0", "grün 45°"),
+            (b"\xff\xfeg\0\xfc\0", "gü"),
+            (b"\xfe\xff\0g\0\xfc\xd8\x00", "gü\u{fffd}"),
+            (b"", ""),
+        ] {
+            assert_eq!(decode(bytes), text);
+        }
+    }
+}
