@@ -13,6 +13,7 @@ use super::word::{Class, Word};
 use crate::source::{Diagnostic, FileId, Span};
 use grammar::{Grammar, Rule};
 use pest::{Parser, Token as Edge};
+use std::ops::Range;
 use std::sync::Arc;
 
 #[allow(
@@ -30,8 +31,11 @@ mod grammar {
 /// Bytes of a slice: pest's pairs for one stay in the cache of a core.
 const SLICE: usize = 1 << 15;
 
-/// Bytes of a slice within the long list of a mesh, of which pest makes a single pair.
-const LIST_SLICE: usize = 1 << 20;
+/// Bytes of a slice of plain text, of which pest makes a single pair.
+const PLAIN_SLICE: usize = 1 << 20;
+
+/// Shorter stretches of plain text than this are read token by token: they are the scenes that people write.
+const PLAIN_MIN: usize = 1 << 16;
 
 /// How many faults of one text are told; a file that is no scene has thousands.
 const MAX_FAULTS: usize = 20;
@@ -63,7 +67,6 @@ pub fn tokenize(
             strings: Vec::new(),
         },
         faults: Vec::new(),
-        is_in_list: false,
     };
     lexer.run();
     lexer.push(Kind::End, 0, text.len());
@@ -81,8 +84,6 @@ struct Lexer<'a> {
     names: &'a mut Names,
     out: Tokens,
     faults: Vec<Diagnostic>,
-    /// Whether the last token lies in a list of a `mesh2`.
-    is_in_list: bool,
 }
 
 /// The part of the text that pest reads at once.
@@ -120,13 +121,17 @@ impl<'a> Lexer<'a> {
         let mut at = 0;
         let mut size = SLICE;
         while at < self.text.len() && self.faults.len() < MAX_FAULTS {
+            at = self.read_plain(at);
+            if at == self.text.len() {
+                return;
+            }
             let slice = Slice::new(self.text, at, size);
-            at = self.read(slice);
+            at = self.read_rule(slice, Rule::piece);
             if at == slice.base {
                 at = self.read_hard(at);
             }
             if at > slice.base {
-                size = if self.is_in_list { LIST_SLICE } else { SLICE };
+                size = SLICE;
             } else if slice.is_cut && !self.text[at..].starts_with("/*") {
                 size = size.saturating_mul(2);
             } else {
@@ -146,18 +151,27 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
-    /// with a token that it does not hold whole.
-    fn read(&mut self, slice: Slice<'a>) -> usize {
-        if self.is_in_list {
-            let reached = self.read_rule(slice, Rule::raw);
-            if reached > slice.base {
-                return reached;
+    /// Reads plain text as long as there is much of it; gives where to go on.
+    fn read_plain(&mut self, start: usize) -> usize {
+        let mut at = start;
+        while self.text.len() - at >= PLAIN_MIN {
+            let slice = Slice::new(self.text, at, PLAIN_SLICE);
+            let plain =
+                Grammar::parse(Rule::plain, slice.text).map_or(0, |pairs| pairs.as_str().len());
+            if plain < PLAIN_MIN {
+                break;
             }
+            let reached = slice.base + self.push_plain(slice, 0..plain);
+            if reached == at {
+                break;
+            }
+            at = reached;
         }
-        self.read_rule(slice, Rule::piece)
+        at
     }
 
+    /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
+    /// with a token that it does not hold whole.
     fn read_rule(&mut self, slice: Slice<'a>, rule: Rule) -> usize {
         let Ok(pairs) = Grammar::parse(rule, slice.text) else {
             return slice.base;
@@ -189,11 +203,8 @@ impl<'a> Lexer<'a> {
                 }
                 (Rule::head, _) => head = Some((start, end)),
                 (_, Some(_)) | (Rule::piece, _) => continue,
-                (Rule::numbers | Rule::raw, None) => {
-                    let reached = self.push_numbers(slice, start, end);
-                    if rule == Rule::raw {
-                        self.is_in_list = slice.cuts(end) && reached > 0;
-                    }
+                (Rule::numbers, None) => {
+                    let reached = self.push_plain(slice, start..end);
                     if reached < end {
                         return slice.base + reached;
                     }
@@ -226,7 +237,6 @@ impl<'a> Lexer<'a> {
         let start = slice.base + start;
         if let Some(word) = Word::from_spelling(spelling) {
             self.push(Kind::Word, word as u32, start);
-            self.is_in_list |= begins_list(word);
         } else {
             let symbol = self.names.intern(spelling);
             self.push(Kind::Name, symbol.0, start);
@@ -236,12 +246,12 @@ impl<'a> Lexer<'a> {
     fn push_mark(&mut self, slice: Slice, start: usize, end: usize) {
         let text = &slice.text[start..end];
         let start = slice.base + start;
-        match text {
-            "<=" => self.push(Kind::LessEqual, 0, start),
-            ">=" => self.push(Kind::GreaterEqual, 0, start),
-            "!=" => self.push(Kind::NotEqual, 0, start),
+        match text.as_bytes() {
+            b"<=" => self.push(Kind::LessEqual, 0, start),
+            b">=" => self.push(Kind::GreaterEqual, 0, start),
+            b"!=" => self.push(Kind::NotEqual, 0, start),
+            &[mark] => self.push(Kind::Mark, u32::from(mark), start),
             _ => {
-                self.is_in_list &= text != "}";
                 let code = text.chars().next().map_or(0, u32::from);
                 self.push(Kind::Mark, code, start);
             }
@@ -274,15 +284,19 @@ impl<'a> Lexer<'a> {
         self.push(Kind::Directive, index, slice.base + start);
     }
 
-    /// Makes tokens of numbers and the marks between them; gives where in the slice that ended, before `end` if
-    /// something else stands there or the slice cuts the last number.
-    fn push_numbers(&mut self, slice: Slice, start: usize, end: usize) -> usize {
-        let text = slice.text;
-        let is_cut = slice.cuts(end);
-        scan::split_numbers(text.as_bytes(), start..end, is_cut, |at, item| match item {
-            Item::Mark(mark) => self.push(Kind::Mark, u32::from(mark), slice.base + at),
-            Item::Number(end) => self.push_number(slice, at, end),
-        })
+    /// Makes tokens of a stretch without comments, strings and directives; gives where in the slice that ended, before
+    /// the end of the stretch if the slice cuts the last token.
+    fn push_plain(&mut self, slice: Slice, stretch: Range<usize>) -> usize {
+        scan::split_plain(
+            slice.text,
+            stretch,
+            slice.is_cut,
+            |token, item| match item {
+                Item::Word => self.push_word(slice, token.start, token.end),
+                Item::Number => self.push_number(slice, token.start, token.end),
+                Item::Mark => self.push_mark(slice, token.start, token.end),
+            },
+        )
     }
 
     fn push_number(&mut self, slice: Slice, start: usize, end: usize) {
@@ -307,19 +321,6 @@ fn offset(at: usize) -> u32 {
 fn skip_blanks(text: &str, start: usize) -> usize {
     let rest = &text[start..];
     start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
-}
-
-/// Whether a word begins one of the lists of a `mesh2`.
-fn begins_list(word: Word) -> bool {
-    matches!(
-        word,
-        Word::VertexVectors
-            | Word::NormalVectors
-            | Word::UvVectors
-            | Word::FaceIndices
-            | Word::NormalIndices
-            | Word::UvIndices
-    )
 }
 
 /// Whether `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.

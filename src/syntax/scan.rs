@@ -1,4 +1,4 @@
-//! Where a token ends, and the numbers within a run of numbers.
+//! Where a token ends, and the tokens of plain text: of what pest has found to hold no comment, string or directive.
 
 use std::ops::Range;
 
@@ -55,50 +55,61 @@ pub(super) fn number_value(number: &str) -> Option<f64> {
         .ok()
 }
 
-/// What a run of numbers holds.
+/// A token of plain text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Item {
-    /// `,` `<` `>` or `-`.
-    Mark(u8),
-    /// A number, up to this byte.
-    Number(usize),
+    /// A reserved word or an identifier.
+    Word,
+    /// A number.
+    Number,
+    /// A mark, a comparison, or any other character.
+    Mark,
 }
 
-/// Reads numbers and the marks between them from a range of the text, and gives each with its place to `take`; ends at
-/// the end of the range, at the first byte that is none of these, or before a number that reaches the end of the text
-/// and might go on behind it (`is_cut`). Gives where it ended.
-pub(super) fn split_numbers(
-    text: &[u8],
+/// Splits a range of the text in which no comment, string or directive begins, and gives each token with its place to
+/// `take`. Ends at the end of the range, or before a token that reaches the end of the text and might go on behind it
+/// (`is_cut`). Gives where it ended.
+pub(super) fn split_plain(
+    text: &str,
     range: Range<usize>,
     is_cut: bool,
-    mut take: impl FnMut(usize, Item),
+    mut take: impl FnMut(Range<usize>, Item),
 ) -> usize {
+    let bytes = text.as_bytes();
     let mut at = range.start;
     while at < range.end {
-        let byte = text[at];
-        match byte {
-            b' ' | b'\t'..=b'\r' => at += 1,
-            b'<' | b'>' if is_comparison(text.get(at + 1), is_cut) => break,
-            b',' | b'<' | b'>' | b'-' => {
-                take(at, Item::Mark(byte));
+        let (item, end) = match bytes[at] {
+            b' ' | b'\t'..=b'\r' | 0 | 0x1a => {
                 at += 1;
+                continue;
             }
-            b'0'..=b'9' | b'.' => {
-                let number_end = number_end(text, at);
-                if number_end == at || is_cut && number_end == text.len() {
-                    break;
+            b'0'..=b'9' => (Item::Number, number_end(bytes, at)),
+            b'.' => match number_end(bytes, at) {
+                end if end == at => (Item::Mark, at + 1),
+                end => (Item::Number, end),
+            },
+            b'<' | b'>' | b'!' => (
+                Item::Mark,
+                at + 1 + usize::from(bytes.get(at + 1) == Some(&b'=')),
+            ),
+            byte if is_letter(byte) => (Item::Word, word_end(bytes, at)),
+            byte if byte.is_ascii() => (Item::Mark, at + 1),
+            _ => {
+                let letter = text[at..].chars().next().unwrap_or_default();
+                if is_blank(letter) {
+                    at += letter.len_utf8();
+                    continue;
                 }
-                take(at, Item::Number(number_end));
-                at = number_end;
+                (Item::Mark, at + letter.len_utf8())
             }
-            _ => break,
+        };
+        if is_cut && end == text.len() {
+            break;
         }
+        take(at..end, item);
+        at = end;
     }
     at
-}
-
-/// Whether `<` or `>` before this byte is half of one token with it, or might be.
-fn is_comparison(next: Option<&u8>, is_cut: bool) -> bool {
-    next.map_or(is_cut, |&next| next == b'=')
 }
 
 #[cfg(test)]

@@ -172,6 +172,28 @@ fn time_is_linear_in_the_length() {
     }
 }
 
+/// Random tokens over and over, so that stretches of plain text are long enough to be read as such and to be cut.
+#[test]
+fn long_plain_text_is_read_as_by_hand() {
+    let pieces = proptest::sample::select(vec![
+        "1", ".5", "5.", "1e-3", "2e", "<", ">=", "=", "!", "x", "A_1", " ", "\n", "\t", "é", "\0",
+        "{", ",", "-", "\u{feff}", "~", "vlong_",
+    ]);
+    let text = (
+        proptest::collection::vec(pieces, 1..50),
+        70_000_usize..1_200_000,
+    );
+    runner(30)
+        .run(&text, |(pieces, length)| {
+            let once = pieces.concat();
+            let text = once.repeat(length / once.len());
+            assert_same_tokens(&text, &once);
+            assert_same_tokens(&format!("{text}#{text}/* */{text}\"a\""), &once);
+            Ok(())
+        })
+        .unwrap();
+}
+
 #[test]
 fn deep_nesting_is_no_danger() {
     let depth = 1_000_000;
