@@ -69,9 +69,16 @@ fn print_remarks(remarks: &str) {
     eprintln!("{remarks}\n");
 }
 
+/// The name of a scene: its path below `pov_scenes/` without extension, with `/` on every system.
+fn scene_name(path: &Path) -> String {
+    let relative = path.strip_prefix(support::SCENES).unwrap_or(path);
+    let parts: Vec<_> = relative.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/").trim_end_matches(".pov").to_owned()
+}
+
 fn trial(path: PathBuf, remarks: &Remarks) -> Trial {
     let remarks = Arc::clone(remarks);
-    Trial::test(support::scene_name(&path), move || {
+    Trial::test(scene_name(&path), move || {
         let case = Case::read(path)?;
         let remark = case.check()?;
         if let (Some(remark), Ok(mut list)) = (remark, remarks.lock()) {
@@ -92,7 +99,7 @@ impl Case {
             return Err("the first line is to be a comment that says what the scene shows".into());
         }
         let mut case = Case {
-            name: support::scene_name(&path),
+            name: scene_name(&path),
             path,
             size: (160, 120),
             limits: None,

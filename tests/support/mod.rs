@@ -41,13 +41,6 @@ pub(crate) fn scenes(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The name of a scene: its path below `pov_scenes/` without extension, with `/` on every system.
-pub(crate) fn scene_name(path: &Path) -> String {
-    let relative = path.strip_prefix(SCENES).unwrap_or(path);
-    let parts: Vec<_> = relative.iter().map(|part| part.to_string_lossy()).collect();
-    parts.join("/").trim_end_matches(".pov").to_owned()
-}
-
 /// How a process ended.
 pub(crate) struct Ended {
     /// The exit status, or `None` if it ran past the limit and was killed.
