@@ -6,6 +6,7 @@
 
 pub mod args;
 pub mod color;
+pub mod compare;
 pub mod math;
 pub mod shape;
 pub mod source;

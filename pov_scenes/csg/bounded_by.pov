@@ -1,0 +1,13 @@
+// A bound that holds the whole solid changes nothing.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+difference {
+  sphere { 0, 1 }
+  box { <-0.4, -0.4, -2>, <0.4, 0.4, 2> }
+  bounded_by { sphere { 0, 1.01 } }
+  rotate 35*y
+  pigment { rgb <0.4, 0.8, 0.8> }
+}

@@ -1,0 +1,12 @@
+// An intersection keeps what is inside all members.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+intersection {
+  box { -0.85, 0.85 }
+  sphere { 0, 1.1 }
+  rotate <20, 35, 0>
+  pigment { rgb <0.4, 0.7, 0.8> }
+}

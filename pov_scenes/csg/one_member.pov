@@ -1,0 +1,9 @@
+// Solids with one member are that member.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+union { sphere { <-1.4, 0, 0>, 0.6 } pigment { rgb <0.9, 0.4, 0.4> } }
+difference { box { <-0.5, -0.5, -0.5>, <0.5, 0.5, 0.5> } pigment { rgb <0.4, 0.9, 0.4> } }
+intersection { cone { <1.4, -0.7, 0>, 0.6, <1.4, 0.7, 0>, 0 } pigment { rgb <0.4, 0.4, 0.9> } }

@@ -1,0 +1,11 @@
+// Triangles have no inside: a union shows them, an intersection does not keep what they would bound.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+union {
+  triangle { <-2, -0.8, 0>, <-0.4, -0.8, 0>, <-1.2, 0.8, 0> }
+  sphere { <1, 0, 0>, 0.7 }
+  pigment { rgb <0.9, 0.7, 0.5> }
+}

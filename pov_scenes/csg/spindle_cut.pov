@@ -1,0 +1,11 @@
+// A spindle torus cut open along its axis is filled up to the axis.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+difference {
+  torus { 0.4, 0.7 }
+  plane { <0.3, 0.1, 1>, -0.05 }
+  pigment { rgb <0.6, 0.9, 0.7> }
+}

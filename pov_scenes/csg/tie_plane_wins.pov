@@ -1,0 +1,8 @@
+// Where a plane and the face of a box coincide, the plane is seen.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+box { <-1, -1, 0>, <1, 1, 2> pigment { rgb <0.9, 0.3, 0.3> } }
+plane { z, 0 pigment { rgb <0.3, 0.9, 0.3> } clipped_by { box { <-3, -0.5, -1>, <0, 0.5, 3> } } }

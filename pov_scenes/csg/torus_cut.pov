@@ -1,0 +1,12 @@
+// A torus with a wedge cut out shows the round section.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+difference {
+  torus { 0.9, 0.35 }
+  box { <0, -1, -2>, <2, 1, 0> rotate 20*y }
+  rotate -35*x
+  pigment { rgb <0.9, 0.8, 0.4> }
+}

@@ -1,0 +1,8 @@
+// Fresnel reflection follows the interior's index of refraction.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { <-1.1, 0, 0>, 0.9 pigment { rgb <0.1, 0.1, 0.2> } finish { reflection { 1 fresnel } } interior { ior 1.5 } }
+sphere { <1.1, 0, 0>, 0.9 pigment { rgb <0.1, 0.1, 0.2> } finish { reflection { 0.1, 1 fresnel on } } interior { ior 2.4 } }

@@ -1,0 +1,7 @@
+// Reflection grows from the first colour, seen straight on, to the second at grazing angles.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { 0, 1.2 pigment { rgb <0.3, 0.1, 0.1> } finish { reflection { 0, 1 } } }

@@ -1,0 +1,9 @@
+// Specular highlights of three roughnesses.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { <-1.4, 0, 0>, 0.6 pigment { rgb <0.2, 0.5, 0.3> } finish { specular 0.8 roughness 0.3 } }
+sphere { <0, 0, 0>, 0.6 pigment { rgb <0.2, 0.5, 0.3> } finish { specular 0.8 } }
+sphere { <1.4, 0, 0>, 0.6 pigment { rgb <0.2, 0.5, 0.3> } finish { specular 1 roughness 0.004 } }

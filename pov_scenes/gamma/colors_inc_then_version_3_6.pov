@@ -1,0 +1,7 @@
+// The last `#version` counts: colors.inc first, 3.6 after it.
+#include "colors.inc"
+#version 3.6;
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { 0, 0.9 pigment { rgb <0.5, 0.2, 0.02> } }

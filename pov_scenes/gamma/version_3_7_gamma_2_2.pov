@@ -1,0 +1,5 @@
+// With `assumed_gamma 2.2` 0.5 becomes 128, and 0.02 becomes 1.
+#version 3.7;
+global_settings { assumed_gamma 2.2 }
+camera { location <0, 0, -3> look_at 0 }
+sphere { 0, 1 pigment { rgb <0.5, 0.2, 0.02> } finish { ambient 1 diffuse 0 } }

@@ -1,0 +1,12 @@
+// The members of a union share the union's interior.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+union {
+  sphere { <-0.9, 0, 0>, 0.7 }
+  cone { <0.9, -0.9, 0>, 0.7, <0.9, 0.8, 0>, 0.1 }
+  pigment { rgbf <0.95, 0.9, 1, 0.95> }
+  interior { ior 1.4 }
+}

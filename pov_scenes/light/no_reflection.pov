@@ -1,0 +1,8 @@
+// An object with `no_reflection` is seen, but not in mirrors.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { <-1, 0, 0>, 0.8 pigment { rgb 0.1 } finish { reflection 0.8 } }
+sphere { <0.9, 0, -0.5>, 0.7 pigment { rgb <0.3, 0.9, 0.3> } no_reflection }

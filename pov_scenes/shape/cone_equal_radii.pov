@@ -1,0 +1,8 @@
+// A cone with two equal radii is a cylinder.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+cone { <-1, -1, 0>, 0.6, <-0.7, 0.7, 0>, 0.6 pigment { rgb <0.5, 0.6, 0.9> } }
+cylinder { <1, -1, 0>, <1.3, 0.7, 0>, 0.6 pigment { rgb <0.5, 0.6, 0.9> } }

@@ -1,0 +1,8 @@
+// An open cone has no caps.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+cone { <-1, -1, 0>, 0.4, <-1, 0.6, 0>, 0.9 open pigment { rgb <0.9, 0.5, 0.5> } }
+cone { <0.2, -0.5, -0.8>, 0.7, <1.7, 0, 0.4>, 0.1 open pigment { rgb <0.5, 0.9, 0.5> } }

@@ -1,0 +1,11 @@
+// `#default` changes the texture of objects that follow and lack one.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { <-1.4, 0, 0>, 0.6 pigment { rgb <0.9, 0.5, 0.5> } }
+#default { pigment { rgb <0.3, 0.8, 0.4> } finish { ambient 0.4 phong 0.7 } }
+sphere { <0, 0, 0>, 0.6 }
+#default { texture { pigment { rgb <0.3, 0.4, 0.9> } } }
+sphere { <1.4, 0, 0>, 0.6 }

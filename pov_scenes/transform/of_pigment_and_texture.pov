@@ -1,0 +1,13 @@
+// Transforms stand in pigments, in textures and in objects, and add up from the inside.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 38 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { y, -1.01 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
+sphere { 0, 1.1
+  texture {
+    pigment { checker rgb 1, rgb <0.8, 0.3, 0> scale 0.4 rotate 20*z }
+    scale <1, 0.5, 1> rotate 30*y
+  }
+  rotate -25*x
+}

@@ -1,0 +1,331 @@
+//! Comparison of two pictures: how many pixels are the same, by how much the others differ, and where.
+//!
+//! A pixel that is one step off is counted apart from one that is off by more: the first is rounding, the second is an
+//! error in geometry or shading (BRL-CAD's benchmark separates them in the same way). Channels are compared as stored,
+//! in steps of the picture's depth: 1/255 for 8 bits, 1/65535 for 16 bits. A picture without alpha is opaque.
+//! Perceptual measures are deliberately missing: a scene's picture is to be equal, not similar.
+
+mod limits;
+mod side_by_side;
+
+pub use limits::{LimitError, Limits, Verdict};
+pub use side_by_side::side_by_side;
+
+use image::{DynamicImage, Rgba};
+use std::fmt;
+
+/// What a comparison of two pictures of one size finds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Pixels equal in all channels.
+    pub same: u64,
+    /// Pixels whose most different channel is one step off.
+    pub off_by_one: u64,
+    /// Pixels with a channel that is more than one step off.
+    pub off_by_many: u64,
+    /// The mean of the absolute differences over all channels, in steps.
+    pub mean: f64,
+    /// The root of the mean of the squared differences over all channels, in steps.
+    pub rms: f64,
+    /// The value of full intensity: 255 or 65535.
+    pub full: u16,
+    /// The pixel with the largest difference in one channel; of several the first in reading order.
+    pub worst: Option<WorstPixel>,
+}
+
+/// The pixel in which two pictures differ most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WorstPixel {
+    /// Column from the left, from 0.
+    pub x: u32,
+    /// Row from the top, from 0.
+    pub y: u32,
+    /// The largest difference of its channels, in steps.
+    pub difference: u16,
+    /// Red, green, blue and alpha of the expected picture.
+    pub expected: [u16; 4],
+    /// Red, green, blue and alpha of the actual picture.
+    pub actual: [u16; 4],
+}
+
+/// Why two pictures cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mismatch {
+    /// The sizes differ: expected, then actual, as width and height.
+    Size((u32, u32), (u32, u32)),
+    /// The bits of a channel differ: expected, then actual.
+    Depth(u16, u16),
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mismatch::Size((ew, eh), (aw, ah)) => {
+                write!(f, "expected {ew}x{eh} pixels, found {aw}x{ah}")
+            }
+            Mismatch::Depth(expected, actual) => {
+                write!(
+                    f,
+                    "expected {expected} bits in a channel, found {actual} bits"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Mismatch {}
+
+/// Compares two pictures pixel by pixel.
+///
+/// # Errors
+/// When the pictures differ in size or in depth.
+pub fn compare(expected: &DynamicImage, actual: &DynamicImage) -> Result<Comparison, Mismatch> {
+    let sizes = [expected, actual].map(|picture| (picture.width(), picture.height()));
+    if sizes[0] != sizes[1] {
+        return Err(Mismatch::Size(sizes[0], sizes[1]));
+    }
+    let [bits, found] = [expected, actual].map(depth);
+    if bits != found {
+        return Err(Mismatch::Depth(bits, found));
+    }
+    let pairs: Vec<_> = match bits {
+        8 => {
+            let [expected, actual] = [expected.to_rgba8(), actual.to_rgba8()];
+            let wide = |p: &Rgba<u8>| p.0.map(u16::from);
+            let pixels = expected.enumerate_pixels().zip(actual.pixels());
+            pixels
+                .map(|((x, y, e), a)| (x, y, wide(e), wide(a)))
+                .collect()
+        }
+        _ => {
+            let [expected, actual] = [expected.to_rgba16(), actual.to_rgba16()];
+            let pixels = expected.enumerate_pixels().zip(actual.pixels());
+            pixels.map(|((x, y, e), a)| (x, y, e.0, a.0)).collect()
+        }
+    };
+    let full = if bits == 8 { 255 } else { u16::MAX };
+    Ok(count(&pairs, full))
+}
+
+/// Bits of one channel; pictures of floating point are compared as 16 bits.
+fn depth(picture: &DynamicImage) -> u16 {
+    let color = picture.color();
+    let bits = color.bits_per_pixel() / u16::from(color.channel_count());
+    bits.min(16)
+}
+
+fn count(pairs: &[(u32, u32, [u16; 4], [u16; 4])], full: u16) -> Comparison {
+    let mut found = Comparison {
+        same: 0,
+        off_by_one: 0,
+        off_by_many: 0,
+        mean: 0.0,
+        rms: 0.0,
+        full,
+        worst: None,
+    };
+    let (mut sum, mut sum_sq) = (0.0, 0.0);
+    for &(x, y, expected, actual) in pairs {
+        let mut difference = 0;
+        for (e, a) in expected.into_iter().zip(actual) {
+            let off = e.abs_diff(a);
+            difference = difference.max(off);
+            sum += f64::from(off);
+            sum_sq += f64::from(off) * f64::from(off);
+        }
+        match difference {
+            0 => found.same += 1,
+            1 => found.off_by_one += 1,
+            _ => found.off_by_many += 1,
+        }
+        if difference > found.max() {
+            found.worst = Some(WorstPixel {
+                x,
+                y,
+                difference,
+                expected,
+                actual,
+            });
+        }
+    }
+    // Alpha takes part in what is equal, but a channel that is opaque in both must not thin out the mean.
+    let opaque = pairs.iter().all(|p| p.2[3] == full && p.3[3] == full);
+    let values = found.pixels() * if opaque { 3 } else { 4 };
+    if values > 0 {
+        found.mean = sum / as_f64(values);
+        found.rms = (sum_sq / as_f64(values)).sqrt();
+    }
+    found
+}
+
+/// A count of pixels as a number; exact below 2^53.
+#[allow(
+    clippy::cast_precision_loss,
+    reason = "no picture has 2^53 pixels: its sides are 32 bits and it must fit in memory"
+)]
+fn as_f64(count: u64) -> f64 {
+    count as f64
+}
+
+impl Comparison {
+    /// How many pixels each picture has.
+    #[must_use]
+    pub fn pixels(&self) -> u64 {
+        self.same + self.off_by_one + self.off_by_many
+    }
+
+    /// The share of pixels that differ, in percent; 0 for an empty picture.
+    #[must_use]
+    pub fn differing_percent(&self) -> f64 {
+        100.0 * as_f64(self.off_by_one + self.off_by_many) / as_f64(self.pixels().max(1))
+    }
+
+    /// The largest difference in one channel, in steps.
+    #[must_use]
+    pub fn max(&self) -> u16 {
+        self.worst.map_or(0, |worst| worst.difference)
+    }
+
+    /// The peak signal-to-noise ratio in decibels; infinite for equal pictures.
+    #[must_use]
+    pub fn psnr(&self) -> f64 {
+        20.0 * (f64::from(self.full) / self.rms).log10()
+    }
+
+    /// Whether all pixels are equal.
+    #[must_use]
+    pub fn is_equal(&self) -> bool {
+        self.same == self.pixels()
+    }
+}
+
+/// One line with the counts and measures, and a second with the worst pixel if there is one.
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_equal() {
+            return write!(f, "all {} pixels are equal", self.pixels());
+        }
+        let Comparison {
+            same,
+            off_by_one,
+            off_by_many,
+            mean,
+            rms,
+            ..
+        } = self;
+        write!(
+            f,
+            "{same} pixels equal, {off_by_one} off by one, {off_by_many} off by more ({:.3} % differ); \
+             mean {mean:.4}, RMS {rms:.4}, PSNR {:.2} dB",
+            self.differing_percent(),
+            self.psnr()
+        )?;
+        if let Some(worst) = &self.worst {
+            write!(f, "\n{worst}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for WorstPixel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let channels = |c: [u16; 4]| format!("{} {} {} {}", c[0], c[1], c[2], c[3]);
+        write!(
+            f,
+            "worst pixel at column {}, row {}: off by {}, expected {}, found {}",
+            self.x,
+            self.y,
+            self.difference,
+            channels(self.expected),
+            channels(self.actual)
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::{ImageBuffer, Rgb, RgbImage, RgbaImage};
+
+    fn grey(width: u32, height: u32, value: u8) -> RgbImage {
+        RgbImage::from_pixel(width, height, Rgb([value; 3]))
+    }
+
+    #[test]
+    fn equal_pictures_have_no_worst_pixel() {
+        let found = compare(&grey(4, 3, 7).into(), &grey(4, 3, 7).into()).unwrap();
+        assert!(found.is_equal());
+        assert_eq!((found.same, found.max(), found.worst), (12, 0, None));
+        assert_eq!(found.psnr(), f64::INFINITY);
+        assert_eq!(found.to_string(), "all 12 pixels are equal");
+    }
+
+    #[test]
+    fn off_by_one_and_off_by_many_are_counted_apart() {
+        let mut actual = grey(5, 2, 100);
+        actual.put_pixel(1, 0, Rgb([100, 101, 100]));
+        actual.put_pixel(4, 1, Rgb([99, 90, 100]));
+        let found = compare(&grey(5, 2, 100).into(), &actual.into()).unwrap();
+        assert_eq!(
+            (found.same, found.off_by_one, found.off_by_many),
+            (8, 1, 1),
+            "{found}"
+        );
+        assert_eq!(
+            found.worst,
+            Some(WorstPixel {
+                x: 4,
+                y: 1,
+                difference: 10,
+                expected: [100, 100, 100, 255],
+                actual: [99, 90, 100, 255],
+            })
+        );
+        assert!((found.mean - 12.0 / 30.0).abs() < 1e-12);
+        assert!((found.rms - (102.0f64 / 30.0).sqrt()).abs() < 1e-12);
+        assert!((found.differing_percent() - 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn psnr_of_one_step_everywhere_is_48_decibels() {
+        let found = compare(&grey(3, 3, 10).into(), &grey(3, 3, 11).into()).unwrap();
+        assert!((found.psnr() - 48.130_803_6).abs() < 1e-6);
+    }
+
+    #[test]
+    fn sixteen_bits_are_compared_in_their_own_steps() {
+        let picture =
+            |v: u16| DynamicImage::from(ImageBuffer::from_pixel(2, 2, Rgb([v, 65535, 0])));
+        let found = compare(&picture(1000), &picture(1001)).unwrap();
+        assert_eq!((found.off_by_one, found.full), (4, 65535));
+    }
+
+    #[test]
+    fn a_picture_without_alpha_is_opaque() {
+        let mut actual = RgbaImage::from_pixel(2, 1, Rgba([9, 9, 9, 255]));
+        let opaque = compare(&grey(2, 1, 9).into(), &actual.clone().into()).unwrap();
+        assert!(opaque.is_equal());
+        actual.put_pixel(1, 0, Rgba([9, 9, 9, 0]));
+        let clear = compare(&grey(2, 1, 9).into(), &actual.into()).unwrap();
+        assert_eq!(clear.max(), 255);
+    }
+
+    #[test]
+    fn other_sizes_and_depths_are_refused() {
+        let size = compare(&grey(2, 1, 0).into(), &grey(1, 2, 0).into());
+        assert_eq!(size, Err(Mismatch::Size((2, 1), (1, 2))));
+        let wide: ImageBuffer<Rgb<u16>, Vec<u16>> = ImageBuffer::new(2, 1);
+        let depth = compare(&grey(2, 1, 0).into(), &wide.into()).unwrap_err();
+        assert_eq!(
+            depth.to_string(),
+            "expected 8 bits in a channel, found 16 bits"
+        );
+    }
+
+    #[test]
+    fn an_empty_picture_is_equal_to_itself() {
+        let found = compare(&grey(0, 0, 0).into(), &grey(0, 0, 0).into()).unwrap();
+        assert!(found.is_equal());
+        assert!(found.mean.abs() < 1e-12 && found.differing_percent().abs() < 1e-12);
+    }
+}
