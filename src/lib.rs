@@ -5,9 +5,16 @@
 //! ```
 
 pub mod args;
+pub mod camera;
 pub mod color;
 pub mod compare;
+pub mod compile;
+pub mod interior;
+pub mod light;
 pub mod math;
+pub mod pattern;
 pub mod shape;
 pub mod source;
 pub mod syntax;
+pub mod texture;
+pub mod trace;

@@ -1,6 +1,8 @@
 //! How an element reads its parameters, whoever holds them: the language's cursor over tokens, a test, a caller in Rust.
 
 mod steps;
+#[cfg(test)]
+pub(crate) mod text;
 
 pub use crate::syntax::Word;
 pub use steps::transform_step;
@@ -74,4 +76,15 @@ pub fn declared<T: Any + Send + Sync>(args: &mut dyn Args) -> Parse<Option<Arc<T
     Ok(args
         .declared_any(TypeId::of::<T>())?
         .and_then(|value| value.downcast::<T>().ok()))
+}
+
+/// The error for a word that the language has and this program does not have yet: "`spotlight` is not built yet".
+/// The place is that of the next token if it is the word, otherwise that of the token last taken.
+pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
+    let at = if matches!(args.word(), Ok(Some(next)) if next == word) {
+        args.span()
+    } else {
+        args.last_span()
+    };
+    Box::new(Diagnostic::error(at, format!("`{word}` is not built yet")))
 }

@@ -1,0 +1,483 @@
+//! `finish`: how a surface answers to light.
+
+use crate::args::{Args, Parse, Word, declared, not_built};
+use crate::color::Rgb;
+use crate::source::Diagnostic;
+
+/// The answer of a surface to light, in single precision as POV-Ray keeps it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finish {
+    /// The share of `ambient_light` that the surface gives back.
+    pub ambient: Rgb,
+    /// The light that the surface gives of itself.
+    pub emission: Rgb,
+    /// Diffuse reflection on the lit side, the `albedo` factor included.
+    pub diffuse: f32,
+    /// Diffuse reflection of light from behind.
+    pub diffuse_back: f32,
+    /// The exponent of the diffuse cosine.
+    pub brilliance: f32,
+    /// The strength of Phong highlights, the `albedo` factor included.
+    pub phong: f32,
+    /// The exponent of Phong highlights.
+    pub phong_size: f32,
+    /// The strength of Blinn's highlights, the `albedo` factor included.
+    pub specular: f32,
+    /// The reciprocal of `roughness`, which is the exponent of Blinn's highlights; 0 for `roughness 0`.
+    pub shininess: f32,
+    /// How far highlights take the colour of the pigment.
+    pub metallic: f32,
+    /// The mirror image.
+    pub reflection: Reflection,
+    /// Whether what the surface reflects is missing from what it lets through.
+    pub conserve_energy: bool,
+    /// `ior` in a finish, the syntax before version 3.1; it overrules that of the interior.
+    pub ior: Option<f32>,
+    /// `refraction` in a finish, a factor on all light that comes through the surface.
+    pub refraction: Option<f32>,
+}
+
+/// The mirror image of a finish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reflection {
+    /// Reflectivity when looking straight at the surface.
+    pub min: Rgb,
+    /// Reflectivity at a grazing view.
+    pub max: Rgb,
+    /// Whether the angle counts by Fresnel's law, with the `ior` of the interior, rather than by `falloff`.
+    pub is_fresnel: bool,
+    /// The exponent by which reflectivity goes from `min` to `max`.
+    pub falloff: f32,
+    /// The reflected colour is raised to the reciprocal of this; 0 makes it black, as in POV-Ray.
+    pub exponent: f32,
+    /// How far the image takes the colour of the pigment.
+    pub metallic: f32,
+}
+
+impl Default for Reflection {
+    fn default() -> Self {
+        Reflection {
+            min: Rgb::BLACK,
+            max: Rgb::BLACK,
+            is_fresnel: false,
+            falloff: 1.0,
+            exponent: 1.0,
+            metallic: 0.0,
+        }
+    }
+}
+
+impl Default for Finish {
+    /// The finish that POV-Ray 3.7 gives in every language version.
+    fn default() -> Self {
+        Finish {
+            ambient: Rgb::splat(0.1),
+            emission: Rgb::BLACK,
+            diffuse: 0.6,
+            diffuse_back: 0.0,
+            brilliance: 1.0,
+            phong: 0.0,
+            phong_size: 40.0,
+            specular: 0.0,
+            shininess: 20.0,
+            metallic: 0.0,
+            reflection: Reflection::default(),
+            conserve_energy: false,
+            ior: None,
+            refraction: None,
+        }
+    }
+}
+
+/// Which values of a block are albedos, to be scaled when the block is complete.
+#[derive(Default)]
+struct Albedo {
+    diffuse: bool,
+    phong: bool,
+    specular: bool,
+}
+
+impl Finish {
+    /// The finish of a block; what the block does not say is as in `base`.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read(args: &mut dyn Args, base: &Finish) -> Parse<Finish> {
+        args.open()?;
+        let mut finish = match declared::<Finish>(args)? {
+            Some(known) => Finish::clone(&known),
+            None => base.clone(),
+        };
+        let mut albedo = Albedo::default();
+        while !args.accept_close()? {
+            let word = args.word()?;
+            let is_known = match word {
+                Some(word) => {
+                    finish.read_light(word, args, &mut albedo)?
+                        || finish.read_mirror(word, args)?
+                        || finish.read_old(word, args)?
+                }
+                None => false,
+            };
+            if !is_known {
+                return Err(args.expected("a parameter of `finish` or `}`"));
+            }
+        }
+        finish.scale_albedos(&albedo);
+        Ok(finish)
+    }
+
+    /// Whether the surface has a mirror image.
+    #[must_use]
+    pub fn has_reflection(&self) -> bool {
+        self.reflection.min != Rgb::BLACK || self.reflection.max != Rgb::BLACK
+    }
+
+    /// What concerns light and highlights.
+    fn read_light(&mut self, word: Word, args: &mut dyn Args, albedo: &mut Albedo) -> Parse<bool> {
+        match word {
+            Word::Ambient => self.ambient = rgb(word, args)?,
+            Word::Emission => self.emission = rgb(word, args)?,
+            Word::Diffuse => {
+                args.accept(word)?;
+                albedo.diffuse = args.accept(Word::Albedo)?;
+                self.diffuse = single(args.float()?);
+                args.comma()?;
+                self.diffuse_back = single(args.float_or(0.0)?);
+            }
+            Word::Brilliance => self.brilliance = number(word, args)?,
+            Word::Phong => {
+                args.accept(word)?;
+                albedo.phong = args.accept(Word::Albedo)?;
+                self.phong = single(args.float()?);
+            }
+            Word::PhongSize => self.phong_size = number(word, args)?,
+            Word::Specular => {
+                args.accept(word)?;
+                albedo.specular = args.accept(Word::Albedo)?;
+                self.specular = single(args.float()?);
+            }
+            Word::Roughness => self.shininess = shininess(args)?,
+            Word::Metallic => {
+                args.accept(word)?;
+                self.metallic = single(args.float_or(1.0)?);
+            }
+            Word::Crand => no_effect(word, args)?,
+            Word::Irid => no_irid(args)?,
+            Word::Subsurface => return Err(not_built(args, word)),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// What concerns the mirror image.
+    fn read_mirror(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        match word {
+            Word::Reflection => {
+                args.accept(word)?;
+                self.reflection.read(args)?;
+            }
+            Word::ReflectionExponent => self.reflection.exponent = number(word, args)?,
+            Word::ConserveEnergy => {
+                args.accept(word)?;
+                self.conserve_energy = true;
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// What version 3.1 moved to the interior.
+    fn read_old(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        match word {
+            Word::Ior => {
+                let at = args.span();
+                self.ior = Some(number(word, args)?);
+                args.warn(
+                    Diagnostic::warning(
+                        at,
+                        "`ior` belongs in `interior`; it is taken from `finish` all the same",
+                    )
+                    .with_hint("write `interior { ior ... }` in the object"),
+                );
+            }
+            Word::Refraction => {
+                let at = args.span();
+                self.refraction = Some(number(word, args)?);
+                args.warn(Diagnostic::warning(
+                    at,
+                    "`refraction` in `finish` is not needed; it scales the light that comes through the surface",
+                ));
+            }
+            Word::Caustics => no_effect(word, args)?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Turns albedos into strengths, with the exponents that the block has in the end.
+    fn scale_albedos(&mut self, albedo: &Albedo) {
+        if albedo.diffuse {
+            let scale = 0.5 * (self.brilliance + 1.0);
+            self.diffuse *= scale;
+            self.diffuse_back *= scale;
+        }
+        if albedo.phong {
+            self.phong *= 0.5 * (self.phong_size + 1.0);
+        }
+        if albedo.specular {
+            let r = f64::from(self.shininess);
+            let scale = (r + 2.0) / (4.0 * (2.0 - (-0.5 * r).exp2()));
+            self.specular = single(f64::from(self.specular) * scale);
+        }
+    }
+}
+
+impl Reflection {
+    /// `reflection COLOUR` or `reflection { ... }`, after the word.
+    fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
+        if !args.accept_mark('{')? {
+            self.min = args.color()?.rgb;
+            self.max = self.min;
+            return Ok(());
+        }
+        self.min = args.color()?.rgb;
+        self.max = self.min;
+        let has_comma = args.comma()?;
+        let mut has_max = true;
+        if let Some(max) = args.color_if_any()? {
+            self.max = max.rgb;
+        } else if has_comma || args.at_expression()? {
+            self.max = args.color()?.rgb;
+        } else {
+            has_max = false;
+        }
+        while !args.accept_close()? {
+            match args.word()? {
+                Some(word @ Word::Fresnel) => {
+                    args.accept(word)?;
+                    self.is_fresnel = args.float_or(1.0)? != 0.0;
+                }
+                Some(word @ Word::Falloff) => self.falloff = number(word, args)?,
+                Some(word @ Word::Exponent) => self.exponent = number(word, args)?,
+                Some(word @ Word::Metallic) => {
+                    args.accept(word)?;
+                    self.metallic = single(args.float_or(1.0)?);
+                }
+                _ => {
+                    return Err(args.expected(
+                        "`fresnel`, `falloff`, `exponent`, `metallic` or `}` in `reflection`",
+                    ));
+                }
+            }
+        }
+        if self.is_fresnel && !has_max {
+            self.min = Rgb::BLACK;
+        }
+        Ok(())
+    }
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "finish values are single precision, as in POV-Ray"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// The number after `word`.
+fn number(word: Word, args: &mut dyn Args) -> Parse<f32> {
+    args.accept(word)?;
+    Ok(single(args.float()?))
+}
+
+/// The colour after `word`; a number is a grey.
+fn rgb(word: Word, args: &mut dyn Args) -> Parse<Rgb> {
+    args.accept(word)?;
+    Ok(args.color()?.rgb)
+}
+
+fn shininess(args: &mut dyn Args) -> Parse<f32> {
+    let at = args.span();
+    args.accept(Word::Roughness)?;
+    let roughness = args.float()?;
+    if roughness == 0.0 {
+        args.warn(Diagnostic::warning(
+            at.to(args.last_span()),
+            "`roughness 0` has no highlight to it; the highlight is spread over the whole lit side",
+        ));
+        return Ok(0.0);
+    }
+    Ok(single(1.0 / roughness))
+}
+
+/// A number after `word` that must be 0, because anything else is not built yet.
+fn no_effect(word: Word, args: &mut dyn Args) -> Parse<()> {
+    let error = not_built(args, word);
+    args.accept(word)?;
+    if args.float()? == 0.0 {
+        Ok(())
+    } else {
+        Err(error)
+    }
+}
+
+/// `irid { 0 ... }`; any other amount is not built yet.
+fn no_irid(args: &mut dyn Args) -> Parse<()> {
+    let error = not_built(args, Word::Irid);
+    args.accept(Word::Irid)?;
+    args.open()?;
+    if args.float()? != 0.0 {
+        return Err(error);
+    }
+    while !args.accept_close()? {
+        if !args.accept(Word::Thickness)? && !args.accept(Word::Turbulence)? {
+            return Err(args.expected("`thickness`, `turbulence` or `}` in `irid`"));
+        }
+        args.float()?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+
+    fn read(text: &str) -> Finish {
+        Finish::read(&mut TextArgs::new(text), &Finish::default()).unwrap()
+    }
+
+    fn error(text: &str) -> String {
+        let read = Finish::read(&mut TextArgs::new(text), &Finish::default());
+        read.expect_err("the text is faulty").message
+    }
+
+    #[test]
+    fn ambient_is_a_number_or_a_colour() {
+        assert_eq!(read("{ ambient 0.5 }").ambient, Rgb::splat(0.5));
+        assert_eq!(
+            read("{ ambient rgb <1, 0, 0.5> }").ambient,
+            Rgb::new(1.0, 0.0, 0.5)
+        );
+        assert_eq!(
+            read("{ ambient <1, 0, 0.5> }").ambient,
+            Rgb::new(1.0, 0.0, 0.5)
+        );
+    }
+
+    #[test]
+    fn diffuse_from_behind_is_the_second_number() {
+        // POV-Ray 3.7 takes it with or without a comma, and a later `diffuse` without it sets it to 0.
+        for text in ["{ diffuse 0.5, 0.25 }", "{ diffuse 0.5 0.25 }"] {
+            assert_eq!((read(text).diffuse, read(text).diffuse_back), (0.5, 0.25));
+        }
+        assert_eq!(read("{ diffuse 0.5, 0.25 diffuse 0.75 }").diffuse_back, 0.0);
+    }
+
+    #[test]
+    fn an_albedo_is_scaled_once_by_the_exponent_of_its_block() {
+        // POV-Ray 3.7: `finish { F brilliance 5 }` does not scale the albedo of F again.
+        let known = read("{ diffuse albedo 0.25 brilliance 3 }");
+        assert_eq!(known.diffuse, 0.5);
+        let mut args = TextArgs::new("{ F brilliance 5 }").with("F", known);
+        let finish = Finish::read(&mut args, &Finish::default()).unwrap();
+        assert_eq!((finish.diffuse, finish.brilliance), (0.5, 5.0));
+        assert_eq!(read("{ phong_size 3 phong albedo 0.25 }").phong, 0.5);
+        assert_eq!(read("{ phong albedo 0.25 phong_size 3 }").phong, 0.5);
+    }
+
+    #[test]
+    fn one_colour_reflects_alike_at_all_angles() {
+        for text in [
+            "{ reflection 0.5 }",
+            "{ reflection { 0.5 } }",
+            "{ reflection rgb 0.5 }",
+        ] {
+            let reflection = read(text).reflection;
+            assert_eq!(
+                (reflection.min, reflection.max),
+                (Rgb::splat(0.5), Rgb::splat(0.5))
+            );
+        }
+    }
+
+    #[test]
+    fn two_colours_reflect_straight_and_grazing() {
+        for text in [
+            "{ reflection { 0.25, 1 falloff 2 } }",
+            "{ reflection { rgb 0.25 rgb 1 falloff 2 } }",
+        ] {
+            let reflection = read(text).reflection;
+            assert_eq!(
+                (reflection.min, reflection.max),
+                (Rgb::splat(0.25), Rgb::WHITE)
+            );
+            assert_eq!(reflection.falloff, 2.0);
+        }
+    }
+
+    #[test]
+    fn fresnel_with_one_colour_reflects_nothing_straight() {
+        let reflection = read("{ reflection { 1 fresnel } }").reflection;
+        assert_eq!((reflection.min, reflection.is_fresnel), (Rgb::BLACK, true));
+        assert_eq!(
+            read("{ reflection { 0.5, 1 fresnel on } }").reflection.min,
+            Rgb::splat(0.5)
+        );
+        assert!(
+            !read("{ reflection { 1 fresnel off } }")
+                .reflection
+                .is_fresnel
+        );
+    }
+
+    #[test]
+    fn a_second_reflection_keeps_what_it_does_not_say() {
+        let reflection =
+            read("{ reflection { 0.5, 1 exponent 2 metallic } reflection 0.25 }").reflection;
+        assert_eq!(reflection.min, Rgb::splat(0.25));
+        assert_eq!((reflection.exponent, reflection.metallic), (2.0, 1.0));
+    }
+
+    #[test]
+    fn roughness_0_is_doubtful() {
+        let mut args = TextArgs::new("{ roughness 0 }");
+        let finish = Finish::read(&mut args, &Finish::default()).unwrap();
+        assert_eq!(finish.shininess, 0.0);
+        assert_eq!(args.warnings().len(), 1);
+    }
+
+    #[test]
+    fn refraction_words_of_old_scenes_are_kept() {
+        let mut args = TextArgs::new("{ ior 1.5 refraction 0.5 caustics 0 }");
+        let finish = Finish::read(&mut args, &Finish::default()).unwrap();
+        assert_eq!((finish.ior, finish.refraction), (Some(1.5), Some(0.5)));
+        assert_eq!(args.warnings().len(), 2);
+    }
+
+    #[test]
+    fn what_matters_and_is_missing_is_named() {
+        for (text, word) in [
+            ("{ crand 0.1 }", "crand"),
+            ("{ irid { 0.2 thickness 1 } }", "irid"),
+            ("{ subsurface { 1, 1 } }", "subsurface"),
+            ("{ caustics 0.5 }", "caustics"),
+        ] {
+            assert_eq!(error(text), format!("`{word}` is not built yet"));
+        }
+        assert_eq!(
+            read("{ crand 0 irid { 0 thickness 1 } }"),
+            Finish::default()
+        );
+    }
+
+    #[test]
+    fn words_of_interiors_are_not_expected() {
+        assert_eq!(
+            error("{ fade_power 1 }"),
+            "expected a parameter of `finish` or `}`, found `fade_power`"
+        );
+    }
+}

@@ -1,0 +1,217 @@
+//! `texture`: layers of pigment and finish, and how later parts of a scene change them.
+
+use super::{Finish, Pigment, PreparedTexture};
+use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
+use crate::math::Step;
+use crate::syntax::Class;
+
+/// The last language version in which upper layers do not filter but only transmit.
+const LAST_WITHOUT_FILTER: f64 = 3.1;
+
+/// One layer of a texture: the colour and how it answers to light.
+#[derive(Clone, Debug, Default)]
+pub struct Layer {
+    /// The colour.
+    pub pigment: Pigment,
+    /// The answer to light.
+    pub finish: Finish,
+}
+
+/// What a surface looks like: layers, the lowest first, never none.
+#[derive(Clone, Debug)]
+pub struct Texture {
+    layers: Vec<Layer>,
+}
+
+impl From<Layer> for Texture {
+    fn from(layer: Layer) -> Self {
+        Texture {
+            layers: vec![layer],
+        }
+    }
+}
+
+impl Layer {
+    /// Reads `pigment` or `finish` with its block into this layer if `word`, the next token, is one of them, and
+    /// says whether it was. What a block does not say stays as it is.
+    ///
+    /// # Errors
+    /// A malformed block, or a part that is not built yet.
+    pub fn read_part(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        match word {
+            Word::Pigment => {
+                args.accept(word)?;
+                self.pigment = Pigment::read(args, &self.pigment)?;
+            }
+            Word::Finish => {
+                args.accept(word)?;
+                self.finish = Finish::read(args, &self.finish)?;
+            }
+            Word::Normal => return Err(not_built(args, word)),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
+    pub fn transform(&mut self, step: &Step) {
+        self.pigment.steps.push(*step);
+    }
+}
+
+impl Texture {
+    /// The texture of a block; what the block does not say is as in `default`.
+    ///
+    /// Parts after the name of a layered texture change its top layer; transforms move all its layers.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
+        args.open()?;
+        let mut texture = match declared::<Texture>(args)? {
+            Some(known) => Texture::clone(&known),
+            None => Texture::from(default.clone()),
+        };
+        while !args.accept_close()? {
+            if let Some(step) = transform_step(args)? {
+                texture.transform(&step);
+                continue;
+            }
+            let Some(word) = args.word()? else {
+                return Err(args.expected("`pigment`, `finish` or `}` in `texture`"));
+            };
+            if texture.top_mut().read_part(word, args)? {
+                continue;
+            }
+            let is_missing = crate::pattern::is_pattern(word)
+                || matches!(
+                    word,
+                    Word::TextureMap | Word::MaterialMap | Word::Tiles | Word::UvMapping
+                );
+            return Err(if is_missing && word.class() != Class::Csg {
+                not_built(args, word)
+            } else {
+                args.expected("`pigment`, `finish` or `}` in `texture`")
+            });
+        }
+        Ok(texture)
+    }
+
+    /// The layers, the lowest first.
+    #[must_use]
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// The layer that loose parts change: the one declared last.
+    pub fn top_mut(&mut self) -> &mut Layer {
+        self.layers.last_mut().expect("a texture has a layer")
+    }
+
+    /// Lays another texture over this one. In versions up to 3.1 the upper layers transmit what they would filter.
+    pub fn lay_over(&mut self, upper: Texture, version: f64) {
+        for mut layer in upper.layers {
+            if version <= LAST_WITHOUT_FILTER {
+                layer.pigment.filter_to_transmit();
+            }
+            self.layers.push(layer);
+        }
+    }
+
+    /// Moves all layers.
+    pub fn transform(&mut self, step: &Step) {
+        for layer in &mut self.layers {
+            layer.transform(step);
+        }
+    }
+
+    /// The form for tracing, with the transforms of the object after those of the texture.
+    #[must_use]
+    pub fn prepare(&self, after: &[Step]) -> PreparedTexture {
+        PreparedTexture::new(self, after)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+    use crate::color::{Color, Rgb};
+    use crate::texture::PigmentKind;
+    use glam::DVec3;
+
+    fn read_with(args: &mut TextArgs) -> Parse<Texture> {
+        Texture::read(args, &Layer::default())
+    }
+
+    fn read(text: &str) -> Texture {
+        read_with(&mut TextArgs::new(text)).unwrap()
+    }
+
+    fn color(layer: &Layer) -> Color {
+        match layer.pigment.kind {
+            PigmentKind::Plain(color) => color,
+            PigmentKind::List(..) => panic!("the pigment is plain"),
+        }
+    }
+
+    fn glass(filter: f64) -> Texture {
+        let color = Color::from_components([1.0, 1.0, 1.0, filter, 0.0]);
+        Texture::from(Layer {
+            pigment: Pigment::plain(color),
+            ..Layer::default()
+        })
+    }
+
+    #[test]
+    fn a_texture_without_pigment_has_that_of_the_default() {
+        let default = glass(0.25).layers()[0].clone();
+        let mut args = TextArgs::new("{ finish { phong 1 } }");
+        let texture = Texture::read(&mut args, &default).unwrap();
+        assert_eq!(color(&texture.layers()[0]).filter, 0.25);
+        assert_eq!(texture.layers()[0].finish.phong, 1.0);
+    }
+
+    #[test]
+    fn parts_after_a_name_change_the_top_layer() {
+        let mut known = glass(0.0);
+        known.lay_over(glass(0.5), 3.7);
+        let mut args = TextArgs::new("{ T finish { ambient 0.75 } }").with("T", known);
+        let texture = read_with(&mut args).unwrap();
+        assert_eq!(texture.layers()[0].finish.ambient, Rgb::splat(0.1));
+        assert_eq!(texture.layers()[1].finish.ambient, Rgb::splat(0.75));
+    }
+
+    #[test]
+    fn a_pigment_after_a_transform_continues_from_there() {
+        // In POV-Ray 3.7 the second pigment of `pigment { checker ... translate .5 } translate x pigment { ... }`
+        // is translated by both.
+        let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
+        let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
+        assert_eq!(texture.layers()[0].pigment.steps, expected);
+    }
+
+    #[test]
+    fn up_to_version_3_1_upper_layers_transmit_what_they_would_filter() {
+        let mut old = glass(0.5);
+        old.lay_over(glass(0.5), 3.1);
+        let through: Vec<_> = old.layers().iter().map(color).collect();
+        assert_eq!((through[0].filter, through[0].transmit), (0.5, 0.0));
+        assert_eq!((through[1].filter, through[1].transmit), (0.0, 0.5));
+        let mut new = glass(0.5);
+        new.lay_over(glass(0.5), 3.5);
+        assert_eq!(color(&new.layers()[1]).filter, 0.5);
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        for (text, word) in [
+            ("{ normal { bumps 1 } }", "normal"),
+            ("{ checker texture { } texture { } }", "checker"),
+            ("{ texture_map { } }", "texture_map"),
+        ] {
+            let error = read_with(&mut TextArgs::new(text)).expect_err("it is missing");
+            assert_eq!(error.message, format!("`{word}` is not built yet"));
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Textures: what a surface looks like. A texture is a stack of layers, each a pigment and a finish.
+//!
+//! Built are plain and listed pigments, finishes and layers. Normals, texture maps and patterned textures are missing.
+
+mod finish;
+mod layers;
+mod material;
+mod pigment;
+mod prepared;
+
+pub use finish::{Finish, Reflection};
+pub use layers::{Layer, Texture};
+pub use material::Material;
+pub use pigment::{Pigment, PigmentKind};
+pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
