@@ -6,7 +6,10 @@
 
 pub mod args;
 pub mod color;
+pub mod film;
 pub mod math;
+pub mod options;
+pub mod output;
 pub mod shape;
 pub mod source;
 pub mod syntax;
