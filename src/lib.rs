@@ -5,6 +5,7 @@
 //! ```
 
 pub mod args;
+pub mod cli;
 pub mod color;
 pub mod film;
 pub mod math;
