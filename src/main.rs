@@ -19,6 +19,7 @@ fn draw(
     _: &(dyn Fn(u64) + Sync),
 ) -> Result<Picture, Failure> {
     Err(Failure {
-        messages: vec!["povr: scenes cannot be drawn yet".to_owned()],
+        warnings: Vec::new(),
+        errors: vec!["povr: scenes cannot be drawn yet".to_owned()],
     })
 }

@@ -88,8 +88,10 @@ pub struct Picture {
 /// Why a scene was not drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// Warnings and errors in the order in which they came up, each ready to print.
-    pub messages: Vec<String>,
+    /// What was doubtful before, each ready to print.
+    pub warnings: Vec<String>,
+    /// What is wrong, each ready to print.
+    pub errors: Vec<String>,
 }
 
 impl Default for ReadOptions {

@@ -158,15 +158,16 @@ fn printed(said: &clap::Error) -> Result<Request, CliError> {
 /// Draws and writes. The messages of a failure are ready to print.
 fn carry_out(settings: &Settings, draw: &Draw) -> Result<(), Vec<String>> {
     let talk = settings.talk;
-    let input = input(&settings.scene).map_err(|message| vec![message])?;
-    if talk.warnings && !talk.quiet {
-        for warning in &settings.warnings {
-            say(format!("povr: warning: {warning}"));
+    let warn = |warnings: &[String]| {
+        if talk.warnings && !talk.quiet {
+            warnings.iter().for_each(say);
         }
-    }
+    };
+    let input = input(&settings.scene).map_err(|message| vec![message])?;
+    warn(&settings.warnings);
     if talk.verbose && !talk.quiet {
         for note in &settings.notes {
-            say(format!("povr: note: {note}"));
+            say(note);
         }
     }
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
@@ -174,10 +175,11 @@ fn carry_out(settings: &Settings, draw: &Draw) -> Result<(), Vec<String>> {
         progress.advance(n);
     });
     progress.finish();
-    let picture = drawn.map_err(|failure| failure.messages)?;
-    if talk.warnings && !talk.quiet {
-        picture.warnings.iter().for_each(say);
-    }
+    let picture = drawn.map_err(|failure| {
+        warn(&failure.warnings);
+        failure.errors
+    })?;
+    warn(&picture.warnings);
     if let Some((target, options)) = &settings.output {
         let options = output::EncodeOptions {
             working: picture.working,

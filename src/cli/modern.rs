@@ -13,7 +13,7 @@ use super::typed::{Output, Typed};
     version,
     override_usage = "povr [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE.pov",
     after_help = SWITCHES,
-    disable_help_subcommand = true
+    disable_version_flag = true
 )]
 struct Modern {
     /// Write to this very file; its ending chooses the type. `-` is standard output
@@ -31,6 +31,10 @@ struct Modern {
     /// Print what was done and how long it took
     #[arg(long)]
     stats: bool,
+    // Without a short form: `-V` is POV-Ray's.
+    /// Print version
+    #[arg(long, action = clap::ArgAction::Version)]
+    version: Option<bool>,
 }
 
 const SWITCHES: &str = "\

@@ -74,9 +74,10 @@ impl Progress {
         match &self.shown {
             Shown::Nothing => {}
             Shown::Bar(bar) => bar.finish_and_clear(),
-            Shown::Lines(_) => {
+            Shown::Lines(last) if last.load(Ordering::Relaxed) > 0 => {
                 let _ = writeln!(io::stderr());
             }
+            Shown::Lines(_) => {}
         }
     }
 

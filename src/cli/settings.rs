@@ -91,11 +91,14 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             quiet: typed.quiet,
             stats: typed.stats,
         },
-        warnings,
+        warnings: warnings
+            .iter()
+            .map(|doubt| format!("povr: warning: {doubt}"))
+            .collect(),
         notes: typed
             .idle
             .iter()
-            .map(|said| format!("`{said}` has no effect here"))
+            .map(|said| format!("povr: note: `{said}` has no effect here"))
             .collect(),
     })
 }

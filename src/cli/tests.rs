@@ -215,9 +215,9 @@ fn an_ini_file_of_blender_is_read() {
     assert_eq!(
         settings.notes,
         [
-            "`All_File=1` has no effect here",
-            "`Bounding_Method=2` has no effect here",
-            "`Jitter=off` has no effect here"
+            "povr: note: `All_File=1` has no effect here",
+            "povr: note: `Bounding_Method=2` has no effect here",
+            "povr: note: `Jitter=off` has no effect here"
         ]
     );
 }
@@ -380,8 +380,8 @@ fn doubtful_values_are_named() {
     assert_eq!(
         settings.warnings,
         [
-            "`Output_Alpha=maybe` is taken for off: `maybe` is neither on nor off",
-            "jpg files have no alpha channel: it is left out"
+            "povr: warning: `Output_Alpha=maybe` is taken for off: `maybe` is neither on nor off",
+            "povr: warning: jpg files have no alpha channel: it is left out"
         ]
     );
 }
@@ -498,7 +498,8 @@ fn a_failed_drawing_leaves_no_file_and_passes_its_messages_on() {
     const MESSAGE: &str = "File 's.pov' line 4: Parse Error: Expected a number.";
     let (here, done) = carried_out(&[], &|_, _, _, _| {
         Err(Failure {
-            messages: vec![MESSAGE.to_owned()],
+            warnings: Vec::new(),
+            errors: vec![MESSAGE.to_owned()],
         })
     });
     assert_eq!(done, Err(vec![MESSAGE.to_owned()]));
