@@ -6,12 +6,16 @@
 
 pub mod args;
 pub mod camera;
+pub mod cli;
 pub mod color;
 pub mod compare;
 pub mod compile;
+pub mod film;
 pub mod interior;
 pub mod light;
 pub mod math;
+pub mod options;
+pub mod output;
 pub mod pattern;
 pub mod shape;
 pub mod source;

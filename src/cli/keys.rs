@@ -1,0 +1,268 @@
+//! The options by their ini names: one list, what each does, and which have no effect here.
+//!
+//! Switches are other names of these (see `switches`). The list is that of the POV-Ray 3.7 reference, checked against
+//! what the program of 3.7.0.10 accepts.
+
+use super::error::CliError;
+use super::typed::{Output, Typed, Unbuilt};
+use super::values::{file_gamma, file_type, flag, name, number, path, size, whole};
+
+/// What an option does with its value. The third text is what was typed, for messages.
+pub(super) type Set = fn(&mut Typed, &str, &str) -> Result<(), CliError>;
+
+/// Sets an option by its ini name.
+pub(super) fn set(typed: &mut Typed, key: &str, value: &str, said: &str) -> Result<(), CliError> {
+    match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
+        Some((_, set)) => set(typed, value, said),
+        None => {
+            let refusal = CliError::new(format!("unknown option `{key}`"));
+            Err(match nearest(key) {
+                Some(near) => refusal.with_hint(format!("is `{near}` meant?")),
+                None => refusal.with_hint("`povr --help` tells which options there are"),
+            })
+        }
+    }
+}
+
+/// Known, without effect on this program: said in verbose mode.
+const IDLE: Set = |typed, _, said| {
+    typed.idle.push(said.to_owned());
+    Ok(())
+};
+
+/// About a display or a keyboard, of which this program has none.
+const SCREEN: Set = |_, _, _| Ok(());
+
+/// A number that only matters together with an option that is not built.
+const NUMBER: Set = |_, value, said| number(value, said).map(drop);
+
+#[rustfmt::skip]
+const KEYS: &[(&str, Set)] = &[
+    ("All_Console", |t, v, s| { t.quiet = !flag(t, v, s); Ok(()) }),
+    ("All_File", IDLE),
+    ("Antialias", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Antialias, on, s); Ok(()) }),
+    ("Antialias_Depth", NUMBER),
+    ("Antialias_Gamma", NUMBER),
+    ("Antialias_Threshold", NUMBER),
+    ("Append_File", IDLE),
+    ("Bits_Per_Color", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
+    ("Bits_Per_Colour", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
+    ("Bounding", IDLE),
+    ("Bounding_Method", IDLE),
+    ("Bounding_Threshold", IDLE),
+    ("BSP_BaseAccessCost", IDLE),
+    ("BSP_ChildAccessCost", IDLE),
+    ("BSP_ISectCost", IDLE),
+    ("BSP_MaxDepth", IDLE),
+    ("BSP_MissChance", IDLE),
+    ("Clock", |t, v, s| { t.clock = Some(number(v, s)?); Ok(()) }),
+    ("Clockless_Animation", IDLE),
+    ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
+    ("Continue_Trace", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Continue, on, s); Ok(()) }),
+    ("Create_Ini", IDLE),
+    ("Cyclic_Animation", IDLE),
+    ("Debug_Console", IDLE),
+    ("Debug_File", IDLE),
+    ("Declare", declare),
+    ("Display", SCREEN),
+    ("Display_Gamma", SCREEN),
+    ("Dither", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Dither, on, s); Ok(()) }),
+    ("Dither_Method", IDLE),
+    ("Draw_Vistas", IDLE),
+    ("End_Column", |t, v, s| { t.end_column = Some(edge(v, s)?); Ok(()) }),
+    ("End_Row", |t, v, s| { t.end_row = Some(edge(v, s)?); Ok(()) }),
+    ("Fatal_Console", IDLE),
+    ("Fatal_Error_Command", IDLE),
+    ("Fatal_Error_Return", IDLE),
+    ("Fatal_File", IDLE),
+    ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Fields, on, s); Ok(()) }),
+    ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
+    ("Final_Clock", NUMBER),
+    ("Final_Frame", |t, v, s| { let frames = whole(v, s)?; t.ask(Unbuilt::Animation, frames > 0, s); Ok(()) }),
+    ("Frame_Step", NUMBER),
+    ("Grayscale_Output", |t, v, s| { t.grayscale = flag(t, v, s); Ok(()) }),
+    ("Height", |t, v, s| { t.height = size(v, s)?; Ok(()) }),
+    ("High_Reproducibility", IDLE),
+    ("Include_Header", |t, v, s| { t.include_header = Some(path(v, s)?); Ok(()) }),
+    ("Initial_Clock", NUMBER),
+    ("Initial_Frame", NUMBER),
+    ("Input_File_Name", |t, v, s| { t.scene = Some(name(v, s)?); Ok(()) }),
+    ("Jitter", IDLE),
+    ("Jitter_Amount", NUMBER),
+    ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
+    ("Light_Buffer", IDLE),
+    ("Max_Image_Buffer_Memory", IDLE),
+    ("Odd_Field", IDLE),
+    ("Output_Alpha", |t, v, s| { t.alpha = flag(t, v, s); Ok(()) }),
+    ("Output_File_Name", |t, v, s| { t.output = Output::Povray(name(v, s)?); Ok(()) }),
+    ("Output_File_Type", |t, v, s| file_type(t, v, s)),
+    ("Output_To_File", |t, v, s| { t.to_file = flag(t, v, s); Ok(()) }),
+    ("Palette", SCREEN),
+    ("Pause_When_Done", SCREEN),
+    ("Post_Frame_Command", IDLE),
+    ("Post_Frame_Return", IDLE),
+    ("Post_Scene_Command", IDLE),
+    ("Post_Scene_Return", IDLE),
+    ("Pre_Frame_Command", IDLE),
+    ("Pre_Frame_Return", IDLE),
+    ("Pre_Scene_Command", IDLE),
+    ("Pre_Scene_Return", IDLE),
+    ("Preview_End_Size", SCREEN),
+    ("Preview_Start_Size", SCREEN),
+    ("Quality", |t, v, s| { t.quality = up_to(11, v, s)?; Ok(()) }),
+    ("Radiosity_File_Name", IDLE),
+    ("Radiosity_From_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_To_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_Vain_Pretrace", IDLE),
+    ("Real_Time_Raytracing", IDLE),
+    ("Remove_Bounds", IDLE),
+    ("Render_Block_Size", IDLE),
+    ("Render_Block_Step", IDLE),
+    ("Render_Console", IDLE),
+    ("Render_File", IDLE),
+    ("Render_Pattern", IDLE),
+    ("Sampling_Method", NUMBER),
+    ("Split_Unions", IDLE),
+    ("Start_Column", |t, v, s| { t.start_column = Some(edge(v, s)?); Ok(()) }),
+    ("Start_Row", |t, v, s| { t.start_row = Some(edge(v, s)?); Ok(()) }),
+    ("Statistic_Console", IDLE),
+    ("Statistic_File", IDLE),
+    ("Subset_End_Frame", NUMBER),
+    ("Subset_Start_Frame", NUMBER),
+    ("Test_Abort", SCREEN),
+    ("Test_Abort_Count", SCREEN),
+    ("User_Abort_Command", IDLE),
+    ("User_Abort_Return", IDLE),
+    ("Verbose", |t, v, s| { t.verbose = flag(t, v, s); Ok(()) }),
+    ("Version", |t, v, s| { t.version = Some(number(v, s)?); Ok(()) }),
+    ("Video_Mode", SCREEN),
+    ("Vista_Buffer", IDLE),
+    ("Warning_Console", |t, v, s| { t.warnings = flag(t, v, s); Ok(()) }),
+    ("Warning_File", IDLE),
+    ("Warning_Level", |t, v, s| { t.warnings = number(v, s)? > 0.0; Ok(()) }),
+    ("Width", |t, v, s| { t.width = size(v, s)?; Ok(()) }),
+    ("Work_Threads", |t, v, s| { t.threads = Some(whole(v, s)? as usize).filter(|&n| n > 0); Ok(()) }),
+];
+
+/// A value of a small scale; POV-Ray takes what is beyond it for its end.
+fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
+    let value = number(value, said)?.clamp(0.0, f64::from(most));
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to 0..=most"
+    )]
+    Ok(value as u8)
+}
+
+fn bits(value: &str, said: &str) -> Result<u8, CliError> {
+    up_to(32, value, said)
+}
+
+/// A pixel or a share of the picture, in single precision as POV-Ray keeps it.
+fn edge(value: &str, said: &str) -> Result<f32, CliError> {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "POV-Ray's rounding of shares is that of single precision"
+    )]
+    number(value, said).map(|v| v as f32)
+}
+
+fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
+    let example = || {
+        CliError::new(format!("`{said}` declares no number"))
+            .with_hint("write `Declare=Name=2.5`, without spaces around the name")
+    };
+    let (name, value) = value.split_once('=').ok_or_else(example)?;
+    let name = name.trim();
+    let is_identifier = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let value: f64 = value.trim().parse().map_err(|_| example())?;
+    if !is_identifier || !value.is_finite() {
+        return Err(example());
+    }
+    typed.declares.retain(|(declared, _)| declared != name);
+    typed.declares.push((name.to_owned(), value));
+    Ok(())
+}
+
+/// A known option that differs from `key` in at most two letters.
+fn nearest(key: &str) -> Option<&'static str> {
+    let key = key.to_ascii_lowercase();
+    KEYS.iter()
+        .map(|(name, _)| (distance(&key, &name.to_ascii_lowercase()), *name))
+        .min()
+        .filter(|(distance, name)| *distance <= 2 && 2 * *distance < name.len())
+        .map(|(_, name)| name)
+}
+
+/// How many letters must be put in, left out or changed (Levenshtein 1966).
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(from != *to);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_is_sorted_and_without_doubles() {
+        let names: Vec<String> = KEYS.iter().map(|(n, _)| n.to_ascii_lowercase()).collect();
+        assert!(names.windows(2).all(|pair| pair[0] < pair[1]), "{names:?}");
+    }
+
+    #[test]
+    fn a_misspelt_option_names_its_neighbour() {
+        let refused = set(&mut Typed::default(), "Widht", "3", "Widht=3").unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "unknown option `Widht`\n  hint: is `Width` meant?"
+        );
+        let refused = set(&mut Typed::default(), "Foo", "3", "Foo=3").unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "unknown option `Foo`\n  hint: `povr --help` tells which options there are"
+        );
+    }
+
+    #[test]
+    fn a_declared_name_keeps_its_last_value() {
+        let mut typed = Typed::default();
+        for text in ["A=1", "b_2= -1.5e3", "A=2"] {
+            set(&mut typed, "Declare", text, text).unwrap();
+        }
+        assert_eq!(
+            typed.declares,
+            [("b_2".to_owned(), -1500.0), ("A".to_owned(), 2.0)]
+        );
+        for text in ["A", "A=x", "2=3", "=4", "A=", "A=\"x\"", "A=inf"] {
+            let refused = set(&mut typed, "Declare", text, &format!("Declare={text}"));
+            assert_eq!(
+                refused.unwrap_err().to_string(),
+                format!(
+                    "`Declare={text}` declares no number\n  hint: write `Declare=Name=2.5`, without spaces around the name"
+                )
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_beyond_a_scale_is_its_end() {
+        let mut typed = Typed::default();
+        set(&mut typed, "Quality", "12", "+Q12").unwrap();
+        assert_eq!(typed.quality, 11);
+        set(&mut typed, "quality", "-1", "+Q-1").unwrap();
+        assert_eq!(typed.quality, 0);
+    }
+}

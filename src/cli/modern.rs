@@ -1,0 +1,117 @@
+//! The face this program has beside POV-Ray's: long options, and `-o`.
+
+use std::str::FromStr;
+
+use clap::{CommandFactory, Parser};
+
+use super::typed::{Output, Typed};
+
+/// Draws POV-Ray scenes.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr",
+    version,
+    override_usage = "povr [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE.pov",
+    after_help = SWITCHES,
+    disable_version_flag = true
+)]
+struct Modern {
+    /// Write to this very file; its ending chooses the type. `-` is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<String>,
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    size: Option<Size>,
+    /// Threads to draw with; one for each core unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long)]
+    quiet: bool,
+    /// Print what was done and how long it took
+    #[arg(long)]
+    stats: bool,
+    // Without a short form: `-V` is POV-Ray's.
+    /// Print version
+    #[arg(long, action = clap::ArgAction::Version)]
+    version: Option<bool>,
+}
+
+const SWITCHES: &str = "\
+POV-Ray's switches, upper or lower case; later ones win:
+  SCENE.pov, +IFILE     the scene; - is standard input
+  +OFILE                the picture, .png and the like appended unless there; +O- standard output
+  +W800 +H600           size in pixels
+  +FN +FN16 +FNg        PNG, with 16 bits, grey; +FT +FC Targa, +FB BMP, +FP PPM, +FJ JPEG,
+                        +FE EXR, +FH HDR, -F no file
+  +UA                   keep the transparency of the background
+  +Q9                   quality, 0 to 11
+  +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
+  +LFOLDER              search includes here too
+  +K0.5                 the clock
+  Declare=Name=1.5      declare a number before the scene
+  +MV3.6 +HIFILE        language version, file to include first
+  +WT4 +V -GA           threads, verbose, quiet
+All options of POV-Ray's ini files work as Key=Value, here and in files.";
+
+/// `320x240`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size(u32, u32);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Size, String> {
+        let side = |text: &str| {
+            text.parse()
+                .ok()
+                .filter(|side| (1..=1 << 20).contains(side))
+        };
+        text.split_once(['x', 'X', '×'])
+            .and_then(|(width, height)| Some(Size(side(width)?, side(height)?)))
+            .ok_or_else(|| "a size is written like 320x240".to_owned())
+    }
+}
+
+/// How many arguments from the first on belong to this face; 0 if the first does not.
+pub(super) fn length(arguments: &[String]) -> usize {
+    let Some(first) = arguments.first() else {
+        return 0;
+    };
+    let takes_value = match first.strip_prefix("--") {
+        Some(name) if name.contains('=') => false,
+        Some(name) => Modern::command()
+            .get_arguments()
+            .any(|a| a.get_long() == Some(name) && a.get_action().takes_values()),
+        None if first == "-o" => true,
+        None if matches!(first.as_str(), "-h" | "-help" | "-version" | "-?") => false,
+        None => return 0,
+    };
+    (1 + usize::from(takes_value)).min(arguments.len())
+}
+
+/// Takes in one option of this face with its value.
+///
+/// # Errors
+/// What clap has to say: a refusal, or the text of `--help` or `--version`.
+pub(super) fn read(typed: &mut Typed, option: &[String]) -> Result<(), clap::Error> {
+    let words = option.iter().map(|word| match word.as_str() {
+        "-help" | "-?" => "--help",
+        "-version" => "--version",
+        other => other,
+    });
+    let given = Modern::try_parse_from(std::iter::once("povr").chain(words))?;
+    if let Some(output) = given.output {
+        typed.output = Output::Exact(output);
+        typed.to_file = true;
+    }
+    if let Some(Size(width, height)) = given.size {
+        (typed.width, typed.height) = (width, height);
+    }
+    if let Some(threads) = given.threads {
+        typed.threads = Some(usize::from(threads));
+    }
+    typed.quiet |= given.quiet;
+    typed.stats |= given.stats;
+    Ok(())
+}

@@ -1,0 +1,141 @@
+//! What was typed, before it is decided what that means: every option's last value.
+
+use std::path::PathBuf;
+
+use crate::color::Gamma;
+use crate::output::Format;
+
+/// The last value of every option that has a meaning here.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Typed {
+    pub(super) scene: Option<String>,
+    pub(super) output: Output,
+    pub(super) to_file: bool,
+    /// `None` until somebody names one.
+    pub(super) format: Option<Format>,
+    pub(super) bits: Option<u8>,
+    pub(super) grayscale: bool,
+    pub(super) alpha: bool,
+    pub(super) file_gamma: Gamma,
+    pub(super) compression: u8,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) start_column: Option<f32>,
+    pub(super) end_column: Option<f32>,
+    pub(super) start_row: Option<f32>,
+    pub(super) end_row: Option<f32>,
+    pub(super) quality: u8,
+    pub(super) threads: Option<usize>,
+    pub(super) library_paths: Vec<PathBuf>,
+    pub(super) declares: Vec<(String, f64)>,
+    pub(super) version: Option<f64>,
+    pub(super) include_header: Option<PathBuf>,
+    pub(super) clock: Option<f64>,
+    pub(super) verbose: bool,
+    pub(super) quiet: bool,
+    pub(super) warnings: bool,
+    pub(super) stats: bool,
+    /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
+    pub(super) unbuilt: Vec<(Unbuilt, String)>,
+    /// Options that are known and have no effect, as typed.
+    pub(super) idle: Vec<String>,
+    /// What was assumed about doubtful values.
+    pub(super) doubts: Vec<String>,
+}
+
+/// Where the picture is to go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Output {
+    /// Named by nobody: after the scene.
+    Unnamed,
+    /// By `+O`: the type's ending is appended unless it is there. `-` is standard output.
+    Povray(String),
+    /// By `-o`: this very name, and it chooses the type unless `+F` did.
+    Exact(String),
+}
+
+/// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unbuilt {
+    Antialias,
+    Animation,
+    Continue,
+    Dither,
+    Fields,
+    SavedRadiosity,
+}
+
+impl Default for Typed {
+    fn default() -> Self {
+        Typed {
+            scene: None,
+            output: Output::Unnamed,
+            to_file: true,
+            format: None,
+            bits: None,
+            grayscale: false,
+            alpha: false,
+            file_gamma: Gamma::Srgb,
+            compression: 0,
+            width: 800,
+            height: 600,
+            start_column: None,
+            end_column: None,
+            start_row: None,
+            end_row: None,
+            quality: 9,
+            threads: None,
+            library_paths: Vec::new(),
+            declares: Vec::new(),
+            version: None,
+            include_header: None,
+            clock: None,
+            verbose: false,
+            quiet: false,
+            warnings: true,
+            stats: false,
+            unbuilt: Vec::new(),
+            idle: Vec::new(),
+            doubts: Vec::new(),
+        }
+    }
+}
+
+impl Typed {
+    /// Notes that something unbuilt was asked for, or that the wish was taken back.
+    pub(super) fn ask(&mut self, what: Unbuilt, wanted: bool, said: &str) {
+        self.unbuilt.retain(|(asked, _)| *asked != what);
+        if wanted {
+            self.unbuilt.push((what, said.to_owned()));
+        }
+    }
+}
+
+impl Unbuilt {
+    /// What it is, and how to do without: the two halves of a refusal.
+    pub(super) fn refusal(self) -> (&'static str, &'static str) {
+        match self {
+            Unbuilt::Antialias => (
+                "antialiasing is not built yet",
+                "use `-A` (or `Antialias=off`)",
+            ),
+            Unbuilt::Animation => (
+                "animation is not built yet",
+                "draw one picture a call: `+K0.5` sets the clock",
+            ),
+            Unbuilt::Continue => (
+                "continuing an interrupted picture is not built yet",
+                "leave it out to draw the whole picture",
+            ),
+            Unbuilt::Dither => ("dithering is not built yet", "use `-TH` (or `Dither=off`)"),
+            Unbuilt::Fields => (
+                "rendering of fields is not built yet",
+                "use `-UF` (or `Field_Render=off`)",
+            ),
+            Unbuilt::SavedRadiosity => (
+                "radiosity files are not built yet",
+                "use `-RFI` and `-RFO` (or leave `Radiosity_From_File` and `Radiosity_To_File` out)",
+            ),
+        }
+    }
+}

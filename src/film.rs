@@ -1,0 +1,68 @@
+//! The picture while it is linear: one pixel after the other, in the working space of the scene.
+
+use std::ops::Range;
+
+use crate::color::Rgb;
+
+/// What one camera ray, or the mean of several, brought back.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    /// Light of the scene, in its working space. The share of the background that shows through is not in it.
+    pub rgb: Rgb,
+    /// How much of a transparent background shows through; 0 is opaque.
+    pub transmit: f32,
+}
+
+/// A picture in the working space, row by row from the top.
+///
+/// A partial drawing is a picture of full size whose other pixels are opaque black, as POV-Ray leaves them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// The columns that were drawn, counted from 0.
+    pub columns: Range<u32>,
+    /// The rows that were drawn, counted from 0.
+    pub rows: Range<u32>,
+    /// Row-major, `width * height` of them.
+    pub pixels: Vec<Pixel>,
+}
+
+impl Film {
+    /// A black picture of which the given rectangle is about to be drawn.
+    #[must_use]
+    pub fn new(width: u32, height: u32, columns: Range<u32>, rows: Range<u32>) -> Self {
+        Film {
+            width,
+            height,
+            columns,
+            rows,
+            pixels: vec![Pixel::default(); width as usize * height as usize],
+        }
+    }
+
+    /// A black picture that is to be drawn as a whole.
+    #[must_use]
+    pub fn whole(width: u32, height: u32) -> Self {
+        Film::new(width, height, 0..width, 0..height)
+    }
+
+    /// The pixels of each row, from the top.
+    pub fn rows_of_pixels(&self) -> impl Iterator<Item = &[Pixel]> {
+        self.pixels.chunks(self.width.max(1) as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Film;
+
+    #[test]
+    fn a_partial_film_has_the_full_size() {
+        let film = Film::new(4, 3, 1..2, 0..1);
+        assert_eq!(film.pixels.len(), 12);
+        assert_eq!(film.rows_of_pixels().count(), 3);
+    }
+}

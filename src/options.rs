@@ -1,0 +1,132 @@
+//! What a drawing starts from and what comes of it: plain types between the command line and the stages.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use crate::color::Gamma;
+use crate::film::Film;
+
+/// Where the scene's text comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// A file, as the user named it.
+    File(PathBuf),
+    /// A text that is already here: standard input, a test, a Rust caller.
+    Text {
+        /// What messages call it: "standard input".
+        name: String,
+        /// The text itself, in whatever encoding it came.
+        text: Vec<u8>,
+    },
+}
+
+/// What the scene language asks its surroundings for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadOptions {
+    /// Folders searched for included and other files after the current one, in this order.
+    pub library_paths: Vec<PathBuf>,
+    /// Names declared before the scene is read.
+    pub declares: Vec<(String, f64)>,
+    /// The language version in force at the start; `None` leaves it to the scene.
+    pub version: Option<f64>,
+    /// A file included before the scene.
+    pub include_header: Option<PathBuf>,
+    /// `image_width`.
+    pub width: u32,
+    /// `image_height`.
+    pub height: u32,
+    /// `clock`.
+    pub clock: f64,
+    /// `clock_on`: whether anybody set the clock.
+    pub clock_on: bool,
+    /// `clock_delta`: the clock's step from frame to frame; 0 for a still picture.
+    pub clock_delta: f64,
+    /// `frame_number`; 0 for a still picture.
+    pub frame_number: u32,
+    /// `initial_frame`; 0 for a still picture.
+    pub initial_frame: u32,
+    /// `final_frame`; 0 for a still picture.
+    pub final_frame: u32,
+    /// `initial_clock`; 0 for a still picture.
+    pub initial_clock: f64,
+    /// `final_clock`; 0 for a still picture.
+    pub final_clock: f64,
+}
+
+/// What to draw of the scene, and with what effort.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RenderOptions {
+    /// Pixels in a row of the whole picture.
+    pub width: u32,
+    /// Rows of the whole picture.
+    pub height: u32,
+    /// The columns to draw, counted from 0. May be empty.
+    pub columns: Range<u32>,
+    /// The rows to draw, counted from 0. May be empty.
+    pub rows: Range<u32>,
+    /// POV-Ray's quality, 0 to 11; 9 and above is everything.
+    pub quality: u8,
+    /// How many threads to use; `None` takes one for each core.
+    pub threads: Option<usize>,
+    /// Whether the background's transparency is kept.
+    pub alpha: bool,
+}
+
+/// A drawn scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// The pixels.
+    pub film: Film,
+    /// The working space they are in; `None` for a scene without gamma handling, whose values are stored as they are.
+    pub working: Option<Gamma>,
+    /// What was doubtful in the scene, each ready to print.
+    pub warnings: Vec<String>,
+    /// What `--stats` prints; may be empty.
+    pub statistics: String,
+}
+
+/// Why a scene was not drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// What was doubtful before, each ready to print.
+    pub warnings: Vec<String>,
+    /// What is wrong, each ready to print.
+    pub errors: Vec<String>,
+}
+
+impl Default for ReadOptions {
+    /// A still picture of 800 by 600 pixels, as on Debian.
+    fn default() -> Self {
+        ReadOptions {
+            library_paths: Vec::new(),
+            declares: Vec::new(),
+            version: None,
+            include_header: None,
+            width: 800,
+            height: 600,
+            clock: 0.0,
+            clock_on: false,
+            clock_delta: 0.0,
+            frame_number: 0,
+            initial_frame: 0,
+            final_frame: 0,
+            initial_clock: 0.0,
+            final_clock: 0.0,
+        }
+    }
+}
+
+impl Default for RenderOptions {
+    /// All of a picture of 800 by 600 pixels, as on Debian.
+    fn default() -> Self {
+        RenderOptions {
+            width: 800,
+            height: 600,
+            columns: 0..800,
+            rows: 0..600,
+            quality: 9,
+            threads: None,
+            alpha: false,
+        }
+    }
+}

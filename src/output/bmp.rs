@@ -1,0 +1,22 @@
+//! Windows bitmap: 24 bits, or 32 with alpha.
+
+use image::ExtendedColorType;
+use image::codecs::bmp::BmpEncoder;
+
+use super::levels::{self, Channels};
+use super::{EncodeOptions, EncodeResult};
+use crate::film::Film;
+
+pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
+    let data = levels::bytes(film, options, Channels::of(false, options.alpha));
+    let color = if options.alpha {
+        ExtendedColorType::Rgba8
+    } else {
+        ExtendedColorType::Rgb8
+    };
+    let mut file = Vec::new();
+    BmpEncoder::new(&mut file)
+        .encode(&data, film.width, film.height, color)
+        .map_err(|e| e.to_string())?;
+    Ok(file)
+}

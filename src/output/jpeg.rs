@@ -1,0 +1,29 @@
+//! JPEG: 8 bits, no alpha.
+
+use image::ExtendedColorType;
+use image::codecs::jpeg::JpegEncoder;
+
+use super::levels::{self, Channels};
+use super::{EncodeOptions, EncodeResult};
+use crate::film::Film;
+
+/// What POV-Ray takes when nobody says.
+const POVRAY_QUALITY: u8 = 85;
+/// The longest side the format can name.
+const LONGEST: u32 = 65535;
+
+pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
+    if film.width.max(film.height) > LONGEST {
+        return Err(format!("a side is longer than {LONGEST} pixels"));
+    }
+    let data = levels::bytes(film, options, Channels::Rgb);
+    let quality = match options.quality {
+        0 => POVRAY_QUALITY,
+        q => q.min(100),
+    };
+    let mut file = Vec::new();
+    JpegEncoder::new_with_quality(&mut file, quality)
+        .encode(&data, film.width, film.height, ExtendedColorType::Rgb8)
+        .map_err(|e| e.to_string())?;
+    Ok(file)
+}

@@ -1,0 +1,271 @@
+//! Files from pictures: one file of this room a format, and one way for the bytes to reach their place.
+//!
+//! PNG, TGA, BMP, JPEG and PPM hold encoded values (sRGB unless told otherwise), EXR and HDR hold linear light.
+//! What each holds was compared with the files of POV-Ray 3.7.0.10, pixel by pixel. Known differences:
+//! grey PPM files are valid P5 files here, there they have twice the announced bytes and no gamma;
+//! BMP files with alpha carry the header that names the alpha channel; no file carries a date.
+
+mod bmp;
+mod exr;
+mod hdr;
+mod jpeg;
+mod levels;
+mod place;
+mod png;
+mod ppm;
+mod tga;
+
+use std::fmt;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::color::Gamma;
+use crate::film::Film;
+
+/// The kinds of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Portable Network Graphics.
+    Png,
+    /// Targa without compression.
+    Tga,
+    /// Targa with run-length compression.
+    CompressedTga,
+    /// Windows bitmap.
+    Bmp,
+    /// Portable pixmap, or greymap for a grey picture.
+    Ppm,
+    /// JPEG.
+    Jpeg,
+    /// OpenEXR.
+    Exr,
+    /// Radiance.
+    Hdr,
+}
+
+/// How a picture becomes bytes. What a format has no room for is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EncodeOptions {
+    /// The kind of file.
+    pub format: Format,
+    /// Bits a channel: PNG and PPM take 8 or 16 (below 9 is 8), EXR 16 or 32, the others have one size.
+    pub bits: u8,
+    /// One grey channel instead of three colours (PNG, PPM).
+    pub grayscale: bool,
+    /// An alpha channel (PNG, TGA, BMP, EXR).
+    pub alpha: bool,
+    /// The curve of the stored values; EXR and HDR are always linear.
+    pub file_gamma: Gamma,
+    /// The space of the film; `None` stores its values as they are (EXR and HDR then take them for sRGB, as POV-Ray does).
+    pub working: Option<Gamma>,
+    /// JPEG quality, 1 to 100; 0 takes POV-Ray's 85.
+    pub quality: u8,
+}
+
+/// Where the bytes go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A file, replaced as a whole or not at all.
+    File(PathBuf),
+    /// Standard output.
+    Stdout,
+}
+
+/// Why no picture was written.
+#[derive(Debug)]
+pub enum OutputError {
+    /// The format cannot hold this picture.
+    Encode {
+        /// The format.
+        format: Format,
+        /// What stands in the way.
+        reason: String,
+    },
+    /// The system refused.
+    Write {
+        /// Where the bytes were to go.
+        target: Target,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+type EncodeResult = Result<Vec<u8>, String>;
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Format; 8] = [
+        Format::Png,
+        Format::Tga,
+        Format::CompressedTga,
+        Format::Bmp,
+        Format::Ppm,
+        Format::Jpeg,
+        Format::Exr,
+        Format::Hdr,
+    ];
+
+    /// The ending POV-Ray gives such files, without the dot.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        match self {
+            Format::Png => "png",
+            Format::Tga | Format::CompressedTga => "tga",
+            Format::Bmp => "bmp",
+            Format::Ppm => "ppm",
+            Format::Jpeg => "jpg",
+            Format::Exr => "exr",
+            Format::Hdr => "hdr",
+        }
+    }
+
+    /// Whether such a file can keep an alpha channel.
+    #[must_use]
+    pub fn has_alpha(self) -> bool {
+        !matches!(self, Format::Ppm | Format::Jpeg | Format::Hdr)
+    }
+
+    fn encoder(self) -> fn(&Film, &EncodeOptions) -> EncodeResult {
+        match self {
+            Format::Png => png::encode,
+            Format::Tga | Format::CompressedTga => tga::encode,
+            Format::Bmp => bmp::encode,
+            Format::Ppm => ppm::encode,
+            Format::Jpeg => jpeg::encode,
+            Format::Exr => exr::encode,
+            Format::Hdr => hdr::encode,
+        }
+    }
+}
+
+impl EncodeOptions {
+    /// POV-Ray's defaults for a format, for a film in linear light.
+    #[must_use]
+    pub fn new(format: Format) -> Self {
+        EncodeOptions {
+            format,
+            bits: if format == Format::Exr { 16 } else { 8 },
+            grayscale: false,
+            alpha: false,
+            file_gamma: Gamma::Srgb,
+            working: Some(Gamma::LINEAR),
+            quality: 0,
+        }
+    }
+}
+
+/// The bytes of a file that holds the picture.
+///
+/// # Errors
+/// When the format cannot hold the picture: a side of no pixels, or one too long for it.
+pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputError> {
+    let format = options.format;
+    let refuse = |reason| OutputError::Encode { format, reason };
+    if film.width == 0 || film.height == 0 {
+        return Err(refuse("it has no pixels".to_owned()));
+    }
+    format.encoder()(film, options).map_err(refuse)
+}
+
+/// Writes the picture. A file appears whole or not at all; one that was there stays as it was on any failure.
+///
+/// # Errors
+/// When the format cannot hold the picture, or the system refuses to write.
+pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<(), OutputError> {
+    let bytes = encode(film, options)?;
+    let written = match target {
+        Target::File(path) => place::replace(path, &bytes),
+        Target::Stdout => to_stdout(&bytes),
+    };
+    written.map_err(|source| OutputError::Write {
+        target: target.clone(),
+        source,
+    })
+}
+
+impl OutputError {
+    /// Something to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        let OutputError::Write { target, source } = self else {
+            return Some("another file type may hold it: `+FN` for PNG, `+FE` for EXR".to_owned());
+        };
+        let Target::File(path) = target else {
+            return None;
+        };
+        let folder = place::folder_of(path);
+        match source.kind() {
+            io::ErrorKind::NotFound => Some(format!(
+                "the folder `{}` does not exist: create it, or name another file with `+O`",
+                folder.display()
+            )),
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Some(format!(
+                "the folder `{}` is not open to you for writing: name another file with `+O`",
+                folder.display()
+            )),
+            io::ErrorKind::IsADirectory => {
+                Some("a folder has this name: name another file with `+O`".to_owned())
+            }
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+                Some("make room, or name a file on another disk with `+O`".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for OutputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OutputError::Encode { format, reason } => write!(
+                f,
+                "cannot make a {} file of this picture: {reason}",
+                format.extension()
+            ),
+            OutputError::Write { target, source } => {
+                write!(f, "cannot write {target}: {}", plain(source))
+            }
+        }
+    }
+}
+
+impl std::error::Error for OutputError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            OutputError::Write { source, .. } => Some(source),
+            OutputError::Encode { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Target::File(path) => write!(f, "`{}`", Path::display(path)),
+            Target::Stdout => f.write_str("to standard output"),
+        }
+    }
+}
+
+/// The system's words without the number of the error and without the name of the temporary file.
+fn plain(error: &io::Error) -> String {
+    let inner = error.get_ref().and_then(|wrapped| wrapped.source());
+    if let Some(inner) = inner.and_then(|e| e.downcast_ref::<io::Error>()) {
+        return plain(inner);
+    }
+    let text = error.to_string();
+    let words = text.split(" (os error").next().unwrap_or_default();
+    let mut chars = words.chars();
+    chars.next().map_or_else(String::new, |first| {
+        first.to_lowercase().chain(chars).collect()
+    })
+}
+
+fn to_stdout(bytes: &[u8]) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes)?;
+    out.flush()
+}
+
+#[cfg(test)]
+mod tests;

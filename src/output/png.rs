@@ -1,0 +1,67 @@
+//! PNG: 8 or 16 bits, grey or colour, with or without alpha.
+//!
+//! Compression is the fastest there is: the best would take several times as long as drawing a small scene.
+//! The chunks `gAMA` and `sRGB` are POV-Ray's; a scene without gamma handling is announced as sRGB, as there.
+
+use png::{BitDepth, ColorType, Compression, Encoder, chunk};
+
+use super::levels::{self, Channels};
+use super::{EncodeOptions, EncodeResult};
+use crate::color::Gamma;
+use crate::film::Film;
+
+pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
+    let channels = Channels::of(options.grayscale, options.alpha);
+    let (depth, data) = if options.bits <= 8 {
+        (BitDepth::Eight, levels::bytes(film, options, channels))
+    } else {
+        (BitDepth::Sixteen, levels::words(film, options, channels))
+    };
+    let mut file = Vec::with_capacity(data.len() / 2 + 1024);
+    file_of(film, options, channels, depth, &data, &mut file).map_err(|e| e.to_string())?;
+    Ok(file)
+}
+
+fn file_of(
+    film: &Film,
+    options: &EncodeOptions,
+    channels: Channels,
+    depth: BitDepth,
+    data: &[u8],
+    file: &mut Vec<u8>,
+) -> Result<(), png::EncodingError> {
+    let mut encoder = Encoder::new(file, film.width, film.height);
+    encoder.set_color(match channels {
+        Channels::Grey => ColorType::Grayscale,
+        Channels::GreyAlpha => ColorType::GrayscaleAlpha,
+        Channels::Rgb => ColorType::Rgb,
+        Channels::RgbAlpha => ColorType::Rgba,
+    });
+    encoder.set_depth(depth);
+    encoder.set_compression(Compression::Fastest);
+    let mut writer = encoder.write_header()?;
+    // Without gamma handling POV-Ray says sRGB whatever was asked for.
+    let said = match options.working {
+        Some(_) => options.file_gamma,
+        None => Gamma::Srgb,
+    };
+    let exponent = match said {
+        Gamma::Srgb => 45455,
+        Gamma::Power(g) => hundred_thousandths(1.0 / f64::from(g)),
+    };
+    writer.write_chunk(chunk::gAMA, &exponent.to_be_bytes())?;
+    if said == Gamma::Srgb {
+        writer.write_chunk(chunk::sRGB, &[0])?;
+    }
+    writer.write_image_data(data)?;
+    writer.finish()
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped before"
+)]
+fn hundred_thousandths(v: f64) -> u32 {
+    (v * 100_000.0).round().clamp(1.0, 1e9) as u32
+}

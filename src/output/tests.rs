@@ -1,0 +1,359 @@
+use std::fs;
+
+use image::{DynamicImage, ImageFormat, load_from_memory_with_format};
+
+use super::*;
+use crate::color::Rgb;
+use crate::film::Pixel;
+
+/// Eight pixels, `rgbt <1, .8, .6, .5>` with rising `ambient`: colours brighter than their coverage, and than 1.
+fn film() -> Film {
+    let mut film = Film::whole(8, 1);
+    for (pixel, ambient) in film
+        .pixels
+        .iter_mut()
+        .zip([0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 2.4, 2.8])
+    {
+        *pixel = Pixel {
+            rgb: Rgb::new(1.0, 0.8, 0.6) * ambient * 0.5f32,
+            transmit: 0.5,
+        };
+    }
+    film
+}
+
+fn gamma(text: &str) -> Gamma {
+    match text {
+        "srgb" => Gamma::Srgb,
+        number => Gamma::power(number.parse().expect("the table holds numbers")),
+    }
+}
+
+/// The options that stand for `N16+UA` and the like.
+fn options(kind: &str) -> EncodeOptions {
+    let (kind, alpha) = match kind.strip_suffix("+UA") {
+        Some(kind) => (kind, true),
+        None => (kind, false),
+    };
+    let format = match kind.as_bytes()[0] {
+        b'N' => Format::Png,
+        b'T' => Format::Tga,
+        b'C' => Format::CompressedTga,
+        b'B' => Format::Bmp,
+        b'P' => Format::Ppm,
+        b'E' => Format::Exr,
+        b'H' => Format::Hdr,
+        other => panic!("no such format: {other}"),
+    };
+    let mut options = EncodeOptions::new(format);
+    options.alpha = alpha;
+    options.grayscale = kind.ends_with('g');
+    if kind.ends_with("16") || options.grayscale {
+        options.bits = 16;
+    }
+    options
+}
+
+fn image_format(format: Format) -> ImageFormat {
+    ImageFormat::from_extension(format.extension()).expect("the image crate reads all formats")
+}
+
+/// The stored numbers as the `image` crate reads them.
+fn decoded(file: &[u8], format: Format) -> Vec<f64> {
+    let image = load_from_memory_with_format(file, image_format(format)).expect("a file we wrote");
+    match image {
+        DynamicImage::ImageRgb16(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        DynamicImage::ImageRgba16(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        DynamicImage::ImageLuma16(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        DynamicImage::ImageLumaA16(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        DynamicImage::ImageRgb32F(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        DynamicImage::ImageRgba32F(i) => i.into_raw().into_iter().map(f64::from).collect(),
+        other => other.into_bytes().into_iter().map(f64::from).collect(),
+    }
+}
+
+/// `povray.txt` holds what POV-Ray 3.7.0.10 stored for the picture of [`film`], decoded.
+#[test]
+fn files_hold_what_the_files_of_povray_hold() {
+    let mut lines = 0;
+    for line in include_str!("povray.txt")
+        .lines()
+        .filter(|l| !l.starts_with('#'))
+    {
+        let (what, values) = line.split_once(':').expect("a line is `what: values`");
+        let mut words = what.split(' ');
+        let (working, kind) = (words.next().unwrap(), words.next().unwrap());
+        let mut options = options(kind);
+        options.working = (working != "none").then(|| gamma(working));
+        options.file_gamma = words.next().map_or(Gamma::Srgb, gamma);
+        let file = encode(&film(), &options).unwrap();
+        let ours = match options.format {
+            // The stored bytes, behind the header: the common exponent would be lost in decoding.
+            Format::Hdr => rgbe_of(&file),
+            format => decoded(&file, format),
+        };
+        let theirs: Vec<f64> = values
+            .split_whitespace()
+            .map(|v| v.parse().unwrap())
+            .collect();
+        assert_eq!(ours, theirs, "{what}");
+        lines += 1;
+    }
+    assert!(lines > 80, "only {lines} lines");
+}
+
+/// The four bytes of each of the eight pixels, from the channel-wise runs of the only row.
+fn rgbe_of(file: &[u8]) -> Vec<f64> {
+    let start = file
+        .windows(5)
+        .position(|w| w == b"+X 8\n")
+        .expect("the size")
+        + 5;
+    let mut coded = file[start + 4..].iter().copied();
+    let mut planes = Vec::new();
+    while let Some(count) = coded.next() {
+        if count > 128 {
+            let value = coded.next().expect("a run has a value");
+            planes.extend(std::iter::repeat_n(value, usize::from(count) - 128));
+        } else {
+            planes.extend(coded.by_ref().take(usize::from(count)));
+        }
+    }
+    assert_eq!(planes.len(), 32);
+    (0..8)
+        .flat_map(|x| (0..4).map(move |c| (x, c)))
+        .map(|(x, c)| f64::from(planes[c * 8 + x]))
+        .collect()
+}
+
+#[test]
+fn every_format_is_read_by_the_image_crate() {
+    let mut film = Film::whole(37, 23);
+    for (i, pixel) in film.pixels.iter_mut().enumerate() {
+        let v = f32::from(u8::try_from(i % 251).unwrap()) / 250.0;
+        *pixel = Pixel {
+            rgb: Rgb::new(v, 1.0 - v, v * v),
+            transmit: v * 0.5,
+        };
+    }
+    for format in Format::ALL {
+        for alpha in [false, true] {
+            for (bits, grayscale) in [(8, false), (16, false), (32, false), (8, true), (16, true)] {
+                let options = EncodeOptions {
+                    alpha,
+                    bits,
+                    grayscale,
+                    ..EncodeOptions::new(format)
+                };
+                let file = encode(&film, &options).unwrap();
+                let image = load_from_memory_with_format(&file, image_format(format))
+                    .unwrap_or_else(|e| panic!("{options:?}: {e}"));
+                assert_eq!((image.width(), image.height()), (37, 23), "{options:?}");
+                assert_eq!(
+                    image.color().has_alpha(),
+                    alpha && format.has_alpha(),
+                    "{options:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_jpeg_is_within_a_few_levels_of_the_png() {
+    let mut film = Film::whole(64, 16);
+    for (i, pixel) in film.pixels.iter_mut().enumerate() {
+        let v = f32::from(u8::try_from(i % 64).unwrap()) / 63.0;
+        pixel.rgb = Rgb::new(v, v * 0.8, 0.2 - 0.1 * v);
+    }
+    let of = |format| decoded(&encode(&film, &EncodeOptions::new(format)).unwrap(), format);
+    let pairs = of(Format::Jpeg).into_iter().zip(of(Format::Png));
+    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst <= 8.0, "{worst}");
+}
+
+#[test]
+fn a_png_says_which_curve_it_holds() {
+    let chunk = |file: &[u8], name: &[u8]| {
+        let at = file.windows(4).position(|w| w == name)?;
+        Some(file[at + 4..at + 8].to_vec())
+    };
+    let mut options = EncodeOptions::new(Format::Png);
+    let file = encode(&film(), &options).unwrap();
+    assert_eq!(chunk(&file, b"gAMA"), Some(45455u32.to_be_bytes().to_vec()));
+    assert!(chunk(&file, b"sRGB").is_some());
+    options.file_gamma = Gamma::LINEAR;
+    let file = encode(&film(), &options).unwrap();
+    assert_eq!(
+        chunk(&file, b"gAMA"),
+        Some(100_000u32.to_be_bytes().to_vec())
+    );
+    assert_eq!(chunk(&file, b"sRGB"), None);
+    options.working = None;
+    let file = encode(&film(), &options).unwrap();
+    assert_eq!(chunk(&file, b"gAMA"), Some(45455u32.to_be_bytes().to_vec()));
+    assert!(chunk(&file, b"sRGB").is_some());
+}
+
+#[test]
+fn a_single_precision_exr_keeps_every_bit() {
+    let options = EncodeOptions {
+        bits: 32,
+        alpha: true,
+        ..EncodeOptions::new(Format::Exr)
+    };
+    let file = encode(&film(), &options).unwrap();
+    let expected: Vec<f64> = film()
+        .pixels
+        .iter()
+        .flat_map(|p| [p.rgb.r, p.rgb.g, p.rgb.b, 1.0 - p.transmit].map(f64::from))
+        .collect();
+    assert_eq!(decoded(&file, Format::Exr), expected);
+}
+
+#[test]
+fn no_float_makes_an_encoder_panic() {
+    let mut film = Film::whole(9, 1);
+    let odd = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::MAX,
+        f32::MIN,
+        1e-45,
+        -0.0,
+        1e-38,
+        2e38,
+    ];
+    for (pixel, value) in film.pixels.iter_mut().zip(odd) {
+        pixel.rgb = Rgb::splat(value);
+        pixel.transmit = value;
+    }
+    for format in Format::ALL {
+        for alpha in [false, true] {
+            let options = EncodeOptions {
+                alpha,
+                ..EncodeOptions::new(format)
+            };
+            encode(&film, &options).unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_format_too_small_for_the_picture_says_so() {
+    let film = Film::whole(70_000, 1);
+    let target = Target::File("unused.tga".into());
+    let refused = write(&film, &target, &EncodeOptions::new(Format::Jpeg)).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "cannot make a jpg file of this picture: a side is longer than 65535 pixels"
+    );
+    assert!(encode(&film, &EncodeOptions::new(Format::Tga)).is_err());
+    assert!(encode(&Film::whole(0, 4), &EncodeOptions::new(Format::Png)).is_err());
+}
+
+#[test]
+fn a_new_file_replaces_the_old_one_and_leaves_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.png");
+    fs::write(&path, "old").unwrap();
+    write(
+        &film(),
+        &Target::File(path.clone()),
+        &EncodeOptions::new(Format::Png),
+    )
+    .unwrap();
+    assert!(image::open(&path).is_ok());
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_picture_that_cannot_be_encoded_leaves_the_old_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.jpg");
+    fs::write(&path, "old").unwrap();
+    let target = Target::File(path.clone());
+    write(
+        &Film::whole(70_000, 1),
+        &target,
+        &EncodeOptions::new(Format::Jpeg),
+    )
+    .unwrap_err();
+    assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_missing_folder_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("none").join("a.png");
+    let target = Target::File(path.clone());
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        format!(
+            "cannot write `{}`: no such file or directory",
+            path.display()
+        )
+    );
+    assert_eq!(
+        refused.hint().unwrap(),
+        format!(
+            "the folder `{}` does not exist: create it, or name another file with `+O`",
+            folder.path().join("none").display()
+        )
+    );
+}
+
+#[test]
+fn a_folder_of_that_name_is_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let target = Target::File(folder.path().to_owned());
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        format!("cannot write `{}`: is a directory", folder.path().display())
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_a_link_and_its_file_keeps_its_mode() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempfile::tempdir().unwrap();
+    let (file, link) = (
+        folder.path().join("file.png"),
+        folder.path().join("link.png"),
+    );
+    fs::write(&file, "old").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+    symlink(&file, &link).unwrap();
+    write(
+        &film(),
+        &Target::File(link.clone()),
+        &EncodeOptions::new(Format::Png),
+    )
+    .unwrap();
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert_eq!(
+        fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+        0o640
+    );
+    assert!(image::open(&file).is_ok());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_named() {
+    let target = Target::File("/dev/full".into());
+    let refused = write(&film(), &target, &EncodeOptions::new(Format::Png)).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "cannot write `/dev/full`: no space left on device"
+    );
+    assert_eq!(
+        refused.hint().unwrap(),
+        "make room, or name a file on another disk with `+O`"
+    );
+}
