@@ -16,3 +16,4 @@ pub mod shape;
 pub mod source;
 pub mod syntax;
 pub mod texture;
+pub mod trace;

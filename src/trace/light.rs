@@ -1,0 +1,198 @@
+//! Light at a point of a surface: diffuse light, highlights, and what stands in the way of them.
+
+use super::{Inside, Path, Tracer, passage};
+use crate::color::Rgb;
+use crate::compile::{Departure, Hit, Query, Scratch, Seen};
+use crate::light::Light;
+use crate::math::Ray;
+use crate::texture::Finish;
+use glam::DVec3;
+use std::f64::consts::FRAC_2_PI;
+
+/// Below this a colour counts as no light, and the cosine of light as grazing; POV-Ray's value.
+const NOTHING: f64 = 1e-10;
+/// From this `phong_size` on, small highlights are cut off.
+const SMALL_PHONG: f32 = 60.0;
+/// The cosine at which they are cut off.
+const PHONG_CUT: f64 = 0.0008;
+
+/// A point of a surface, as light finds it.
+pub(super) struct Lit<'p> {
+    pub(super) point: DVec3,
+    /// The unit normal on the side of the viewer.
+    pub(super) normal: DVec3,
+    /// The unit direction from the viewer.
+    pub(super) view: DVec3,
+    pub(super) departure: &'p Departure,
+    pub(super) path: &'p Path,
+    pub(super) is_double_illuminated: bool,
+}
+
+/// The colour of a layer at a point.
+pub(super) struct Coat<'f> {
+    pub(super) finish: &'f Finish,
+    pub(super) rgb: Rgb,
+    /// The share of light that does not pass the layer.
+    pub(super) opacity: f64,
+}
+
+impl Tracer<'_> {
+    /// What all lights give to a layer.
+    pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        for light in &self.world.lights {
+            sum += self.light_up(light, lit, coat, scratch);
+        }
+        sum
+    }
+
+    fn light_up(&self, light: &Light, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+        let finish = coat.finish;
+        let offset = light.centre - lit.point;
+        let distance = offset.length();
+        let to_light = offset / distance;
+        let cosine = lit.normal.dot(to_light);
+        let (diffuse, is_in_front) = if cosine >= NOTHING || lit.is_double_illuminated {
+            (finish.diffuse, true)
+        } else if finish.diffuse_back != 0.0 {
+            (finish.diffuse_back, false)
+        } else {
+            return Rgb::BLACK;
+        };
+        let mut arriving = light.color * light.attenuation(distance);
+        if is_nothing(arriving) {
+            return Rgb::BLACK;
+        }
+        if self.quality.has_shadows && !light.is_shadowless {
+            arriving = self.through_shadows(
+                arriving,
+                lit,
+                Ray::new(lit.point, to_light),
+                distance,
+                scratch,
+            );
+            if is_nothing(arriving) {
+                return Rgb::BLACK;
+            }
+        }
+        let mut sum = Rgb::BLACK;
+        if diffuse != 0.0 {
+            let strength =
+                f64::from(diffuse) * coat.opacity * power(cosine.abs(), finish.brilliance);
+            sum += coat.rgb * arriving * strength;
+        }
+        if is_in_front && !light.is_shadowless {
+            let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
+            if strength != 0.0 {
+                let shine = metallic(finish.metallic, coat.rgb, cosine.abs());
+                sum += arriving * shine * strength;
+            }
+        }
+        sum
+    }
+
+    /// What is left of light after all that stands between a point and its source.
+    fn through_shadows(
+        &self,
+        mut arriving: Rgb,
+        lit: &Lit,
+        ray: Ray,
+        distance: f64,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let mut query = Query {
+            ray,
+            from: Some(*lit.departure),
+            far: distance,
+            seen: Seen::Shadow,
+        };
+        if self.world.is_blocked(&query, scratch) {
+            return Rgb::BLACK;
+        }
+        if self.is_all_opaque {
+            return arriving;
+        }
+        let mut inside = lit.path.inside.clone();
+        for _ in 0..super::MOST_PASSED {
+            let Some(hit) = self.world.nearest(&query, scratch) else {
+                return arriving;
+            };
+            arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, &hit);
+            if is_nothing(arriving) {
+                return Rgb::BLACK;
+            }
+            query.ray.origin = hit.point;
+            query.from = Some(hit.departure);
+            query.far -= hit.t;
+        }
+        Rgb::BLACK
+    }
+
+    /// The fading of light along the segment that ends at a hit, which changes what the light is inside of.
+    fn fade(&self, inside: &mut Inside, hit: &Hit) -> Rgb {
+        let interior = self.world.surfaces[hit.surface as usize].interior;
+        if passage::cross(inside, interior) {
+            self.world.interiors[interior.0 as usize].fade(hit.t)
+        } else {
+            Rgb::WHITE
+        }
+    }
+}
+
+fn is_nothing(light: Rgb) -> bool {
+    let is_small = |c: f32| f64::from(c).abs() < NOTHING;
+    is_small(light.r) && is_small(light.g) && is_small(light.b)
+}
+
+/// `base ^ exponent`, without the cost for the exponent that is usual.
+fn power(base: f64, exponent: f32) -> f64 {
+    if exponent == 1.0 {
+        base
+    } else {
+        base.powf(f64::from(exponent))
+    }
+}
+
+/// Phong's highlight: the cosine between mirrored view and light.
+fn phong(finish: &Finish, lit: &Lit, to_light: DVec3) -> f64 {
+    if finish.phong == 0.0 {
+        return 0.0;
+    }
+    let cosine = mirrored(lit.view, lit.normal).dot(to_light);
+    let is_lit = cosine > 0.0 && (finish.phong_size < SMALL_PHONG || cosine > PHONG_CUT);
+    if is_lit {
+        f64::from(finish.phong) * power(cosine, finish.phong_size)
+    } else {
+        0.0
+    }
+}
+
+/// Blinn's highlight: the cosine between the normal and the half-way vector.
+fn specular(finish: &Finish, lit: &Lit, to_light: DVec3) -> f64 {
+    if finish.specular == 0.0 {
+        return 0.0;
+    }
+    let half_way = 0.5 * (to_light - lit.view);
+    let cosine = half_way.dot(lit.normal) / half_way.length();
+    if cosine > 0.0 {
+        f64::from(finish.specular) * power(cosine, finish.shininess)
+    } else {
+        0.0
+    }
+}
+
+/// The mirror image of a direction.
+pub(super) fn mirrored(dir: DVec3, normal: DVec3) -> DVec3 {
+    dir - 2.0 * dir.dot(normal) * normal
+}
+
+/// The tint that a `metallic` of strength `m` gives to light that arrives at an angle of this cosine: less of the
+/// pigment's colour the more grazing.
+pub(super) fn metallic(m: f32, pigment: Rgb, cosine: f64) -> Rgb {
+    if m == 0.0 {
+        return Rgb::WHITE;
+    }
+    let x = cosine.clamp(-1.0, 1.0).acos() * FRAC_2_PI;
+    let fresnel = (0.014_567_225 / (x - 1.12).powi(2) - 0.011_612_903).clamp(0.0, 1.0);
+    Rgb::WHITE + (pigment - Rgb::WHITE) * (f64::from(m) * (1.0 - fresnel))
+}

@@ -1,0 +1,228 @@
+//! From rays to colours: what a ray sees, light and shadow, mirror images, what shines through.
+//!
+//! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
+//! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
+//! at most `max_trace_level` deep. Missing: fog, media, radiosity, photons, normals, blended textures.
+
+mod light;
+mod passage;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use crate::color::Rgb;
+use crate::compile::{Departure, InteriorId, Query, Scratch, Seen, World};
+use crate::math::Ray;
+use smallvec::SmallVec;
+
+/// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
+/// puts a surface at every rounding step; no picture of a thousand panes comes near it.
+const MOST_PASSED: usize = 1 << 16;
+
+/// The interiors that a ray is in, the one entered last at the end.
+type Inside = SmallVec<[InteriorId; 4]>;
+
+/// What one point of the picture shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Linear light, what shines through the background not counted.
+    pub rgb: Rgb,
+    /// The share of light that would come through from behind the whole scene.
+    pub transmit: f32,
+}
+
+impl Sample {
+    /// Nothing to be seen, and nothing behind.
+    const BLACK: Sample = Sample {
+        rgb: Rgb::BLACK,
+        transmit: 0.0,
+    };
+}
+
+/// What a quality leaves out (`+Q`); measured with POV-Ray 3.7.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Quality {
+    /// From 2 on: light; before, the pigment of the lowest layer is the colour.
+    has_light: bool,
+    /// From 4 on: shadows.
+    has_shadows: bool,
+    /// From 6 on: the real pigments rather than `quick_color`, and what shines through.
+    has_transparency: bool,
+    /// From 8 on: mirror images.
+    has_reflection: bool,
+}
+
+/// A ray on its way.
+struct Path {
+    ray: Ray,
+    from: Option<Departure>,
+    seen: Seen,
+    /// How many bends and mirrors lie behind it.
+    level: u32,
+    /// The largest share that its colour can have in the sample.
+    weight: f64,
+    inside: Inside,
+}
+
+/// A surface passed straight on: `rgb + factor · behind + reflected`.
+struct Passed {
+    rgb: Rgb,
+    factor: Rgb,
+    transmit: f32,
+    reflected: Rgb,
+}
+
+/// The tracer of one world at one quality.
+#[derive(Debug)]
+pub struct Tracer<'w> {
+    world: &'w World,
+    quality: Quality,
+    /// Whether any surface lets light through: otherwise shadows are a yes or no.
+    is_all_opaque: bool,
+    /// Whether it matters in which interiors a ray is.
+    minds_interiors: bool,
+    /// The interiors around the camera, if all rays start in one point.
+    around_camera: Inside,
+    background: Sample,
+    reflected_background: Rgb,
+}
+
+impl<'w> Tracer<'w> {
+    /// A tracer of `world`; `quality` is that of `+Q`, 9 and more for all there is.
+    #[must_use]
+    pub fn new(world: &'w World, quality: u8) -> Self {
+        let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
+        let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
+        let minds_interiors = !is_all_opaque || has_fresnel;
+        let around_camera = if minds_interiors && world.camera.has_one_origin() {
+            world.interiors_at(world.camera.location())
+        } else {
+            Inside::new()
+        };
+        let (background, reflected_background) = backgrounds(world);
+        Tracer {
+            world,
+            quality: Quality {
+                has_light: quality >= 2,
+                has_shadows: quality >= 4,
+                has_transparency: quality >= 6,
+                has_reflection: quality >= 8,
+            },
+            is_all_opaque,
+            minds_interiors,
+            around_camera,
+            background,
+            reflected_background,
+        }
+    }
+
+    /// What the camera sees at a point of a picture of `width` by `height` pixels; whole `x` and `y` are centres of
+    /// pixels. Where the camera has no ray the sample is black and lets everything through.
+    #[must_use]
+    pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
+        let camera = &self.world.camera;
+        let Some(ray) = camera.primary_ray(x, y, width, height) else {
+            return Sample {
+                rgb: Rgb::BLACK,
+                transmit: 1.0,
+            };
+        };
+        let inside = if self.minds_interiors && !camera.has_one_origin() {
+            self.world.interiors_at(ray.origin)
+        } else {
+            self.around_camera.clone()
+        };
+        let path = Path {
+            ray,
+            from: None,
+            seen: Seen::Image,
+            level: 0,
+            weight: 1.0,
+            inside,
+        };
+        self.trace(path, scratch)
+    }
+
+    /// What a ray sees.
+    fn trace(&self, mut path: Path, scratch: &mut Scratch) -> Sample {
+        let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
+        let end = loop {
+            if !self.is_worth(&path) || passed.len() == MOST_PASSED {
+                break Sample::BLACK;
+            }
+            let query = Query {
+                ray: path.ray,
+                from: path.from,
+                far: f64::INFINITY,
+                seen: path.seen,
+            };
+            let Some(hit) = self.world.nearest(&query, scratch) else {
+                break self.behind_everything(path.seen);
+            };
+            let view = self.shade(&path, &hit, scratch);
+            let Some(passage) = view.straight_on else {
+                break Sample {
+                    rgb: view.rgb + view.reflected,
+                    transmit: view.transmit,
+                };
+            };
+            passed.push(Passed {
+                rgb: view.rgb,
+                factor: passage.factor,
+                transmit: passage.transmit,
+                reflected: view.reflected,
+            });
+            // At the last level nothing is seen through a surface, bent or not.
+            if path.level + 1 >= self.world.globals.max_trace_level {
+                break Sample::BLACK;
+            }
+            path.ray = Ray::new(hit.point, path.ray.dir);
+            path.from = Some(hit.departure);
+            path.weight *= passage.weight;
+            path.inside = passage.inside;
+        };
+        passed.iter().rev().fold(end, |behind, here| Sample {
+            rgb: here.rgb + here.factor * behind.rgb + here.reflected,
+            transmit: here.transmit * behind.transmit,
+        })
+    }
+
+    fn is_worth(&self, path: &Path) -> bool {
+        let globals = &self.world.globals;
+        path.level < globals.max_trace_level && path.weight >= globals.adc_bailout
+    }
+
+    fn behind_everything(&self, seen: Seen) -> Sample {
+        match seen {
+            Seen::Reflection => Sample {
+                rgb: self.reflected_background,
+                transmit: 0.0,
+            },
+            Seen::Image | Seen::Shadow => self.background,
+        }
+    }
+}
+
+/// The background for camera rays and for mirror images.
+///
+/// Measured with `background { rgbft <.5, .6, .7, .1, .25> }`: version 3.7 shows the colour less its transmit, and
+/// with an alpha channel less its filter too; before 3.7 it is opaque, and with an alpha channel not there at all.
+/// Mirrors show the colour as it is, except in 3.7 without an alpha channel.
+fn backgrounds(world: &World) -> (Sample, Rgb) {
+    let color = world.background;
+    let globals = &world.globals;
+    let (rgb, transmit, reflected) = match (globals.rules_37, globals.has_alpha) {
+        (true, true) => (
+            color.rgb * (1.0 - color.filter - color.transmit),
+            color.transmission().grey(),
+            color.rgb,
+        ),
+        (true, false) => {
+            let rgb = color.rgb * (1.0 - color.transmit);
+            (rgb, color.transmit, rgb)
+        }
+        (false, true) => (Rgb::BLACK, 1.0, color.rgb),
+        (false, false) => (color.rgb, 0.0, color.rgb),
+    };
+    (Sample { rgb, transmit }, reflected)
+}

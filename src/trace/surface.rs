@@ -1,0 +1,305 @@
+//! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
+
+use super::light::{Coat, Lit, metallic, mirrored};
+use super::passage::{Bend, bend};
+use super::{Inside, Path, Sample, Tracer};
+use crate::color::{Color, Rgb};
+use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::interior::Interior;
+use crate::math::Ray;
+use crate::texture::{Finish, PreparedLayer, PreparedTexture};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// What is seen at a hit.
+pub(super) struct View {
+    /// Light of the surface itself, and light that comes through on another way.
+    pub(super) rgb: Rgb,
+    /// The share of light that would come through from behind the whole scene on another way.
+    pub(super) transmit: f32,
+    /// Light of the mirror images, added last.
+    pub(super) reflected: Rgb,
+    /// What is still to be added if light also comes straight through.
+    pub(super) straight_on: Option<StraightOn>,
+}
+
+/// What shines through without a bend.
+pub(super) struct StraightOn {
+    /// The factor on light from behind.
+    pub(super) factor: Rgb,
+    /// The factor on the transparency of what is behind.
+    pub(super) transmit: f32,
+    /// The factor on the weight of the ray.
+    pub(super) weight: f64,
+    /// The interiors behind.
+    pub(super) inside: Inside,
+}
+
+/// A mirror image to be traced.
+struct Mirror<'f> {
+    reflectivity: Rgb,
+    weight: f64,
+    finish: &'f Finish,
+}
+
+/// Whether the view through a surface matters to its mirror images.
+pub(super) fn has_fresnel(surface: &Surface) -> bool {
+    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
+    let mut layers = textures
+        .into_iter()
+        .flatten()
+        .flat_map(|texture| texture.layers());
+    layers.any(|layer| layer.finish.reflection.is_fresnel)
+}
+
+impl Tracer<'_> {
+    /// What a ray sees at a hit, without what comes straight through.
+    pub(super) fn shade(&self, path: &Path, hit: &Hit, scratch: &mut Scratch) -> View {
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let texture = facing_texture(surface, hit, path.ray.dir);
+        let mut view = View {
+            rgb: Rgb::BLACK,
+            transmit: 0.0,
+            reflected: Rgb::BLACK,
+            straight_on: None,
+        };
+        if !self.quality.has_light {
+            if let Some(lowest) = texture.layers().last() {
+                view.rgb = self.color(lowest, hit.point).rgb;
+            }
+            return view;
+        }
+        let lit = Lit {
+            point: hit.point,
+            normal: facing_normal(hit, path.ray.dir),
+            view: path.ray.dir,
+            departure: &hit.departure,
+            path,
+            is_double_illuminated: surface.flags.double_illuminate,
+        };
+        let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
+        let mut filter = Rgb::WHITE;
+        for layer in texture.layers() {
+            let color = self.color(layer, hit.point);
+            view.rgb += self.layer(&lit, layer, color, scratch) * filter;
+            if self.quality.has_reflection && layer.finish.has_reflection() {
+                let mirror = self.mirror(&lit, hit, &layer.finish, color.rgb);
+                if layer.finish.conserve_energy {
+                    filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
+                }
+                mirrors.push(mirror);
+            }
+            filter *= color.transmission();
+            if self.is_opaque(filter) {
+                break;
+            }
+        }
+        let mut is_total = false;
+        if self.quality.has_transparency && !self.is_opaque(filter.map(f32::abs)) {
+            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
+        }
+        if !is_total {
+            for mirror in &mirrors {
+                view.reflected += self.reflect(&lit, hit, mirror, scratch);
+            }
+        }
+        view
+    }
+
+    /// The light of one layer itself.
+    fn layer(&self, lit: &Lit, layer: &PreparedLayer, color: Color, scratch: &mut Scratch) -> Rgb {
+        let finish = &layer.finish;
+        let passing = if self.world.globals.rules_37 {
+            color.filter + color.transmit
+        } else {
+            color.filter * color.rgb.max() + color.transmit
+        };
+        let coat = Coat {
+            finish,
+            rgb: color.rgb,
+            opacity: f64::from(1.0 - passing),
+        };
+        let own = color.rgb * finish.ambient * self.world.globals.ambient_light
+            + color.rgb * finish.emission;
+        own * coat.opacity + self.illuminate(lit, &coat, scratch)
+    }
+
+    /// Adds what comes through a surface. Says whether it is the mirror image of a total reflection, beside which
+    /// there is no other.
+    fn pass(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        filter: Rgb,
+        view: &mut View,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let path = lit.path;
+        let passage = self.passage(path, hit);
+        let interior = self.interior_of(hit);
+        let fade = if passage.was_inside {
+            interior.fade(hit.t)
+        } else {
+            Rgb::WHITE
+        };
+        let factor = filter * fade * interior.refraction;
+        let transmit = fade.grey() * filter.grey();
+        let weight = f64::from(filter.max());
+        match bend(path.ray.dir, lit.normal, passage.ratio) {
+            Bend::None => {
+                view.straight_on = Some(StraightOn {
+                    factor,
+                    transmit,
+                    weight,
+                    inside: passage.inside,
+                });
+                false
+            }
+            Bend::To(dir) => {
+                let onward = Path {
+                    ray: Ray::new(hit.point, dir),
+                    from: Some(hit.departure),
+                    seen: path.seen,
+                    level: path.level + 1,
+                    weight: path.weight * weight,
+                    inside: passage.inside,
+                };
+                let behind = self.trace(onward, scratch);
+                view.rgb += factor * behind.rgb;
+                view.transmit = transmit * behind.transmit;
+                false
+            }
+            Bend::Total => {
+                let onward = Path {
+                    ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
+                    from: Some(hit.departure),
+                    seen: Seen::Reflection,
+                    level: path.level + 1,
+                    weight: path.weight * weight,
+                    inside: path.inside.clone(),
+                };
+                // All light comes back, whatever the layers would filter.
+                let factor = fade * interior.refraction;
+                view.rgb += factor * self.trace(onward, scratch).rgb;
+                true
+            }
+        }
+    }
+
+    /// How much of its surroundings a layer reflects at this angle.
+    fn mirror<'f>(&self, lit: &Lit, hit: &Hit, finish: &'f Finish, pigment: Rgb) -> Mirror<'f> {
+        let reflection = &finish.reflection;
+        let cosine = -lit.view.dot(lit.normal);
+        let mut reflectivity = if reflection.min == reflection.max {
+            reflection.min
+        } else {
+            let share = if reflection.is_fresnel {
+                fresnel(cosine, self.relative_ior(lit.path, hit))
+            } else {
+                (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
+            };
+            reflection.max * share + reflection.min * (1.0 - share)
+        };
+        if reflection.metallic != 0.0 {
+            reflectivity *= metallic(reflection.metallic, pigment, cosine);
+        }
+        let weight = if reflection.is_fresnel {
+            reflectivity.max()
+        } else {
+            reflection.min.max().max(reflection.max.max())
+        };
+        Mirror {
+            reflectivity,
+            weight: f64::from(weight),
+            finish,
+        }
+    }
+
+    /// The mirror image of one layer.
+    fn reflect(&self, lit: &Lit, hit: &Hit, mirror: &Mirror, scratch: &mut Scratch) -> Rgb {
+        let path = lit.path;
+        let onward = Path {
+            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
+            from: Some(hit.departure),
+            seen: Seen::Reflection,
+            level: path.level + 1,
+            weight: path.weight * mirror.weight,
+            inside: path.inside.clone(),
+        };
+        let Sample { rgb, .. } = self.trace(onward, scratch);
+        let exponent = mirror.finish.reflection.exponent;
+        let rgb = if exponent == 1.0 {
+            rgb
+        } else {
+            rgb.map(|c| c.powf(1.0 / exponent))
+        };
+        rgb * mirror.reflectivity
+    }
+
+    /// The share of shadow light that passes the surface of a hit.
+    pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let layers = facing_texture(surface, hit, ray.dir).layers();
+        layers.iter().fold(Rgb::WHITE, |light, layer| {
+            light * self.color(layer, hit.point).transmission()
+        })
+    }
+
+    /// The colour of a layer, in previews its quick colour.
+    fn color(&self, layer: &PreparedLayer, point: DVec3) -> Color {
+        match layer.quick_color {
+            Some(quick) if !self.quality.has_transparency => quick,
+            _ => layer.pigment.color(point),
+        }
+    }
+
+    fn interior_of(&self, hit: &Hit) -> &Interior {
+        let id = self.world.surfaces[hit.surface as usize].interior;
+        &self.world.interiors[id.0 as usize]
+    }
+
+    fn is_opaque(&self, filter: Rgb) -> bool {
+        f64::from(filter.grey()) <= self.world.globals.adc_bailout
+    }
+}
+
+/// The texture of the side that a ray meets.
+fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s PreparedTexture {
+    match &surface.inside_texture {
+        Some(inside) if hit.normal.dot(dir) > 0.0 => inside,
+        _ => &surface.texture,
+    }
+}
+
+/// The shading normal on the side from which a ray comes.
+fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
+    if hit.shading_normal.dot(dir) > 0.0 {
+        -hit.shading_normal
+    } else {
+        hit.shading_normal
+    }
+}
+
+/// The reflectance of unpolarised light by Fresnel's equations, for a relative index of refraction of what is behind.
+fn fresnel(cosine: f64, ior: f64) -> f64 {
+    let g_sq = ior * ior + cosine * cosine - 1.0;
+    if g_sq < 0.0 {
+        return 1.0;
+    }
+    let g = g_sq.sqrt();
+    let across = (g - cosine) / (g + cosine);
+    let along = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+    (0.5 * across * across * (1.0 + along * along)).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn glass_reflects_four_percent_straight_and_all_when_grazing() {
+        assert!((fresnel(1.0, 1.5) - 0.04).abs() < 1e-15);
+        assert!((fresnel(0.0, 1.5) - 1.0).abs() < 1e-15);
+        assert_eq!(fresnel(0.2, 1.0 / 1.5), 1.0);
+    }
+}
