@@ -2,7 +2,7 @@
 
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Query, Scratch, Seen};
+use crate::compile::{Departure, Hit, Query, Scratch, Seen};
 use crate::light::Light;
 use crate::math::Ray;
 use crate::texture::Finish;
@@ -41,12 +41,12 @@ impl Tracer<'_> {
     pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let mut sum = Rgb::BLACK;
         for light in &self.world.lights {
-            sum += self.from_one_light(light, lit, coat, scratch);
+            sum += self.light_up(light, lit, coat, scratch);
         }
         sum
     }
 
-    fn from_one_light(&self, light: &Light, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+    fn light_up(&self, light: &Light, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let finish = coat.finish;
         let offset = light.centre - lit.point;
         let distance = offset.length();
@@ -129,7 +129,7 @@ impl Tracer<'_> {
     }
 
     /// The fading of light along the segment that ends at a hit, which changes what the light is inside of.
-    fn fade(&self, inside: &mut Inside, hit: &crate::compile::Hit) -> Rgb {
+    fn fade(&self, inside: &mut Inside, hit: &Hit) -> Rgb {
         let interior = self.world.surfaces[hit.surface as usize].interior;
         if passage::cross(inside, interior) {
             self.world.interiors[interior.0 as usize].fade(hit.t)

@@ -48,6 +48,25 @@ pub(super) fn cross(inside: &mut Inside, interior: InteriorId) -> bool {
 }
 
 impl Tracer<'_> {
+    /// The index of refraction behind the surface of a hit relative to that before it, as Fresnel's law of mirror
+    /// images takes it.
+    ///
+    /// POV-Ray 3.7 takes the interior entered last for the one behind, even where that is the one being left: inside
+    /// a ball of glass, with the camera in the half-space of some plane, nothing is mirrored. Measured in both orders
+    /// of two nested balls around the camera.
+    pub(super) fn relative_ior(&self, path: &Path, hit: &Hit) -> f64 {
+        let id = self.world.surfaces[hit.surface as usize].interior;
+        let ior = |id: InteriorId| f64::from(self.world.interiors[id.0 as usize].ior);
+        let last = path.inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
+        if !path.inside.contains(&id) {
+            ior(id) / last
+        } else if path.inside.len() == 1 {
+            ATMOSPHERE_IOR / ior(id)
+        } else {
+            last / ior(id)
+        }
+    }
+
     /// The crossing of the surface of a hit.
     pub(super) fn passage(&self, path: &Path, hit: &Hit) -> Passage {
         let id = self.world.surfaces[hit.surface as usize].interior;

@@ -1,10 +1,11 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
 use super::light::{Coat, Lit, metallic, mirrored};
-use super::passage::{Bend, Passage, bend};
+use super::passage::{Bend, bend};
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
 use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::interior::Interior;
 use crate::math::Ray;
 use crate::texture::{Finish, PreparedLayer, PreparedTexture};
 use glam::DVec3;
@@ -76,15 +77,13 @@ impl Tracer<'_> {
             path,
             is_double_illuminated: surface.flags.double_illuminate,
         };
-        let passage = self.minds_interiors.then(|| self.passage(path, hit));
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         for layer in texture.layers() {
             let color = self.color(layer, hit.point);
             view.rgb += self.layer(&lit, layer, color, scratch) * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let ratio = passage.as_ref().map_or(1.0, |passage| passage.ratio);
-                let mirror = mirror(&layer.finish, color.rgb, &lit, ratio);
+                let mirror = self.mirror(&lit, hit, &layer.finish, color.rgb);
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
@@ -96,11 +95,8 @@ impl Tracer<'_> {
             }
         }
         let mut is_total = false;
-        if let Some(passage) = passage
-            && self.quality.has_transparency
-            && !self.is_opaque(filter.map(f32::abs))
-        {
-            is_total = self.pass(&lit, hit, filter, passage, &mut view, scratch);
+        if self.quality.has_transparency && !self.is_opaque(filter.map(f32::abs)) {
+            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
         }
         if !is_total {
             for mirror in &mirrors {
@@ -135,11 +131,11 @@ impl Tracer<'_> {
         lit: &Lit,
         hit: &Hit,
         filter: Rgb,
-        passage: Passage,
         view: &mut View,
         scratch: &mut Scratch,
     ) -> bool {
         let path = lit.path;
+        let passage = self.passage(path, hit);
         let interior = self.interior_of(hit);
         let fade = if passage.was_inside {
             interior.fade(hit.t)
@@ -190,6 +186,35 @@ impl Tracer<'_> {
         }
     }
 
+    /// How much of its surroundings a layer reflects at this angle.
+    fn mirror<'f>(&self, lit: &Lit, hit: &Hit, finish: &'f Finish, pigment: Rgb) -> Mirror<'f> {
+        let reflection = &finish.reflection;
+        let cosine = -lit.view.dot(lit.normal);
+        let mut reflectivity = if reflection.min == reflection.max {
+            reflection.min
+        } else {
+            let share = if reflection.is_fresnel {
+                fresnel(cosine, self.relative_ior(lit.path, hit))
+            } else {
+                (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
+            };
+            reflection.max * share + reflection.min * (1.0 - share)
+        };
+        if reflection.metallic != 0.0 {
+            reflectivity *= metallic(reflection.metallic, pigment, cosine);
+        }
+        let weight = if reflection.is_fresnel {
+            reflectivity.max()
+        } else {
+            reflection.min.max().max(reflection.max.max())
+        };
+        Mirror {
+            reflectivity,
+            weight: f64::from(weight),
+            finish,
+        }
+    }
+
     /// The mirror image of one layer.
     fn reflect(&self, lit: &Lit, hit: &Hit, mirror: &Mirror, scratch: &mut Scratch) -> Rgb {
         let path = lit.path;
@@ -228,7 +253,7 @@ impl Tracer<'_> {
         }
     }
 
-    fn interior_of(&self, hit: &Hit) -> &crate::interior::Interior {
+    fn interior_of(&self, hit: &Hit) -> &Interior {
         let id = self.world.surfaces[hit.surface as usize].interior;
         &self.world.interiors[id.0 as usize]
     }
@@ -252,36 +277,6 @@ fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
         -hit.shading_normal
     } else {
         hit.shading_normal
-    }
-}
-
-/// How much of its surroundings a layer reflects at this angle. `ratio` is that of the indices of refraction, before
-/// to behind.
-fn mirror<'f>(finish: &'f Finish, pigment: Rgb, lit: &Lit, ratio: f64) -> Mirror<'f> {
-    let reflection = &finish.reflection;
-    let cosine = -lit.view.dot(lit.normal);
-    let share = if reflection.is_fresnel {
-        fresnel(cosine, 1.0 / ratio)
-    } else {
-        (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
-    };
-    let mut reflectivity = if reflection.min == reflection.max {
-        reflection.min
-    } else {
-        reflection.max * share + reflection.min * (1.0 - share)
-    };
-    if reflection.metallic != 0.0 {
-        reflectivity *= metallic(reflection.metallic, pigment, cosine);
-    }
-    let weight = if reflection.is_fresnel {
-        reflectivity.max()
-    } else {
-        reflection.min.max().max(reflection.max.max())
-    };
-    Mirror {
-        reflectivity,
-        weight: f64::from(weight),
-        finish,
     }
 }
 

@@ -3,7 +3,10 @@
 //! Each scene stands as POV-Ray read it, but for the head that [`HEAD`] and [`view`] put before it. The picture has
 //! one pixel, whose ray runs along z. The readers of the elements read the texts.
 
-mod measured;
+mod glass;
+mod light;
+mod mirrors;
+mod settings;
 
 use super::{Sample, Tracer};
 use crate::args::text::TextArgs;
@@ -155,7 +158,9 @@ fn read_globals(globals: &mut Globals, args: &mut TextArgs) -> Parse<()> {
     args.open()?;
     while !args.accept_close()? {
         if args.accept(Word::MaxTraceLevel)? {
-            globals.max_trace_level = [1, 2, 3, 4, 5][args.float()? as usize - 1];
+            let asked = args.float()?;
+            let level = (1..=5).find(|&level| f64::from(level) == asked);
+            globals.max_trace_level = level.ok_or_else(|| args.expected("a level up to 5"))?;
         } else if args.accept(Word::AmbientLight)? {
             globals.ambient_light = args.color()?.rgb;
         } else if args.accept(Word::AdcBailout)? {
@@ -189,19 +194,18 @@ fn read_object(word: Word, world: &mut World, args: &mut TextArgs) -> Parse<()> 
     let mut flags = Flags::default();
     while !args.accept_close()? {
         let word = args.word()?.expect("the test has words where words belong");
-        let top = texture.get_or_insert_with(|| Texture::from(default.clone()));
-        if top.top_mut().read_part(word, args)? {
+        if matches!(word, Word::Pigment | Word::Finish) {
+            let own = texture.get_or_insert_with(|| Texture::from(default.clone()));
+            own.top_mut().read_part(word, args)?;
             continue;
         }
         args.accept(word)?;
         match word {
             Word::Texture => {
                 let upper = Texture::read(args, &default)?;
-                // The first texture of an object takes the place of the default.
-                if top.layers()[0].pigment.quick_color.is_none() && is_untouched(top) {
-                    texture = Some(upper);
-                } else {
-                    top.lay_over(upper, args.version());
+                match &mut texture {
+                    Some(lower) => lower.lay_over(upper, args.version()),
+                    None => texture = Some(upper),
                 }
             }
             Word::InteriorTexture => inside = Some(Texture::read(args, &default)?),
@@ -228,11 +232,6 @@ fn read_object(word: Word, world: &mut World, args: &mut TextArgs) -> Parse<()> 
         surface: id,
     });
     Ok(())
-}
-
-fn is_untouched(texture: &Texture) -> bool {
-    let default = Texture::from(Layer::default());
-    format!("{texture:?}") == format!("{default:?}")
 }
 
 /// The sample of the only ray of a scene, for quality 9 if no other is given.
@@ -304,4 +303,42 @@ fn shows_with_alpha(version: f64, text: &str, expected: [f64; 4]) {
         sample.rgb * pure,
         [expected[0], expected[1], expected[2]],
     );
+}
+
+#[test]
+fn a_thousand_panes_do_not_use_up_the_stack() {
+    let pane = |i: u16| {
+        format!(
+            "plane {{ <0, 0, 1>, {i} pigment {{ rgbt 1 }} finish {{ ambient 0.001 diffuse 0 }} }}"
+        )
+    };
+    let text: String = (0..1000).map(pane).collect();
+    let seen = sample((0.0, 0.0), &text, |_| {}, 9, 3.7);
+    assert_eq!((seen.rgb, seen.transmit), (Rgb::BLACK, 1.0));
+}
+
+#[test]
+fn two_mirrors_end_at_the_trace_level() {
+    let text = "global_settings { max_trace_level 5 }
+        plane { <0, 0, -1>, 0 pigment { rgb 1 } finish { ambient 0.125 diffuse 0 reflection 1 } }
+        plane { <0, 0, -1>, 6 pigment { rgb 1 } finish { ambient 0.125 diffuse 0 reflection 1 } }";
+    // The camera stands between them, at z = -5.
+    let seen = sample((0.0, 0.0), text, |_| {}, 9, 3.7);
+    assert_eq!(seen.rgb, Rgb::splat(5.0 * 0.125));
+}
+
+#[test]
+fn a_camera_without_a_ray_sees_nothing() {
+    let world = world(
+        "camera { direction 0 right 0 up 0 } background { rgb 1 }",
+        3.7,
+    );
+    let seen = Tracer::new(&world.expect("the scene is right"), 9).pixel(
+        0.0,
+        0.0,
+        1,
+        1,
+        &mut Scratch::default(),
+    );
+    assert_eq!((seen.rgb, seen.transmit), (Rgb::BLACK, 1.0));
 }
