@@ -3,7 +3,33 @@
 //! A shape reports *all* places where the whole line of a ray crosses it, as the edges of spans inside the solid,
 //! so that CSG needs no inside test at a hit point. What must not be seen although it bounds the solid (the missing
 //! cap of an open cylinder) is reported as not visible.
+//!
+//! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
+mod axial;
+#[cfg(test)]
+mod check;
+mod cone;
+mod cuboid;
+mod cylinder;
+mod disc;
+mod plane;
+mod read;
+mod smooth_triangle;
+mod sphere;
+mod triangle;
+
+pub use cone::Cone;
+pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
+pub use disc::Disc;
+pub use plane::Plane;
+pub use smooth_triangle::SmoothTriangle;
+pub use sphere::Sphere;
+pub use triangle::Triangle;
+
+use crate::args::{Args, Parse, Word};
+use crate::math::conditioning::Eased;
 use crate::math::{Bounds, Ray, Step};
 use glam::DVec3;
 
@@ -46,17 +72,32 @@ pub trait Geometry {
     /// Says whether the line starts inside. A shape without volume appends only `Touch`.
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start;
 
+    /// The first visible root with `from < t < to`, both ends excluded: the same root, to the bit, that
+    /// [`Geometry::roots`] appends.
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        let mut roots = Vec::new();
+        self.roots(ray, &mut roots);
+        first_visible(&roots, from, to)
+    }
+
     /// The outward normal, not normalised, at a point of the surface piece `face`.
     fn normal(&self, point: DVec3, face: u16) -> DVec3;
 
     /// Whether a point lies in the solid, by POV-Ray's rule for points on the surface. Never for shapes without volume.
     fn contains(&self, point: DVec3) -> bool;
 
-    /// A box around the surface, infinite for unbounded shapes.
+    /// A box around the surface, infinite for unbounded shapes and empty for one that no ray can meet.
     fn bounds(&self) -> Bounds;
+
+    /// A box around all points for which [`Geometry::contains`] may be true: larger than the bounds of the surface
+    /// where the surface is only a part of what bounds the solid (`disc`).
+    fn solid_bounds(&self) -> Bounds {
+        self.bounds()
+    }
 
     /// Takes a transform into the shape's own numbers if the shape stays of its kind and POV-Ray does the same
     /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
+    /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
     fn absorb(&mut self, step: &Step) -> bool;
 
     /// Texture coordinates of a surface point for `uv_mapping`.
@@ -72,5 +113,194 @@ pub trait Geometry {
     /// Whether [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
+    }
+}
+
+/// The list of shapes: variant, description, word. A new shape is its file and one line here.
+macro_rules! shapes {
+    ($($(#[$doc:meta])* $name:ident from $word:ident),+ $(,)?) => {
+        /// Any shape.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Shape {
+            $($(#[$doc])* $name($name)),+
+        }
+
+        impl Shape {
+            /// The words that begin the shapes, in the order of the list.
+            pub const WORDS: &[Word] = &[$(Word::$word),+];
+
+            /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
+            /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
+            ///
+            /// # Errors
+            /// Malformed, non-finite or meaningless parameters.
+            pub fn read(word: Word, args: &mut dyn Args) -> Option<Parse<Shape>> {
+                match word {
+                    $(Word::$word => Some($name::read(args).map(Shape::$name)),)+
+                    _ => None,
+                }
+            }
+
+            /// The word that begins this shape in a scene.
+            #[must_use]
+            pub fn word(&self) -> Word {
+                match self { $(Shape::$name(_) => Word::$word),+ }
+            }
+        }
+
+        impl Geometry for Shape {
+            fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+                match self { $(Shape::$name(shape) => shape.roots(ray, roots)),+ }
+            }
+            fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+                match self { $(Shape::$name(shape) => shape.nearest(ray, from, to)),+ }
+            }
+            fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+                match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
+            }
+            fn contains(&self, point: DVec3) -> bool {
+                match self { $(Shape::$name(shape) => shape.contains(point)),+ }
+            }
+            fn bounds(&self) -> Bounds {
+                match self { $(Shape::$name(shape) => shape.bounds()),+ }
+            }
+            fn solid_bounds(&self) -> Bounds {
+                match self { $(Shape::$name(shape) => shape.solid_bounds()),+ }
+            }
+            fn absorb(&mut self, step: &Step) -> bool {
+                match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
+            }
+            fn uv(&self, point: DVec3) -> [f64; 2] {
+                match self { $(Shape::$name(shape) => shape.uv(point)),+ }
+            }
+            fn shading_normal(&self, point: DVec3, face: u16) -> DVec3 {
+                match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
+            }
+            fn is_solid(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_solid()),+ }
+            }
+        }
+    };
+}
+
+shapes! {
+    /// `sphere`
+    Sphere from Sphere,
+    /// `box`
+    Cuboid from Box,
+    /// `cylinder`
+    Cylinder from Cylinder,
+    /// `cone`
+    Cone from Cone,
+    /// `plane`
+    Plane from Plane,
+    /// `disc`
+    Disc from Disc,
+    /// `triangle`
+    Triangle from Triangle,
+    /// `smooth_triangle`
+    SmoothTriangle from SmoothTriangle,
+}
+
+/// The first visible root strictly between `from` and `to` of roots in order.
+fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
+    roots
+        .iter()
+        .find(|root| root.is_visible && from < root.t && root.t < to)
+        .copied()
+}
+
+/// A visible span of a bounded solid, `None` if an end is not a finite number.
+fn span(enter: (f64, u16), leave: (f64, u16)) -> Option<[Root; 2]> {
+    let root = |(t, face), crossing| Root {
+        t,
+        crossing,
+        face,
+        is_visible: true,
+    };
+    (enter.0.is_finite() && leave.0.is_finite())
+        .then(|| [root(enter, Crossing::Enter), root(leave, Crossing::Leave)])
+}
+
+/// The span on the ray as it was given, of a span on the eased ray.
+fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
+    let roots = roots.map(|root| Root {
+        t: eased.t(root.t),
+        ..root
+    });
+    roots.iter().all(|root| root.t.is_finite()).then_some(roots)
+}
+
+/// Appends the span of a convex bounded solid.
+fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
+    roots.extend(span.into_iter().flatten());
+    Start::Outside
+}
+
+/// The factor of a scaling that turns spheres into spheres; mirrors count.
+fn even_scale(by: DVec3) -> Option<f64> {
+    let size = by.abs();
+    (size.x == size.y && size.y == size.z).then_some(size.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::fake::FakeArgs;
+    use crate::syntax::Class;
+
+    fn read(word: Word, text: &str) -> (Shape, FakeArgs) {
+        let mut args = FakeArgs::new(text);
+        let shape = Shape::read(word, &mut args).unwrap().unwrap();
+        (shape, args)
+    }
+
+    #[test]
+    fn every_word_of_the_list_is_a_shape_of_the_grammar() {
+        for word in Shape::WORDS {
+            assert_eq!(word.class(), Class::Shape);
+        }
+    }
+
+    #[test]
+    fn a_shape_reads_its_parameters_and_stops() {
+        for (word, text) in [
+            (Word::Sphere, "<1,2,3>, 4"),
+            (Word::Sphere, "1 4"),
+            (Word::Box, "-1, 1"),
+            (Word::Cylinder, "<0,0,0>, <0,1,0>, 1"),
+            (Word::Cylinder, "<0,0,0> <0,1,0> 1 open"),
+            (Word::Cone, "<0,0,0>, 1, <0,1,0>, 0"),
+            (Word::Cone, "<0,0,0> 1 <0,1,0> 0 open"),
+            (Word::Plane, "<0,1,0>, -1"),
+            (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
+            (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
+            (Word::Triangle, "<0,0,0>, <0,1,0>, <1,0,0>"),
+            (
+                Word::SmoothTriangle,
+                "<0,0,0>, <0,0,1>, <0,1,0>, <0,0,1>, <1,0,0>, <0,0,1>",
+            ),
+        ] {
+            let (shape, args) = read(word, text);
+            assert_eq!(shape.word(), word);
+            assert!(args.is_done(), "{text}");
+            assert!(args.warnings.is_empty());
+            assert!(!shape.bounds().is_empty());
+            let (_, mut args) = read(word, &format!("{text} rotate"));
+            assert!(args.accept(Word::Rotate).unwrap());
+        }
+    }
+
+    #[test]
+    fn a_word_that_begins_no_shape_reads_nothing() {
+        assert!(Shape::read(Word::Union, &mut FakeArgs::new("")).is_none());
+    }
+
+    #[test]
+    fn a_missing_parameter_is_an_error() {
+        for word in Shape::WORDS {
+            let result = Shape::read(*word, &mut FakeArgs::new("<0,0,0>, <0,1,0>")).unwrap();
+            assert_eq!(result.is_ok(), *word == Word::Box);
+        }
     }
 }

@@ -1,0 +1,122 @@
+//! A ray against triangles, without gaps along shared edges.
+//!
+//! After Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection": the corners are sheared so that the ray
+//! runs along an axis, and each edge gets the sign of `x₁·y₂ − y₁·x₂`. Rounding is monotone, so that sign is right or
+//! zero, and it is the exact opposite for the neighbour on the other side of the edge. Zero counts as inside: a ray
+//! through an edge hits at least one of the two triangles.
+
+use super::{Ray, conditioning::power_of_two};
+use glam::{DVec2, DVec3};
+
+/// A ray prepared for many triangles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayFrame {
+    ray: Ray,
+    /// The axis along which the ray is longest.
+    along: usize,
+    shear: DVec2,
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TriangleHit {
+    /// The parameter on the ray.
+    pub(crate) t: f64,
+    /// The weights of the three corners, which add up to one.
+    pub(crate) weights: [f64; 3],
+}
+
+impl RayFrame {
+    /// Prepares a ray. A ray without direction meets nothing.
+    #[inline]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        let length = ray.dir.abs();
+        let along = if length.x > length.y && length.x > length.z {
+            0
+        } else if length.y > length.z {
+            1
+        } else {
+            2
+        };
+        let across = across(ray.dir, along);
+        RayFrame {
+            ray: *ray,
+            along,
+            shear: across / ray.dir[along],
+        }
+    }
+
+    /// Where the whole line meets a triangle; edges and corners belong to it.
+    #[inline]
+    pub(crate) fn hit(&self, corners: &[DVec3; 3]) -> Option<TriangleHit> {
+        let mut flat = [DVec2::ZERO; 3];
+        let mut depth = [0.0; 3];
+        for i in 0..3 {
+            let p = corners[i] - self.ray.origin;
+            depth[i] = p[self.along];
+            flat[i] = across(p, self.along) - self.shear * depth[i];
+        }
+        let mut edges = edge_signs(&flat);
+        if edges.iter().any(|e| *e < 0.0) && edges.iter().any(|e| *e > 0.0) {
+            return None;
+        }
+        let mut sum = edges[0] + edges[1] + edges[2];
+        if sum == 0.0 || !sum.is_finite() {
+            edges = edge_signs(&rescaled(&flat)?);
+            if edges.iter().any(|e| *e < 0.0) && edges.iter().any(|e| *e > 0.0) {
+                return None;
+            }
+            sum = edges[0] + edges[1] + edges[2];
+            if sum == 0.0 || !sum.is_finite() {
+                return None;
+            }
+        }
+        let weights = edges.map(|e| e / sum);
+        let t = self.parameter(corners, &depth, &weights);
+        t.is_finite().then_some(TriangleHit { t, weights })
+    }
+
+    /// A triangle in a plane across an axis gets the bits of a box face or plane there; any other a mean of the depths
+    /// of its corners, which cannot leave them however thin it is.
+    #[inline]
+    fn parameter(&self, corners: &[DVec3; 3], depth: &[f64; 3], weights: &[f64; 3]) -> f64 {
+        let [a, b, c] = *corners;
+        let is_level = a.cmpeq(b) & a.cmpeq(c);
+        for axis in 0..3 {
+            if is_level.test(axis) {
+                return (a[axis] - self.ray.origin[axis]) / self.ray.dir[axis];
+            }
+        }
+        let mean = weights[0] * depth[0] + weights[1] * depth[1] + weights[2] * depth[2];
+        mean / self.ray.dir[self.along]
+    }
+}
+
+/// Twice the signed areas that the origin spans with the edges opposite to each corner.
+#[inline]
+fn edge_signs(flat: &[DVec2; 3]) -> [f64; 3] {
+    let [a, b, c] = *flat;
+    [
+        b.x * c.y - b.y * c.x,
+        c.x * a.y - c.y * a.x,
+        a.x * b.y - a.y * b.x,
+    ]
+}
+
+/// The corners in units where their products can be represented; `None` if they all lie on the ray.
+#[cold]
+fn rescaled(flat: &[DVec2; 3]) -> Option<[DVec2; 3]> {
+    let size = flat
+        .iter()
+        .fold(0.0, |size: f64, p| size.max(p.abs().max_element()));
+    (size > 0.0 && size.is_finite()).then(|| flat.map(|p| p / power_of_two(size)))
+}
+
+#[inline]
+fn across(v: DVec3, along: usize) -> DVec2 {
+    match along {
+        0 => DVec2::new(v.y, v.z),
+        1 => DVec2::new(v.z, v.x),
+        _ => DVec2::new(v.x, v.y),
+    }
+}

@@ -1,0 +1,230 @@
+//! `box { <corner>, <opposite corner> }`, named `Cuboid` here because `Box` is Rust's.
+//!
+//! Slabs: on each axis the ray lies between the two faces for a stretch; the box is what the three share. Every depth
+//! is `(corner − origin) / dir` and nothing else, so faces in one plane get the same bits, whatever box they belong to.
+//! Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
+
+use super::{Geometry, Root, Start, first_visible, push_span, read, span};
+use crate::args::{Args, Parse};
+use crate::math::{Bounds, Ray, Step};
+use glam::DVec3;
+
+/// A box with faces along the axes. Face `2·axis` is the one with the smaller coordinate, `2·axis + 1` the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid {
+    /// The corner with the smallest coordinates.
+    pub min: DVec3,
+    /// The corner with the largest coordinates.
+    pub max: DVec3,
+}
+
+impl Cuboid {
+    /// The box between two opposite corners, in any order.
+    #[must_use]
+    pub fn new(a: DVec3, b: DVec3) -> Self {
+        Cuboid {
+            min: a.min(b),
+            max: a.max(b),
+        }
+    }
+
+    /// Reads `<corner>, <corner>`, in any order.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let first = read::vector(args, "the first corner of the box")?;
+        let second = read::vector(args, "the second corner of the box")?;
+        Ok(Cuboid::new(first, second))
+    }
+
+    fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let mut enter = (f64::NEG_INFINITY, 0_u16);
+        let mut leave = (f64::INFINITY, 0_u16);
+        let (mut steepest_in, mut steepest_out) = (0.0, 0.0);
+        for (axis, low_face) in [(0, 0), (1, 2), (2, 4)] {
+            let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
+            if dir == 0.0 {
+                if origin < self.min[axis] || origin > self.max[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let to_low = (self.min[axis] - origin) / dir;
+            let to_high = (self.max[axis] - origin) / dir;
+            let (near, far) = if dir > 0.0 {
+                ((to_low, low_face), (to_high, low_face + 1))
+            } else {
+                ((to_high, low_face + 1), (to_low, low_face))
+            };
+            // On an edge the face that the ray meets more squarely is taken.
+            let steepness = dir.abs();
+            if near.0 > enter.0 || (near.0 == enter.0 && steepness > steepest_in) {
+                (enter, steepest_in) = (near, steepness);
+            }
+            if far.0 < leave.0 || (far.0 == leave.0 && steepness > steepest_out) {
+                (leave, steepest_out) = (far, steepness);
+            }
+        }
+        if enter.0 <= leave.0 {
+            span(enter, leave)
+        } else {
+            None
+        }
+    }
+
+    /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
+    fn fractions(&self, point: DVec3) -> DVec3 {
+        let size = self.max - self.min;
+        DVec3::select(
+            size.cmpgt(DVec3::ZERO),
+            (point - self.min) / size,
+            DVec3::ZERO,
+        )
+    }
+}
+
+impl Geometry for Cuboid {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        push_span(self.span(ray), roots)
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.span(ray)?, from, to)
+    }
+
+    fn normal(&self, _: DVec3, face: u16) -> DVec3 {
+        let mut normal = DVec3::ZERO;
+        normal[usize::from(face / 2).min(2)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
+        normal
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        point.cmpge(self.min).all() && point.cmple(self.max).all()
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds {
+            min: self.min,
+            max: self.max,
+        }
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        match step {
+            Step::Translate(by) => *self = Cuboid::new(self.min + *by, self.max + *by),
+            Step::Scale(by) => *self = Cuboid::new(self.min * *by, self.max * *by),
+            Step::Rotate(_) | Step::General(_) => return false,
+        }
+        true
+    }
+
+    /// The cross of an unfolded cube: left, back, right and front in the middle row, top and bottom at the back.
+    fn uv(&self, point: DVec3) -> [f64; 2] {
+        let p = self.fractions(point);
+        let off_centre = (p - 0.5).abs();
+        let [quarter, third] = [0.25, 1.0 / 3.0];
+        if off_centre.y >= off_centre.x && off_centre.y >= off_centre.z {
+            let v = if p.y < 0.5 {
+                p.z * third
+            } else {
+                1.0 - p.z * third
+            };
+            return [quarter + p.x * quarter, v];
+        }
+        let u = match (off_centre.x >= off_centre.z, p.x < 0.5, p.z < 0.5) {
+            (true, true, _) => p.z * quarter,
+            (true, false, _) => 3.0 * quarter - p.z * quarter,
+            (false, _, true) => 1.0 - p.x * quarter,
+            (false, _, false) => quarter + p.x * quarter,
+        };
+        [u, third + p.y * third]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::fake::FakeArgs;
+    use crate::shape::check;
+
+    fn cube() -> Cuboid {
+        Cuboid::new(DVec3::splat(-1.0), DVec3::ONE)
+    }
+
+    #[test]
+    fn it_is_a_solid() {
+        let cuboid = Cuboid::new(DVec3::new(-1.0, 0.5, 3.0), DVec3::new(0.3, -2.0, 4.5));
+        check::solid(&cuboid);
+        check::scales_exactly(&cuboid, |k| Cuboid::new(cuboid.min * k, cuboid.max * k));
+    }
+
+    #[test]
+    fn corners_come_in_any_order() {
+        let cuboid = Cuboid::read(&mut FakeArgs::new("<1,-1,1>, <-1,1,-1>")).unwrap();
+        assert_eq!(cuboid, cube());
+    }
+
+    #[test]
+    fn the_depth_of_a_face_is_the_plain_quotient() {
+        let ray = Ray::new(DVec3::new(0.1, 0.2, -7.3), DVec3::new(0.01, 0.02, 0.997));
+        let root = cube().nearest(&ray, 0.0, f64::INFINITY).unwrap();
+        assert_eq!(root.t, (-1.0 + 7.3) / 0.997);
+        assert_eq!(root.face, 4);
+    }
+
+    #[test]
+    fn a_ray_in_the_plane_of_a_face_hits_and_one_beside_it_misses() {
+        let beside = 1.0 + f64::EPSILON;
+        for (x, is_hit) in [(1.0, true), (-1.0, true), (beside, false)] {
+            for zero in [0.0, -0.0] {
+                let ray = Ray::new(DVec3::new(x, 0.0, -5.0), DVec3::new(zero, zero, 2.0));
+                assert_eq!(cube().span(&ray).is_some(), is_hit);
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_without_thickness_is_seen() {
+        let sheet = Cuboid::new(DVec3::new(-1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
+        let ray = Ray::new(DVec3::new(0.0, 0.0, -2.0), DVec3::Z);
+        assert_eq!(sheet.span(&ray).unwrap().map(|root| root.t), [2.0, 2.0]);
+    }
+
+    #[test]
+    fn on_an_edge_the_squarer_face_is_taken() {
+        let ray = Ray::new(DVec3::new(-2.0, 0.0, -3.0), DVec3::new(1.0, 0.0, 2.0));
+        let root = cube().nearest(&ray, 0.0, 10.0).unwrap();
+        assert_eq!((root.t, root.face), (1.0, 4));
+    }
+
+    #[test]
+    fn a_ray_without_direction_misses() {
+        assert!(cube().span(&Ray::new(DVec3::ZERO, DVec3::ZERO)).is_none());
+    }
+
+    #[test]
+    fn moves_and_scalings_are_absorbed_and_turns_are_not() {
+        let mut cuboid = cube();
+        assert!(cuboid.absorb(&Step::Scale(DVec3::new(-2.0, 1.0, 3.0))));
+        assert!(cuboid.absorb(&Step::Translate(DVec3::X)));
+        assert!(!cuboid.absorb(&Step::Rotate(DVec3::Y)));
+        assert_eq!(cuboid.min, DVec3::new(-1.0, -1.0, -3.0));
+        assert_eq!(cuboid.max, DVec3::new(3.0, 1.0, 3.0));
+    }
+
+    #[test]
+    fn the_faces_lie_on_an_unfolded_cross() {
+        let third = 1.0 / 3.0;
+        let near = |p: DVec3, u: f64, v: f64| {
+            let uv = Cuboid::new(DVec3::ZERO, DVec3::ONE).uv(p);
+            assert!((uv[0] - u).abs() + (uv[1] - v).abs() < 1e-15, "{p}: {uv:?}");
+        };
+        near(DVec3::new(0.0, 0.4, 0.4), 0.1, third * 1.4);
+        near(DVec3::new(1.0, 0.4, 0.4), 0.65, third * 1.4);
+        near(DVec3::new(0.4, 0.4, 1.0), 0.35, third * 1.4);
+        near(DVec3::new(0.4, 0.4, 0.0), 0.9, third * 1.4);
+        near(DVec3::new(0.4, 0.0, 0.4), 0.35, third * 0.4);
+        near(DVec3::new(0.4, 1.0, 0.4), 0.35, 1.0 - third * 0.4);
+    }
+}

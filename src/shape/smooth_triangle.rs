@@ -1,0 +1,177 @@
+//! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle shaded as if it
+//! were round.
+//!
+//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first.
+
+use super::{Geometry, Root, Start, Triangle, read};
+use crate::args::{Args, Parse};
+use crate::math::conditioning::{power_of_two, unit};
+use crate::math::{Bounds, Ray, Step};
+use crate::source::Diagnostic;
+use glam::{DVec2, DVec3};
+
+/// A triangle with a normal at each corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SmoothTriangle {
+    /// The triangle.
+    pub flat: Triangle,
+    /// The normals at its corners, unit vectors.
+    pub normals: [DVec3; 3],
+}
+
+impl SmoothTriangle {
+    /// Reads three corners, each followed by its normal. Corners on one line, or normals that do not all lie on one
+    /// side of the face, give a warning and a triangle that is never hit.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let (mut corners, mut normals) = ([DVec3::ZERO; 3], [DVec3::ZERO; 3]);
+        for (i, name) in ["first", "second", "third"].into_iter().enumerate() {
+            corners[i] = read::vector(args, &format!("the {name} corner of the smooth triangle"))?;
+            normals[i] = read::vector(args, &format!("the {name} normal of the smooth triangle"))?;
+        }
+        let mut flat = Triangle { corners };
+        let fault = if flat.is_flat_line() {
+            Some("its corners lie on one line")
+        } else if !are_on_one_side(flat.normal(corners[0], 0), &normals) {
+            Some("its normals do not all lie on one side of it")
+        } else {
+            None
+        };
+        if let Some(fault) = fault {
+            flat = flat.collapsed();
+            args.warn(
+                Diagnostic::warning(
+                    at.to(args.last_span()),
+                    format!("degenerate triangle: {fault}; it is left out"),
+                )
+                .with_hint("remove the triangle"),
+            );
+        }
+        let normals = normals.map(|normal| unit(normal).unwrap_or(DVec3::ZERO));
+        Ok(SmoothTriangle { flat, normals })
+    }
+}
+
+fn are_on_one_side(face: DVec3, normals: &[DVec3; 3]) -> bool {
+    let sides = normals.map(|normal| unit(normal).map_or(0.0, |normal| normal.dot(face)));
+    sides.iter().all(|side| *side > 0.0) || sides.iter().all(|side| *side < 0.0)
+}
+
+/// The weights of the corners at a point of the triangle, from areas seen along the longest axis of its normal.
+fn weights(corners: &[DVec3; 3], normal: DVec3, point: DVec3) -> [f64; 3] {
+    let steep = normal.abs();
+    let flatten = |v: DVec3| {
+        if steep.x >= steep.y && steep.x >= steep.z {
+            DVec2::new(v.y, v.z)
+        } else if steep.y >= steep.z {
+            DVec2::new(v.z, v.x)
+        } else {
+            DVec2::new(v.x, v.y)
+        }
+    };
+    let (ab, ac) = (corners[1] - corners[0], corners[2] - corners[0]);
+    let size = power_of_two(ab.abs().max(ac.abs()).max_element());
+    let [ab, ac, p] = [ab, ac, point - corners[0]].map(|v| flatten(v / size));
+    let area = ab.perp_dot(ac);
+    let (second, third) = (p.perp_dot(ac) / area, ab.perp_dot(p) / area);
+    [1.0 - second - third, second, third]
+}
+
+impl Geometry for SmoothTriangle {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        self.flat.roots(ray, roots)
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        self.flat.nearest(ray, from, to)
+    }
+
+    fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+        self.flat.normal(point, face)
+    }
+
+    fn contains(&self, _: DVec3) -> bool {
+        false
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.flat.bounds()
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        let transform = step.transform();
+        let normals = self.normals.map(|normal| unit(transform.normal(normal)));
+        let [Some(first), Some(second), Some(third)] = normals else {
+            return false;
+        };
+        self.normals = [first, second, third];
+        self.flat.absorb(step)
+    }
+
+    fn shading_normal(&self, point: DVec3, face: u16) -> DVec3 {
+        let normal = self.flat.normal(point, face);
+        let [a, b, c] = weights(&self.flat.corners, normal, point);
+        let mean = a * self.normals[0] + b * self.normals[1] + c * self.normals[2];
+        if mean.is_finite() { mean } else { normal }
+    }
+
+    fn is_solid(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::fake::FakeArgs;
+    use crate::shape::check;
+
+    const TEXT: &str = "<-1,-1,0>, <-1,0,-2>, <1,-1,0>, <1,0,-2>, <0,1,0>, <0,1,-1>";
+
+    fn smooth(text: &str) -> SmoothTriangle {
+        SmoothTriangle::read(&mut FakeArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn it_is_a_patch() {
+        check::patch(&smooth(TEXT));
+    }
+
+    #[test]
+    fn the_shading_normal_is_the_mean_of_the_corners() {
+        let triangle = smooth(TEXT);
+        for i in 0..3 {
+            let at_corner = triangle.shading_normal(triangle.flat.corners[i], 0);
+            assert!((at_corner - triangle.normals[i]).length() < 1e-15);
+        }
+        let middle = triangle.shading_normal(DVec3::new(0.0, -1.0, 0.0), 0);
+        let expected = 0.5 * (triangle.normals[0] + triangle.normals[1]);
+        assert!((middle - expected).length() < 1e-15);
+    }
+
+    #[test]
+    fn normals_not_on_one_side_are_warned_of() {
+        // POV-Ray 3.7 leaves out a triangle with a normal in its plane, too.
+        for third in ["<0,1,1>", "<0,1,0>"] {
+            let text = format!("<-1,-1,0>, <-1,0,-2>, <1,-1,0>, <1,0,-2>, <0,1,0>, {third}");
+            let mut args = FakeArgs::new(&text);
+            assert!(SmoothTriangle::read(&mut args).unwrap().bounds().is_empty());
+            assert_eq!(
+                args.warnings[0].message,
+                "degenerate triangle: its normals do not all lie on one side of it; it is left out"
+            );
+        }
+    }
+
+    #[test]
+    fn scaling_turns_the_normals_by_the_inverse_transpose() {
+        let mut triangle = smooth(TEXT);
+        assert!(triangle.absorb(&Step::Scale(DVec3::new(2.0, 1.0, 1.0))));
+        let expected = DVec3::new(-0.5, 0.0, -2.0).normalize();
+        assert!((triangle.normals[0] - expected).length() < 1e-15);
+        assert_eq!(triangle.flat.corners[1], DVec3::new(2.0, -1.0, 0.0));
+    }
+}

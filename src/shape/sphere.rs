@@ -1,0 +1,214 @@
+//! `sphere { <centre>, radius }`.
+//!
+//! The quadratic is solved about the point of closest approach ([`ball_chord`]): a sphere of radius 1 keeps its outline
+//! from 10⁸ away, and a floor of radius 10¹² is as flat as its numbers allow. A negative radius works like its absolute
+//! value, as in POV-Ray.
+
+use super::{Geometry, Root, Start, even_scale, first_visible, push_span, read, span};
+use crate::args::{Args, Parse};
+use crate::math::chord::ball_chord;
+use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::{Bounds, Ray, Step, rotation};
+use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// The centre.
+    pub centre: DVec3,
+    /// The radius, not negative.
+    pub radius: f64,
+}
+
+impl Sphere {
+    /// Reads `<centre>, radius`.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let centre = read::vector(args, "the centre of the sphere")?;
+        let radius = read::number(args, "the radius of the sphere")?.abs();
+        Ok(Sphere { centre, radius })
+    }
+
+    #[inline]
+    fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let p = ray.origin - self.centre;
+        if is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) {
+            ball_chord(p, ray.dir, self.radius)
+        } else {
+            self.far_chord(p, ray.dir)
+        }
+    }
+
+    #[cold]
+    fn far_chord(&self, p: DVec3, dir: DVec3) -> Option<(f64, f64)> {
+        let eased = Eased::new(&Ray::new(p, dir), self.radius)?;
+        let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
+        Some((eased.t(enter), eased.t(leave)))
+    }
+
+    fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let (enter, leave) = self.chord(ray)?;
+        span((enter, 0), (leave, 0))
+    }
+}
+
+impl Geometry for Sphere {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        push_span(self.span(ray), roots)
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.span(ray)?, from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u16) -> DVec3 {
+        point - self.centre
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        let from_centre = point - self.centre;
+        if is_comfortable(self.radius, 1.0, from_centre.dot(from_centre)) {
+            from_centre.dot(from_centre) < self.radius * self.radius
+        } else {
+            (from_centre / self.radius).length_squared() < 1.0
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        if self.radius == 0.0 {
+            return Bounds::EMPTY;
+        }
+        Bounds::new(self.centre - self.radius, self.centre + self.radius)
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        match step {
+            Step::Translate(by) => self.centre += *by,
+            Step::Rotate(degrees) => self.centre = rotation(*degrees) * self.centre,
+            Step::Scale(by) => {
+                let Some(factor) = even_scale(*by) else {
+                    return false;
+                };
+                self.centre *= *by;
+                self.radius *= factor;
+            }
+            Step::General(_) => return false,
+        }
+        true
+    }
+
+    /// Longitude from +x towards +z and latitude from the south pole, each as a share of the whole.
+    fn uv(&self, point: DVec3) -> [f64; 2] {
+        let p = (point - self.centre) / self.radius;
+        let longitude = p.z.atan2(p.x);
+        let turn = if longitude < 0.0 { TAU } else { 0.0 };
+        let latitude = p.y.clamp(-1.0, 1.0).asin();
+        [(longitude + turn) / TAU, 0.5 + latitude / PI]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::fake::FakeArgs;
+    use crate::shape::check;
+
+    fn unit_sphere() -> Sphere {
+        Sphere {
+            centre: DVec3::ZERO,
+            radius: 1.0,
+        }
+    }
+
+    #[test]
+    fn it_is_a_solid() {
+        let sphere = Sphere {
+            centre: DVec3::new(1.0, -2.0, 0.5),
+            radius: 1.7,
+        };
+        check::solid(&sphere);
+        check::scales_exactly(&sphere, |k| Sphere {
+            centre: sphere.centre * k,
+            radius: sphere.radius * k,
+        });
+    }
+
+    #[test]
+    fn a_ray_through_the_centre_hits_at_the_poles() {
+        let ray = Ray::new(DVec3::new(0.0, 0.0, -3.0), DVec3::Z);
+        let root = unit_sphere().nearest(&ray, 0.0, f64::INFINITY).unwrap();
+        assert_eq!(root.t, 2.0);
+        assert_eq!(
+            unit_sphere().nearest(&ray, 2.0, f64::INFINITY).unwrap().t,
+            4.0
+        );
+        assert!(unit_sphere().nearest(&ray, 2.0, 4.0).is_none());
+    }
+
+    #[test]
+    fn a_tangent_misses() {
+        let ray = Ray::new(DVec3::new(1.0, 0.0, -3.0), DVec3::Z);
+        assert!(unit_sphere().span(&ray).is_none());
+    }
+
+    #[test]
+    fn extreme_units_change_nothing() {
+        for scale in [1e-300, 1e-160, 1e-150, 1e150, 1e160, 1e300] {
+            let sphere = Sphere {
+                centre: DVec3::ZERO,
+                radius: scale,
+            };
+            let origin = DVec3::new(0.3, 0.4, -3.0) * scale;
+            let [enter, leave] = sphere.span(&Ray::new(origin, DVec3::Z)).unwrap();
+            assert!((enter.t / scale - (3.0 - 0.75_f64.sqrt())).abs() < 1e-15);
+            assert!((leave.t / scale - (3.0 + 0.75_f64.sqrt())).abs() < 2e-15);
+            assert!(sphere.contains(DVec3::X * (0.99 * scale)));
+            assert!(!sphere.contains(DVec3::X * (1.01 * scale)));
+        }
+        let ray = Ray::new(DVec3::new(0.0, 0.0, -1e250), DVec3::Z);
+        assert!(unit_sphere().span(&ray).is_some());
+    }
+
+    #[test]
+    fn a_negative_radius_is_its_absolute_value_and_zero_is_nothing() {
+        let sphere = Sphere::read(&mut FakeArgs::new("<1,2,3>, -2")).unwrap();
+        assert_eq!(sphere.radius, 2.0);
+        let nothing = Sphere::read(&mut FakeArgs::new("<1 2 3> 0")).unwrap();
+        assert!(nothing.bounds().is_empty());
+        let through = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::Z);
+        assert!(nothing.span(&through).is_none());
+    }
+
+    #[test]
+    fn a_radius_that_is_not_finite_is_named() {
+        let error = Sphere::read(&mut FakeArgs::new("<1,2,3>, nan")).unwrap_err();
+        assert_eq!(
+            error.message,
+            "the radius of the sphere must be finite, found NaN"
+        );
+    }
+
+    #[test]
+    fn moves_turns_and_even_scalings_are_absorbed() {
+        let mut sphere = Sphere {
+            centre: DVec3::X,
+            radius: 1.0,
+        };
+        assert!(sphere.absorb(&Step::Scale(DVec3::new(-2.0, 2.0, 2.0))));
+        assert!(sphere.absorb(&Step::Translate(DVec3::Y)));
+        assert!(sphere.absorb(&Step::Rotate(DVec3::new(0.0, 0.0, 180.0))));
+        assert_eq!(sphere.radius, 2.0);
+        assert!((sphere.centre - DVec3::new(2.0, -1.0, 0.0)).length() < 1e-15);
+        assert!(!sphere.absorb(&Step::Scale(DVec3::new(1.0, 2.0, 1.0))));
+    }
+
+    #[test]
+    fn u_turns_from_x_to_z_and_v_rises() {
+        assert_eq!(unit_sphere().uv(DVec3::Z), [0.25, 0.5]);
+        assert_eq!(unit_sphere().uv(DVec3::NEG_Z), [0.75, 0.5]);
+        assert_eq!(unit_sphere().uv(DVec3::Y)[1], 1.0);
+    }
+}
