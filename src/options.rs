@@ -81,6 +81,8 @@ pub struct Picture {
     pub working: Option<Gamma>,
     /// What was doubtful in the scene, each ready to print.
     pub warnings: Vec<String>,
+    /// What the scene itself says by `#debug` and its like, to be written as it is.
+    pub said: String,
     /// What `--stats` prints; may be empty.
     pub statistics: String,
 }
@@ -92,6 +94,8 @@ pub struct Failure {
     pub warnings: Vec<String>,
     /// What is wrong, each ready to print.
     pub errors: Vec<String>,
+    /// What the scene had said by then.
+    pub said: String,
 }
 
 impl Default for ReadOptions {

@@ -175,10 +175,17 @@ fn carry_out(settings: &Settings, draw: &Draw) -> Result<(), Vec<String>> {
         progress.advance(n);
     });
     progress.finish();
+    let tell = |said: &str| {
+        if !talk.quiet && !said.is_empty() {
+            say(said.trim_end_matches('\n'));
+        }
+    };
     let picture = drawn.map_err(|failure| {
+        tell(&failure.said);
         warn(&failure.warnings);
         failure.errors
     })?;
+    tell(&picture.said);
     warn(&picture.warnings);
     if let Some((target, options)) = &settings.output {
         let options = output::EncodeOptions {

@@ -476,6 +476,7 @@ fn white(read: &ReadOptions, alpha: bool) -> Picture {
         film,
         working: Some(Gamma::LINEAR),
         warnings: Vec::new(),
+        said: String::new(),
         statistics: String::new(),
     }
 }
@@ -500,6 +501,7 @@ fn a_failed_drawing_leaves_no_file_and_passes_its_messages_on() {
         Err(Failure {
             warnings: Vec::new(),
             errors: vec![MESSAGE.to_owned()],
+            said: String::new(),
         })
     });
     assert_eq!(done, Err(vec![MESSAGE.to_owned()]));

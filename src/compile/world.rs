@@ -1,20 +1,21 @@
 //! What rays need and no more: prepared surfaces, a tree over them, lights, camera, and the settings of shading.
 
+use super::csg::{Found, Program, Sweep, hide_departure};
+use super::flatten::{Flat, Item};
+use super::interiors::{InteriorId, Interiors};
+use super::leaf::Leaf;
+use crate::accel::Bvh;
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
-use crate::interior::Interior;
 use crate::light::Light;
-use crate::math::Ray;
-use crate::shape::{Crossing, Geometry, Root, Start};
+use crate::math::{Bounds, Ray};
+use crate::options::RenderOptions;
+use crate::scene::Scene;
+use crate::shape::{Crossing, Root};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::fmt;
 use std::sync::Arc;
-
-/// Which interior: objects that share one, share the number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct InteriorId(pub u32);
 
 /// The object switches that matter while tracing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,21 +46,27 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Whether no light passes, from whichever side it comes.
-    #[must_use]
-    pub fn is_opaque(&self) -> bool {
-        let inside = self.inside_texture.as_ref();
-        self.texture.is_opaque() && inside.is_none_or(|texture| texture.is_opaque())
+    /// Whether the two need not be told apart.
+    pub(super) fn is_same(&self, other: &Surface) -> bool {
+        let same_inside = match (&self.inside_texture, &other.inside_texture) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        same_inside
+            && Arc::ptr_eq(&self.texture, &other.texture)
+            && self.interior == other.interior
+            && self.flags == other.flags
     }
 
-    /// Whether it shows itself to this kind of ray.
+    /// Whether nothing can be seen through it.
     #[must_use]
-    pub fn is_seen(&self, seen: Seen) -> bool {
-        !match seen {
-            Seen::Image => self.flags.no_image,
-            Seen::Reflection => self.flags.no_reflection,
-            Seen::Shadow => self.flags.no_shadow,
-        }
+    pub fn is_opaque(&self) -> bool {
+        self.texture.is_opaque()
+            && self
+                .inside_texture
+                .as_ref()
+                .is_none_or(|texture| texture.is_opaque())
     }
 }
 
@@ -76,24 +83,6 @@ pub struct Departure {
     pub crossing: Crossing,
     /// A bound on the error of coordinates at the point: below this distance nothing can be told apart.
     pub blur: f64,
-}
-
-impl Departure {
-    /// The error of a point, relative to its largest coordinate or its distance along the ray: twelve bits more than
-    /// the rounding of one operation, for all that is summed up on the way to it.
-    pub const RELATIVE_BLUR: f64 = 1.0 / (1u64 << 40) as f64;
-
-    /// A bound on the error of coordinates at a point that lies `t` along a ray.
-    #[must_use]
-    pub fn blur_at(point: DVec3, t: f64) -> f64 {
-        Departure::RELATIVE_BLUR * point.abs().max_element().max(t)
-    }
-
-    /// Whether a root of the spawned ray is the one it left.
-    fn is_same(&self, leaf: u32, root: &Root, ray: &Ray) -> bool {
-        let rise = (root.t * ray.dir.dot(self.normal)).abs();
-        self.leaf == leaf && self.face == root.face && rise <= self.blur
-    }
 }
 
 /// What a ray found.
@@ -140,21 +129,8 @@ pub struct Query {
 /// Buffers that a thread keeps between questions.
 #[derive(Debug, Default)]
 pub struct Scratch {
+    sweep: Sweep,
     roots: Vec<Root>,
-}
-
-/// A shape in the world, without a transform.
-pub struct Solid {
-    /// Where its surface is.
-    pub geometry: Box<dyn Geometry + Send + Sync>,
-    /// Index into [`World::surfaces`].
-    pub surface: u32,
-}
-
-impl fmt::Debug for Solid {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Solid of surface {}", self.surface)
-    }
 }
 
 /// The settings of shading.
@@ -168,103 +144,325 @@ pub struct Globals {
     pub ambient_light: Rgb,
     /// Whether the rules of version 3.7 and later hold for transparency and background (the effective version).
     pub rules_37: bool,
-    /// Whether the picture gets an alpha channel, through which the background may be seen.
+    /// Whether the picture keeps the transparency of the background.
     pub has_alpha: bool,
 }
+
+/// Below this share of the coordinates' size two surfaces are not told apart by a ray that leaves one of them:
+/// 4096 roundings of a double, which covers a chain of transforms and a slanted hit.
+const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
+/// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
+const TREE_FROM: usize = 3;
 
 /// A scene, ready for rays.
 #[derive(Debug)]
 pub struct World {
     /// The camera.
     pub camera: Camera,
-    /// The shapes.
-    pub solids: Vec<Solid>,
     /// The lights, in the order of the scene.
     pub lights: Vec<Light>,
     /// The looks of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
-    pub interiors: Vec<Interior>,
+    pub interiors: Interiors,
     /// The colour of rays that hit nothing.
     pub background: Color,
     /// The settings of shading.
     pub globals: Globals,
+    leaves: Vec<Leaf>,
+    programs: Vec<Program>,
+    items: Vec<Item>,
+    /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
+    boxes: Vec<Bounds>,
+    tree: Bvh,
+    bounded: Vec<u32>,
+    unbounded: Vec<u32>,
+    ties_by_box: bool,
+    is_opaque: bool,
+}
+
+/// The best surface on a ray so far.
+#[derive(Clone, Copy)]
+struct Best {
+    found: Found,
+    item: u32,
 }
 
 impl World {
+    pub(super) fn new(scene: &Scene, flat: Flat, options: &RenderOptions) -> World {
+        let (tree, bounded, unbounded) = super::tree(&flat);
+        let transparent = Color {
+            transmit: 1.0,
+            ..Color::default()
+        };
+        World {
+            camera: scene.camera.clone(),
+            background: scene.background.color.unwrap_or(transparent),
+            globals: Globals {
+                adc_bailout: scene.globals.adc_bailout,
+                max_trace_level: scene.globals.max_trace_level,
+                ambient_light: scene.globals.ambient_light,
+                rules_37: scene.version >= 3.7,
+                has_alpha: options.alpha,
+            },
+            ties_by_box: flat.items.len() + flat.lights.len() >= TREE_FROM,
+            is_opaque: flat.surfaces.iter().all(Surface::is_opaque),
+            boxes: flat.bounds.iter().map(single_precision).collect(),
+            lights: flat.lights,
+            surfaces: flat.surfaces,
+            interiors: flat.interiors,
+            leaves: flat.leaves,
+            programs: flat.programs,
+            items: flat.items,
+            tree,
+            bounded,
+            unbounded,
+        }
+    }
+
     /// The nearest visible surface on a ray.
     #[must_use]
     pub fn nearest(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
-        let mut best: Option<(f64, u32, Root)> = None;
-        for (leaf, solid) in (0u32..).zip(&self.solids) {
-            if !self.surfaces[solid.surface as usize].is_seen(query.seen) {
-                continue;
-            }
-            let far = best.map_or(query.far, |best| best.0);
-            if let Some(root) = first_root(leaf, solid, query, far, scratch) {
-                best = Some((root.t, leaf, root));
-            }
+        let mut best: Option<Best> = None;
+        let mut far = query.far;
+        for &item in &self.unbounded {
+            far = self.try_item(item, query, far, &mut best, scratch);
         }
-        let (t, leaf, root) = best?;
-        let solid = &self.solids[leaf as usize];
-        let point = query.ray.at(t);
-        let normal = solid
-            .geometry
-            .normal(point, root.face)
-            .normalize_or(DVec3::Y);
-        let shading_normal = solid.geometry.shading_normal(point, root.face);
-        Some(Hit {
-            t,
-            point,
-            normal,
-            shading_normal: shading_normal.normalize_or(normal),
-            surface: solid.surface,
-            departure: Departure {
-                leaf,
-                face: root.face,
-                normal,
-                crossing: root.crossing,
-                blur: Departure::blur_at(point, t),
-            },
-        })
+        self.tree.nearest(&query.ray, 0.0, far, |number, far| {
+            self.try_item(
+                self.bounded[number as usize],
+                query,
+                far,
+                &mut best,
+                scratch,
+            )
+        });
+        best.map(|best| self.hit(query, &best.found))
     }
 
     /// Whether an opaque surface lies on a ray.
     #[must_use]
     pub fn is_blocked(&self, query: &Query, scratch: &mut Scratch) -> bool {
-        (0u32..).zip(&self.solids).any(|(leaf, solid)| {
-            let surface = &self.surfaces[solid.surface as usize];
-            surface.is_opaque()
-                && surface.is_seen(query.seen)
-                && first_root(leaf, solid, query, query.far, scratch).is_some()
-        })
+        let blocks = |item: u32, scratch: &mut Scratch| {
+            let wanted = |found: &Found| self.surface_of(found).is_opaque();
+            self.find(item, query, query.far, scratch, wanted)
+                .is_some_and(|found| found.root.t < query.far)
+        };
+        self.unbounded.iter().any(|&item| blocks(item, scratch))
+            || self.tree.any(&query.ray, 0.0, query.far, |number| {
+                blocks(self.bounded[number as usize], scratch)
+            })
+    }
+
+    /// Whether nothing in the scene lets light through.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.is_opaque
     }
 
     /// The interiors of all objects that hold a point.
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
-        let holding = self.solids.iter().filter(|s| s.geometry.contains(point));
-        holding
-            .map(|solid| self.surfaces[solid.surface as usize].interior)
-            .collect()
+        let mut interiors = SmallVec::new();
+        let mut numbers: Vec<u32> = self.unbounded.clone();
+        self.tree
+            .around(point, |number| numbers.push(self.bounded[number as usize]));
+        numbers.sort_unstable();
+        for number in numbers {
+            let (holds, first) = match self.items[number as usize] {
+                Item::Leaf(leaf) => (self.leaves[leaf as usize].contains(point), leaf),
+                Item::Program(program) => {
+                    let program = &self.programs[program as usize];
+                    (program.contains(&self.leaves, point), program.first)
+                }
+            };
+            if holds {
+                interiors
+                    .push(self.surfaces[self.leaves[first as usize].surface as usize].interior);
+            }
+        }
+        interiors
+    }
+
+    /// The primitives of the world.
+    #[must_use]
+    pub fn leaves(&self) -> &[Leaf] {
+        &self.leaves
+    }
+
+    fn surface_of(&self, found: &Found) -> &Surface {
+        &self.surfaces[self.leaves[found.leaf as usize].surface as usize]
+    }
+
+    /// Tries one item; gives the new far limit.
+    fn try_item(
+        &self,
+        item: u32,
+        query: &Query,
+        far: f64,
+        best: &mut Option<Best>,
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let Some(found) = self.find(item, query, far, scratch, |_| true) else {
+            return far;
+        };
+        if found.root.t >= query.far {
+            return far;
+        }
+        let is_better = match best {
+            None => true,
+            Some(best) => {
+                found.root.t < best.found.root.t
+                    || (found.root.t == best.found.root.t
+                        && self.comes_first(item, best.item, &query.ray))
+            }
+        };
+        if !is_better {
+            return far;
+        }
+        *best = Some(Best { found, item });
+        found.root.t
+    }
+
+    /// The first surface of an item up to and including `far` that the asker can see and wants.
+    fn find(
+        &self,
+        item: u32,
+        query: &Query,
+        far: f64,
+        scratch: &mut Scratch,
+        mut wanted: impl FnMut(&Found) -> bool,
+    ) -> Option<Found> {
+        let from = query.from.map_or(0.0, |left| left.blur);
+        let mut wanted =
+            |found: &Found| is_seen(&self.surface_of(found).flags, query.seen) && wanted(found);
+        match self.items[item as usize] {
+            Item::Program(number) => {
+                let departure = query.from.as_ref();
+                let program = &self.programs[number as usize];
+                program.nearest(
+                    &self.leaves,
+                    &query.ray,
+                    (from, far),
+                    departure,
+                    &mut scratch.sweep,
+                    wanted,
+                )
+            }
+            Item::Leaf(number) => {
+                let leaf = &self.leaves[number as usize];
+                let root = match &query.from {
+                    Some(left) if left.leaf == number => {
+                        nearest_but(leaf, left, &query.ray, &mut scratch.roots)?
+                    }
+                    _ => leaf.nearest(&query.ray, from, next_after(far))?,
+                };
+                let found = Found { root, leaf: number };
+                (root.t <= far && wanted(&found)).then_some(found)
+            }
+        }
+    }
+
+    /// Which of two items at exactly the same distance is drawn: unbounded ones come first, then the one whose box
+    /// the ray enters first, then the one that stands first in the file (facts 11.2).
+    fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
+        if self.ties_by_box {
+            let entry = |item: u32| {
+                let bounds = &self.boxes[item as usize];
+                if bounds.is_finite() {
+                    slab_entry(bounds, ray)
+                } else {
+                    f64::NEG_INFINITY
+                }
+            };
+            let (entry_a, entry_b) = (entry(a), entry(b));
+            if entry_a != entry_b {
+                return entry_a < entry_b;
+            }
+        }
+        a < b
+    }
+
+    fn hit(&self, query: &Query, found: &Found) -> Hit {
+        let leaf = &self.leaves[found.leaf as usize];
+        let Root {
+            t, face, crossing, ..
+        } = found.root;
+        let point = query.ray.at(t);
+        let (normal, shading_normal) = leaf.normals(point, face);
+        let blur = BLUR * point.abs().max_element().max(t);
+        let departure = Departure {
+            leaf: found.leaf,
+            face,
+            normal,
+            crossing,
+            blur,
+        };
+        Hit {
+            t,
+            point,
+            normal,
+            shading_normal,
+            surface: leaf.surface,
+            departure,
+        }
     }
 }
 
-/// The first visible root of a solid on a ray, before `far`, that is not the one from which the ray starts.
-fn first_root(
-    leaf: u32,
-    solid: &Solid,
-    query: &Query,
-    far: f64,
-    scratch: &mut Scratch,
-) -> Option<Root> {
-    scratch.roots.clear();
-    let _: Start = solid.geometry.roots(&query.ray, &mut scratch.roots);
-    let left = |root: &Root| {
-        query
-            .from
-            .is_some_and(|from| from.is_same(leaf, root, &query.ray))
+fn is_seen(flags: &Flags, seen: Seen) -> bool {
+    match seen {
+        Seen::Image => !flags.no_image,
+        Seen::Reflection => !flags.no_reflection,
+        Seen::Shadow => !flags.no_shadow,
+    }
+}
+
+/// The first visible root in front, on the leaf that the ray has just left.
+fn nearest_but(leaf: &Leaf, left: &Departure, ray: &Ray, roots: &mut Vec<Root>) -> Option<Root> {
+    roots.clear();
+    leaf.roots(ray, roots);
+    hide_departure(roots, left, ray.dir);
+    roots
+        .iter()
+        .find(|root| root.is_visible && root.t > 0.0)
+        .copied()
+}
+
+/// The next larger number, so that a limit that is left out takes `far` in.
+fn next_after(far: f64) -> f64 {
+    far.next_up()
+}
+
+/// Where the line of a ray enters a box, not clamped at its start.
+fn slab_entry(bounds: &Bounds, ray: &Ray) -> f64 {
+    (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
+        let d = ray.dir[axis];
+        if d == 0.0 {
+            return entry;
+        }
+        let near = if d > 0.0 {
+            bounds.min[axis]
+        } else {
+            bounds.max[axis]
+        };
+        entry.max((near - ray.origin[axis]) / d)
+    })
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "POV-Ray keeps boxes in single precision"
+)]
+fn single_precision(bounds: &Bounds) -> Bounds {
+    let round = |v: DVec3| {
+        DVec3::new(
+            f64::from(v.x as f32),
+            f64::from(v.y as f32),
+            f64::from(v.z as f32),
+        )
     };
-    let ahead = |root: &&Root| root.is_visible && root.t > 0.0 && root.t < far && !left(root);
-    scratch.roots.iter().find(ahead).copied()
+    Bounds {
+        min: round(bounds.min),
+        max: round(bounds.max),
+    }
 }

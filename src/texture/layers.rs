@@ -1,6 +1,6 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
-use super::{Finish, Pigment, PreparedTexture};
+use super::{Finish, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::math::Step;
 use crate::syntax::Class;
@@ -123,6 +123,14 @@ impl Texture {
         for layer in &mut self.layers {
             layer.transform(step);
         }
+    }
+
+    /// Whether a transform changes what the texture looks like.
+    #[must_use]
+    pub fn depends_on_place(&self) -> bool {
+        self.layers
+            .iter()
+            .any(|layer| !matches!(layer.pigment.kind, PigmentKind::Plain(_)))
     }
 
     /// The form for tracing, with the transforms of the object after those of the texture.

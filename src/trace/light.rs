@@ -132,7 +132,7 @@ impl Tracer<'_> {
     fn fade(&self, inside: &mut Inside, hit: &Hit) -> Rgb {
         let interior = self.world.surfaces[hit.surface as usize].interior;
         if passage::cross(inside, interior) {
-            self.world.interiors[interior.0 as usize].fade(hit.t)
+            self.world.interiors.get(interior).fade(hit.t)
         } else {
             Rgb::WHITE
         }

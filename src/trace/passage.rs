@@ -56,7 +56,7 @@ impl Tracer<'_> {
     /// of two nested balls around the camera.
     pub(super) fn relative_ior(&self, path: &Path, hit: &Hit) -> f64 {
         let id = self.world.surfaces[hit.surface as usize].interior;
-        let ior = |id: InteriorId| f64::from(self.world.interiors[id.0 as usize].ior);
+        let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
         let last = path.inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
         if !path.inside.contains(&id) {
             ior(id) / last
@@ -70,7 +70,7 @@ impl Tracer<'_> {
     /// The crossing of the surface of a hit.
     pub(super) fn passage(&self, path: &Path, hit: &Hit) -> Passage {
         let id = self.world.surfaces[hit.surface as usize].interior;
-        let ior = |id: InteriorId| f64::from(self.world.interiors[id.0 as usize].ior);
+        let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
         let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
         let is_innermost = path.inside.last() == Some(&id);
         let before = outermost(&path.inside);

@@ -255,7 +255,7 @@ impl Tracer<'_> {
 
     fn interior_of(&self, hit: &Hit) -> &Interior {
         let id = self.world.surfaces[hit.surface as usize].interior;
-        &self.world.interiors[id.0 as usize]
+        self.world.interiors.get(id)
     }
 
     fn is_opaque(&self, filter: Rgb) -> bool {

@@ -1,0 +1,71 @@
+//! The interiors of a world: few are written, every object has one.
+
+use crate::interior::Interior;
+use crate::texture::Finish;
+use std::sync::Arc;
+
+/// Which interior: objects that share one, share the number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct InteriorId(pub(crate) u32);
+
+/// From here on, numbers stand for interiors that no scene has written: all alike, yet each its own.
+const UNNAMED: u32 = 1 << 31;
+
+impl InteriorId {
+    /// The interior of what has none.
+    pub const AIR: InteriorId = InteriorId(UNNAMED);
+}
+
+/// All interiors of a world.
+#[derive(Debug, Default)]
+pub struct Interiors {
+    written: Vec<Interior>,
+    unnamed: u32,
+    default: Interior,
+}
+
+impl Interiors {
+    /// A new number for an interior that the scene writes. Every copy of an object has its own: whoever goes from one
+    /// copy into another has not left the first (measured with POV-Ray).
+    pub(super) fn written(&mut self, interior: Interior) -> InteriorId {
+        let number =
+            u32::try_from(self.written.len()).expect("the number of objects is limited below 2^31");
+        self.written.push(interior);
+        InteriorId(number)
+    }
+
+    /// A number for an object without one.
+    pub(super) fn unnamed(&mut self) -> InteriorId {
+        self.unnamed += 1;
+        InteriorId(UNNAMED + self.unnamed)
+    }
+
+    /// The interior of an object that says `own` itself and would else have `above`; `finishes`, lowest layer first,
+    /// may change it as old scenes do.
+    pub(super) fn of_object<'a>(
+        &mut self,
+        own: Option<&Arc<Interior>>,
+        above: Option<InteriorId>,
+        finishes: impl Iterator<Item = &'a Finish> + Clone,
+    ) -> InteriorId {
+        let is_changed = finishes
+            .clone()
+            .any(|finish| finish.ior.is_some() || finish.refraction.is_some());
+        match (own, above) {
+            (None, Some(above)) if !is_changed => above,
+            (None, None) if !is_changed => self.unnamed(),
+            (own, above) => {
+                let inherited = || above.map_or_else(Interior::default, |id| self.get(id).clone());
+                let mut interior = own.map_or_else(inherited, |own| (**own).clone());
+                interior.take_from_finishes(finishes);
+                self.written(interior)
+            }
+        }
+    }
+
+    /// The interior of a number.
+    #[must_use]
+    pub fn get(&self, id: InteriorId) -> &Interior {
+        self.written.get(id.0 as usize).unwrap_or(&self.default)
+    }
+}

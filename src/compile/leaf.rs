@@ -1,0 +1,113 @@
+//! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
+
+use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
+use crate::shape::{Geometry, Root, Shape, Start};
+use glam::{DAffine3, DVec3};
+
+/// A prepared primitive.
+#[derive(Clone, Debug)]
+pub struct Leaf {
+    /// The shape, in its object space.
+    pub shape: Shape,
+    /// Takes the world to the object space; `None` where they are the same. The forward matrix is not kept, and the
+    /// normal matrix is this one transposed.
+    pub object_from_world: Option<Box<DAffine3>>,
+    /// Its looks: an index into the world's surfaces.
+    pub surface: u32,
+}
+
+impl Leaf {
+    /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives its bounds too.
+    #[must_use]
+    pub fn new(mut shape: Shape, steps: &[Step], surface: u32) -> (Leaf, Bounds) {
+        let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
+        let rest = &steps[absorbed..];
+        if rest.is_empty() {
+            let bounds = shape.bounds();
+            return (
+                Leaf {
+                    shape,
+                    object_from_world: None,
+                    surface,
+                },
+                bounds,
+            );
+        }
+        let transform = Transform::from_steps(rest);
+        let bounds = shape.bounds().transformed(&transform.world_from_object);
+        (
+            Leaf {
+                shape,
+                object_from_world: Some(Box::new(transform.object_from_world)),
+                surface,
+            },
+            bounds,
+        )
+    }
+
+    fn to_object(&self, ray: &Ray) -> Ray {
+        self.object_from_world
+            .as_ref()
+            .map_or(*ray, |matrix| ray.to_object(matrix))
+    }
+
+    fn point_to_object(&self, point: DVec3) -> DVec3 {
+        self.object_from_world
+            .as_ref()
+            .map_or(point, |matrix| matrix.transform_point3(point))
+    }
+
+    /// All roots on the whole line of a world ray.
+    pub fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        self.shape.roots(&self.to_object(ray), roots)
+    }
+
+    /// The first visible root of a world ray with `from < t < to`.
+    #[must_use]
+    pub fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        self.shape.nearest(&self.to_object(ray), from, to)
+    }
+
+    /// Whether a world point lies in the solid.
+    #[must_use]
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.shape.contains(self.point_to_object(point))
+    }
+
+    /// The unit outward normals at a world point of a piece of the surface: the geometric one, and that for shading.
+    #[must_use]
+    pub fn normals(&self, point: DVec3, face: u16) -> (DVec3, DVec3) {
+        let local = self.point_to_object(point);
+        let (geometric, shading) = (
+            self.shape.normal(local, face),
+            self.shape.shading_normal(local, face),
+        );
+        let in_world = self.to_world(geometric);
+        (
+            in_world,
+            if shading == geometric {
+                in_world
+            } else {
+                self.to_world(shading)
+            },
+        )
+    }
+
+    fn to_world(&self, normal: DVec3) -> DVec3 {
+        match &self.object_from_world {
+            Some(matrix) => normal_from_inverse(matrix, normal),
+            None => normal,
+        }
+        .normalize_or_zero()
+    }
+
+    /// The memory of this leaf in bytes, its matrix included.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of::<Leaf>()
+            + self
+                .object_from_world
+                .as_ref()
+                .map_or(0, |_| size_of::<DAffine3>())
+    }
+}

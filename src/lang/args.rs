@@ -1,0 +1,135 @@
+//! The reader as elements see it.
+
+use super::reader::Reader;
+use super::value::Value;
+use crate::args::{Args, Parse, Word};
+use crate::color::Color;
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Kind, Symbol};
+use glam::{DVec2, DVec3};
+use std::any::{Any, TypeId};
+use std::sync::Arc;
+
+impl Args for Reader<'_> {
+    fn float(&mut self) -> Parse<f64> {
+        self.number_at_sum()
+    }
+
+    fn float_or(&mut self, default: f64) -> Parse<f64> {
+        if self.begins_number()? {
+            self.number_at_sum()
+        } else {
+            Ok(default)
+        }
+    }
+
+    fn vector2(&mut self) -> Parse<DVec2> {
+        let number = self.vector_of(2)?;
+        Ok(DVec2::new(number.v[0], number.v[1]))
+    }
+
+    fn vector(&mut self) -> Parse<DVec3> {
+        self.vector3()
+    }
+
+    fn vector4(&mut self) -> Parse<[f64; 4]> {
+        let number = self.vector_of(4)?;
+        Ok([number.v[0], number.v[1], number.v[2], number.v[3]])
+    }
+
+    fn color(&mut self) -> Parse<Color> {
+        self.color_value()
+    }
+
+    fn color_if_any(&mut self) -> Parse<Option<Color>> {
+        self.color_if_begun()
+    }
+
+    fn string(&mut self) -> Parse<String> {
+        Reader::string(self)
+    }
+
+    fn comma(&mut self) -> Parse<bool> {
+        self.take_mark(',')
+    }
+
+    fn word(&mut self) -> Parse<Option<Word>> {
+        Ok(self.peek()?.word())
+    }
+
+    fn accept(&mut self, word: Word) -> Parse<bool> {
+        self.take_word(word)
+    }
+
+    fn accept_mark(&mut self, mark: char) -> Parse<bool> {
+        self.take_mark(mark)
+    }
+
+    fn open(&mut self) -> Parse<()> {
+        self.open_block()
+    }
+
+    fn accept_close(&mut self) -> Parse<bool> {
+        self.take_close()
+    }
+
+    fn close(&mut self) -> Parse<()> {
+        if self.take_close()? {
+            Ok(())
+        } else {
+            Err(self.expected_here("`}`"))
+        }
+    }
+
+    fn at_expression(&mut self) -> Parse<bool> {
+        self.begins_number()
+    }
+
+    fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        let token = self.peek()?;
+        if token.kind != Kind::Name {
+            return Ok(None);
+        }
+        match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Element(element)) if element.kind() == kind => {
+                let value = Arc::clone(&element.value);
+                self.pass();
+                Ok(Some(value))
+            }
+            Some(Value::Array(array))
+                if array
+                    .items
+                    .iter()
+                    .flatten()
+                    .any(|item| item.is_element(kind)) =>
+            {
+                match self.array_or_item()? {
+                    Value::Element(element) if element.kind() == kind => Ok(Some(element.value)),
+                    other => Err(self.error_taken(format!("{} cannot stand here", other.kind()))),
+                }
+            }
+            Some(Value::Poison) => Err(self.consequence()),
+            _ => Ok(None),
+        }
+    }
+
+    fn span(&mut self) -> Span {
+        self.start_span()
+    }
+
+    fn last_span(&self) -> Span {
+        self.taken_span()
+    }
+
+    fn expected(&mut self, what: &str) -> Box<Diagnostic> {
+        self.expected_here(what)
+    }
+
+    fn warn(&mut self, warning: Diagnostic) {
+        self.warning(warning);
+    }
+
+    fn version(&self) -> f64 {
+        self.version
+    }
+}

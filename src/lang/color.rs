@@ -1,0 +1,178 @@
+//! Colours in all the forms of the language.
+
+use super::flow::EQUAL;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::{Parse, Word};
+use crate::color::{Color, Gamma};
+use crate::source::Diagnostic;
+use crate::syntax::{Class, Kind, Symbol};
+
+impl Reader<'_> {
+    /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
+    pub(super) fn color_value(&mut self) -> Parse<Color> {
+        let mut sum = [0.0; 5];
+        let mut has_begun = false;
+        loop {
+            let token = self.peek()?;
+            let word = token.word().filter(|word| word.class() == Class::Color);
+            match word {
+                Some(word) if has_begun && !is_component(word) => {
+                    return Ok(Color::from_components(sum));
+                }
+                Some(Word::Color | Word::Colour) => self.pass(),
+                Some(Word::Red) => self.color_part(&mut sum[0])?,
+                Some(Word::Green) => self.color_part(&mut sum[1])?,
+                Some(Word::Blue) => self.color_part(&mut sum[2])?,
+                Some(Word::Filter) => self.color_part(&mut sum[3])?,
+                Some(Word::Transmit) => self.color_part(&mut sum[4])?,
+                Some(Word::Alpha | Word::Gray) => return Err(self.expected_here("a colour")),
+                Some(word) => {
+                    self.pass();
+                    sum = self.color_vector(word)?;
+                }
+                None if !has_begun => sum = self.sum_of_five()?,
+                None => return Ok(Color::from_components(sum)),
+            }
+            if !matches!(word, Some(Word::Color | Word::Colour)) {
+                has_begun = true;
+            }
+        }
+    }
+
+    fn color_part(&mut self, part: &mut f64) -> Parse<()> {
+        self.pass();
+        *part = self.number_at_sum()?;
+        Ok(())
+    }
+
+    fn sum_of_five(&mut self) -> Parse<[f64; 5]> {
+        if !self.begins_number()? {
+            return Err(self.expected_here("a colour"));
+        }
+        Ok(self.sum()?.promoted(5).v)
+    }
+
+    /// The components behind `rgb`, `rgbf`, `srgbt` and their like, in the order red, green, blue, filter, transmit.
+    fn color_vector(&mut self, word: Word) -> Parse<[f64; 5]> {
+        let at = self.taken_span();
+        let wanted = match word {
+            Word::Rgb | Word::Srgb => 3,
+            Word::Rgbft | Word::Srgbft => 5,
+            _ => 4,
+        };
+        let number = self.sum()?;
+        if number.len > wanted {
+            self.warning(Diagnostic::warning(
+                at.to(self.taken_span()),
+                format!("`{word}` takes {wanted} components, found {}; the rest count as filter and transmit", number.len),
+            ));
+        }
+        let mut parts = number.promoted(wanted).v;
+        if matches!(word, Word::Rgbt | Word::Srgbt) && number.len <= wanted {
+            parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
+        }
+        if matches!(word, Word::Srgb | Word::Srgbf | Word::Srgbt | Word::Srgbft) {
+            self.decode_srgb(&mut parts, at)?;
+        }
+        Ok(parts)
+    }
+
+    fn decode_srgb(&mut self, parts: &mut [f64; 5], at: crate::source::Span) -> Parse<()> {
+        let working = match self.globals.assumed_gamma {
+            Some(gamma) => gamma,
+            None if self.version >= 3.7 - EQUAL => Gamma::LINEAR,
+            None => {
+                return Err(self.with_trace(
+                    Diagnostic::error(at, "sRGB colours need a working gamma")
+                        .with_hint("Set `global_settings { assumed_gamma 1 }` above."),
+                ));
+            }
+        };
+        for part in &mut parts[..3] {
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "colours are single precision"
+            )]
+            let stored = *part as f32;
+            *part = f64::from(working.encode(Gamma::Srgb.decode(stored)));
+        }
+        Ok(())
+    }
+
+    /// A colour if one begins here: a word of colour, a colour identifier, or a vector of five.
+    pub(super) fn color_if_begun(&mut self) -> Parse<Option<Color>> {
+        let token = self.peek()?;
+        let begins = match token.kind {
+            Kind::Word => token
+                .word()
+                .is_some_and(|word| word.class() == Class::Color),
+            Kind::Name => matches!(
+                self.scopes.get(Symbol(token.value)),
+                Some(Value::Number(Number { len: 5, .. }))
+            ),
+            Kind::Mark => token.is_mark('<'),
+            _ => false,
+        };
+        if !begins {
+            return Ok(None);
+        }
+        let start = self.here_span();
+        if token.kind == Kind::Mark {
+            let number = self.sum()?;
+            if number.len != 5 {
+                return Err(self.with_trace(
+                    Diagnostic::error(
+                        start.to(self.taken_span()),
+                        format!("expected a colour, found {}", number.kind()),
+                    )
+                    .with_hint("Write `rgb` before the vector."),
+                ));
+            }
+            return Ok(Some(Color::from_components(number.v)));
+        }
+        self.color_value().map(Some)
+    }
+
+    /// Whether an expression can begin at the token at hand.
+    pub(super) fn begins_number(&mut self) -> Parse<bool> {
+        let token = self.peek()?;
+        Ok(match token.kind {
+            Kind::Number => true,
+            Kind::Mark => "<(-+!".contains(char::from_u32(token.value).unwrap_or(' ')),
+            Kind::Name => match self.scopes.get(Symbol(token.value)) {
+                Some(Value::Number(_) | Value::Poison) => true,
+                Some(Value::Array(array)) => array
+                    .items
+                    .iter()
+                    .flatten()
+                    .next()
+                    .is_none_or(|item| matches!(item, Value::Number(_))),
+                _ => false,
+            },
+            Kind::Word => token
+                .word()
+                .is_some_and(|word| self.begins_expression(word)),
+            _ => false,
+        })
+    }
+
+    /// Whether a reserved word begins an expression that gives numbers.
+    pub(super) fn begins_expression(&self, word: Word) -> bool {
+        match word.class() {
+            Class::Value => true,
+            Class::Function => {
+                !self.begins_string(word) && word != Word::Function && word != Word::Internal
+            }
+            _ => word == Word::Version,
+        }
+    }
+}
+
+/// Whether a word sets one component, so that it may follow a colour and change it.
+fn is_component(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Red | Word::Green | Word::Blue | Word::Filter | Word::Transmit | Word::Alpha
+    )
+}

@@ -1,0 +1,292 @@
+//! The cursor: one stream of tokens out of files, loops and macro calls.
+//!
+//! POV-Ray's directives act between any two tokens, and a macro is text put in place of its call. So whoever asks for
+//! the next token gets it after every directive before it has run, every include has been entered and every macro
+//! call has been opened; readers never see any of that.
+
+use super::limits;
+use super::reader::Reader;
+use super::value::Value;
+use crate::args::{Parse, Word};
+use crate::source::{Diagnostic, Label, Span};
+use crate::syntax::{Kind, Symbol, Token, Tokens};
+use std::rc::Rc;
+
+/// A place to go on reading.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// The tokens of a file.
+    pub(super) tokens: Rc<Tokens>,
+    /// The index of the next token.
+    pub(super) at: usize,
+}
+
+/// What has been entered and not yet left.
+#[derive(Debug)]
+pub(super) struct Frame {
+    /// The file in which it ends.
+    pub(super) home: Rc<Tokens>,
+    /// The index of its `#end` there; `u32::MAX` if it has none.
+    pub(super) end: u32,
+    /// What it is.
+    pub(super) kind: Entered,
+}
+
+/// The kinds of [`Frame`].
+#[derive(Debug)]
+pub(super) enum Entered {
+    /// The chosen part of an `#if`.
+    If,
+    /// The chosen part of a `#switch`.
+    Switch,
+    /// A `#while`, with the place of its condition.
+    While { condition: usize },
+    /// A `#for`.
+    For(Box<super::flow::For>),
+    /// A macro call.
+    Macro {
+        back: Place,
+        call: Span,
+        name: Symbol,
+    },
+    /// An include file.
+    Include { back: Place, from: Span },
+}
+
+impl Reader<'_> {
+    /// The next token, which stays where it is. Directives before it have run.
+    pub(super) fn peek(&mut self) -> Parse<Token> {
+        loop {
+            let token = self.here.tokens.tokens[self.here.at];
+            match token.kind {
+                Kind::Name => {
+                    let Some(Value::Macro(called)) = self.scopes.get(Symbol(token.value)) else {
+                        return Ok(token);
+                    };
+                    let called = Rc::clone(called);
+                    self.call_macro(Symbol(token.value), &called)?;
+                }
+                Kind::Directive if self.ends_declaration(token) => return Ok(token),
+                Kind::Directive => self.run_directive(token)?,
+                Kind::Word if is_bare_directive(token) => self.run_bare_directive(token)?,
+                Kind::End => {
+                    if !self.leave_file() {
+                        return Ok(token);
+                    }
+                }
+                _ => return Ok(token),
+            }
+        }
+    }
+
+    /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
+    /// Otherwise it would run before the name it follows has its value.
+    fn ends_declaration(&self, token: Token) -> bool {
+        self.declaring == Some((self.frames.len(), self.depth, self.blocks.len()))
+            && matches!(
+                self.here.tokens.directives[token.value as usize].word,
+                Some(Word::Declare | Word::Local | Word::Macro | Word::Undef)
+            )
+    }
+
+    /// Passes the token at hand, which `peek` has shown.
+    pub(super) fn pass(&mut self) {
+        self.last = (self.here.tokens.file, self.here.at);
+        self.last_tokens = Rc::clone(&self.here.tokens);
+        self.here.at += 1;
+    }
+
+    /// The token at hand as it stands in the file: no directive is run, no macro called.
+    pub(super) fn raw(&self) -> Token {
+        self.here.tokens.tokens[self.here.at]
+    }
+
+    /// The token `ahead` places further in the same file.
+    pub(super) fn raw_ahead(&self, ahead: usize) -> Token {
+        let tokens = &self.here.tokens.tokens;
+        tokens[(self.here.at + ahead).min(tokens.len() - 1)]
+    }
+
+    /// The place of the token at hand.
+    pub(super) fn here_span(&self) -> Span {
+        self.here.tokens.span(self.here.at)
+    }
+
+    /// The place of the token last taken.
+    pub(super) fn taken_span(&self) -> Span {
+        self.last_tokens.span(self.last.1)
+    }
+
+    /// Takes the next token if it is a punctuation mark.
+    pub(super) fn take_mark(&mut self, mark: char) -> Parse<bool> {
+        let token = self.peek()?;
+        let is_it = token.kind == Kind::Mark && token.value == mark as u32;
+        if is_it {
+            self.pass();
+        }
+        Ok(is_it)
+    }
+
+    /// Takes the next token if it is a reserved word.
+    pub(super) fn take_word(&mut self, word: Word) -> Parse<bool> {
+        let token = self.peek()?;
+        let is_it = token.kind == Kind::Word && token.value == word as u32;
+        if is_it {
+            self.pass();
+        }
+        Ok(is_it)
+    }
+
+    /// Takes a punctuation mark or says what should have stood there.
+    pub(super) fn expect_mark(&mut self, mark: char, what: &str) -> Parse<()> {
+        if self.take_mark(mark)? {
+            Ok(())
+        } else {
+            Err(self.expected_here(what))
+        }
+    }
+
+    /// Takes the `{` of an element and remembers it for messages.
+    pub(super) fn open_block(&mut self) -> Parse<()> {
+        if !self.take_mark('{')? {
+            let after = self.source_text(self.taken_span()).to_owned();
+            return Err(self.expected_here(&format!("`{{` after `{after}`")));
+        }
+        if self.blocks.len() >= limits::NESTING {
+            let message = format!("blocks are nested more than {} deep", limits::NESTING);
+            return Err(self.error_here(message));
+        }
+        self.blocks.push(self.taken_span());
+        Ok(())
+    }
+
+    /// Takes the `}` of the innermost open element if it is next.
+    pub(super) fn take_close(&mut self) -> Parse<bool> {
+        let is_it = self.take_mark('}')?;
+        if is_it {
+            self.blocks.pop();
+        }
+        Ok(is_it)
+    }
+
+    /// "expected WHAT, found ..." at the token at hand.
+    pub(super) fn expected_here(&mut self, what: &str) -> Box<Diagnostic> {
+        if let Err(earlier) = self.peek() {
+            return earlier;
+        }
+        let token = self.raw();
+        let found = self.describe(token);
+        let mut diagnostic =
+            Diagnostic::error(self.here_span(), format!("expected {what}, found {found}"));
+        if token.kind == Kind::Name
+            && let Some(near) = self.similar_name(Symbol(token.value))
+        {
+            diagnostic = diagnostic.with_hint(format!("Did you mean `{near}`?"));
+        }
+        if let Some(open) = self.blocks.last()
+            && (token.kind == Kind::End || what.contains('}'))
+        {
+            diagnostic = diagnostic.with_label(*open, "this `{` is still open");
+        }
+        self.with_trace(diagnostic)
+    }
+
+    /// An error at the token at hand.
+    pub(super) fn error_here(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.with_trace(Diagnostic::error(self.here_span(), message))
+    }
+
+    /// An error at the token last taken.
+    pub(super) fn error_taken(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.with_trace(Diagnostic::error(self.taken_span(), message))
+    }
+
+    /// The diagnostic with the calls and includes that lead to it, innermost first.
+    pub(super) fn with_trace(&self, mut diagnostic: Diagnostic) -> Box<Diagnostic> {
+        if diagnostic.trace.is_empty() {
+            for frame in self.frames.iter().rev().take(limits::TRACE) {
+                match &frame.kind {
+                    Entered::Macro { call, name, .. } => diagnostic.trace.push(Label {
+                        span: *call,
+                        text: format!("in the macro `{}`, called here", self.names.spelling(*name)),
+                    }),
+                    Entered::Include { from, .. } => {
+                        diagnostic.trace.push(Label {
+                            span: *from,
+                            text: "in the file included here".to_owned(),
+                        });
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Box::new(diagnostic)
+    }
+
+    /// The author's words for a token.
+    pub(super) fn describe(&self, token: Token) -> String {
+        let text = || {
+            let text = self.source_text(self.here_span());
+            text.chars().take(limits::QUOTED).collect::<String>()
+        };
+        match token.kind {
+            Kind::End => "the end of the file".to_owned(),
+            Kind::Number => format!("the number `{}`", text()),
+            Kind::String => format!("the string {}", text().lines().next().unwrap_or("\"\"")),
+            Kind::Name => match self.scopes.get(Symbol(token.value)) {
+                None => format!("the undeclared identifier `{}`", text()),
+                Some(value) => format!("`{}`, which is {}", text(), value.kind()),
+            },
+            _ => format!("`{}`", text()),
+        }
+    }
+
+    /// The text of a place.
+    pub(super) fn source_text(&self, span: Span) -> &str {
+        let text = self.sources.text(span.file);
+        text.get(span.start as usize..span.end as usize)
+            .unwrap_or("")
+    }
+
+    /// A declared name that differs from this one by a letter or two.
+    fn similar_name(&self, symbol: Symbol) -> Option<String> {
+        let wanted = self.names.spelling(symbol).to_owned();
+        if self.scopes.get(symbol).is_some() {
+            return None;
+        }
+        let mut candidates: Vec<&str> = Word::all().map(Word::spelling).collect();
+        candidates.extend(
+            self.scopes
+                .defined()
+                .map(|known| self.names.spelling(known)),
+        );
+        super::similar::nearest(&wanted, candidates.into_iter()).map(str::to_owned)
+    }
+
+    /// At the end of a file: goes back to the `#include` that entered it. False in the scene's own file.
+    fn leave_file(&mut self) -> bool {
+        let Some(at) = self
+            .frames
+            .iter()
+            .rposition(|frame| matches!(frame.kind, Entered::Include { .. }))
+        else {
+            return false;
+        };
+        if self.frames[at..]
+            .iter()
+            .any(|frame| matches!(frame.kind, Entered::Macro { .. }))
+        {
+            return false;
+        }
+        if let Entered::Include { back, .. } = self.frames.remove(at).kind {
+            self.here = back;
+            self.scopes.leave();
+        }
+        true
+    }
+}
+
+/// `declare` and `include` may stand without `#`, with a warning.
+fn is_bare_directive(token: Token) -> bool {
+    token.value == Word::Declare as u32 || token.value == Word::Include as u32
+}

@@ -1,0 +1,409 @@
+//! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
+
+use super::cursor::{Entered, Frame};
+use super::limits;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::{Parse, Word};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Symbol, Token, Tokens};
+use std::rc::Rc;
+
+/// How far two floats may differ and still be equal to the language.
+pub(super) const EQUAL: f64 = 1e-10;
+
+/// A running `#for`.
+#[derive(Debug)]
+pub(super) struct For {
+    /// Where the body begins.
+    body: usize,
+    variable: Symbol,
+    value: f64,
+    end: f64,
+    step: f64,
+}
+
+impl For {
+    fn is_over(&self) -> bool {
+        if self.step > 0.0 {
+            self.value > self.end + EQUAL
+        } else {
+            self.value < self.end - EQUAL
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// Runs the directive at hand and leaves the cursor where reading goes on.
+    pub(super) fn run_directive(&mut self, token: Token) -> Parse<()> {
+        let index = self.here.at;
+        let span = self.here_span();
+        let Some(word) = self.here.tokens.directives[token.value as usize].word else {
+            let found = self.source_text(span).to_owned();
+            self.here.at += 1;
+            return Err(self.with_trace(
+                Diagnostic::error(span, format!("`{found}` is no directive"))
+                    .with_hint("Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."),
+            ));
+        };
+        self.pass();
+        match word {
+            Word::If => self.run_if(index, span, |reader| reader.condition()),
+            Word::Ifdef => self.run_if(index, span, |reader| reader.is_defined()),
+            Word::Ifndef => self.run_if(index, span, |reader| Ok(!reader.is_defined()?)),
+            Word::Else | Word::Elseif => self.run_else(index, span, word),
+            Word::While => {
+                self.enter(
+                    index,
+                    Entered::While {
+                        condition: self.here.at,
+                    },
+                );
+                self.run_while(index)
+            }
+            Word::For => self.run_for(index, span),
+            Word::Switch => self.run_switch(index, span),
+            Word::Case | Word::Range => self.run_further_case(index, span, word),
+            Word::Break => self.run_break(span),
+            Word::End => self.run_end(span),
+            Word::Macro => self.define_macro(index, span),
+            Word::Declare => self.run_declare(false),
+            Word::Local => self.run_declare(true),
+            Word::Undef => self.run_undef(),
+            Word::Include => self.run_include(),
+            Word::Default => self.run_default(),
+            Word::Version => self.run_version(),
+            Word::Debug | Word::Warning | Word::Error | Word::Render | Word::Statistics => {
+                self.run_message(word, span)
+            }
+            _ => Err(self.with_trace(Diagnostic::error(
+                span,
+                format!("`#{word}` is not built yet"),
+            ))),
+        }
+    }
+
+    /// Runs `declare` or `include` written without `#`.
+    pub(super) fn run_bare_directive(&mut self, token: Token) -> Parse<()> {
+        let span = self.here_span();
+        self.pass();
+        let is_include = token.value == Word::Include as u32;
+        let word = if is_include {
+            Word::Include
+        } else {
+            Word::Declare
+        };
+        self.warning(Diagnostic::warning(
+            span,
+            format!("`{word}` without `#`; read as `#{word}`"),
+        ));
+        if is_include {
+            self.run_include()
+        } else {
+            self.run_declare(false)
+        }
+    }
+
+    /// Goes to the token behind the directive that follows in its group; an error where the group is not closed.
+    fn jump(&mut self, to: u32, span: Span) -> Parse<()> {
+        if to == u32::MAX {
+            return Err(self.with_trace(
+                Diagnostic::error(span, "this directive has no matching `#end`")
+                    .with_hint("Close it with `#end`."),
+            ));
+        }
+        self.here.at = to as usize;
+        Ok(())
+    }
+
+    /// Enters the group of the directive at `index` of the file at hand.
+    fn enter(&mut self, index: usize, kind: Entered) {
+        let (_, end) = self.group(index);
+        self.frames.push(Frame {
+            home: Rc::clone(&self.here.tokens),
+            end,
+            kind,
+        });
+    }
+
+    fn innermost(&self) -> Option<&Entered> {
+        self.frames.last().map(|frame| &frame.kind)
+    }
+
+    fn group(&self, index: usize) -> (u32, u32) {
+        let token = self.here.tokens.tokens[index];
+        let directive = &self.here.tokens.directives[token.value as usize];
+        (directive.next, directive.end)
+    }
+
+    fn run_if(
+        &mut self,
+        index: usize,
+        span: Span,
+        test: impl FnOnce(&mut Self) -> Parse<bool>,
+    ) -> Parse<()> {
+        let home = Rc::clone(&self.here.tokens);
+        if test(self)? {
+            self.enter(index, Entered::If);
+            return Ok(());
+        }
+        self.stay_in(&home, span)?;
+        self.next_branch(index, span)
+    }
+
+    /// From a part that is not chosen to the first later one that is.
+    fn next_branch(&mut self, mut index: usize, span: Span) -> Parse<()> {
+        loop {
+            let (next, _) = self.group(index);
+            self.jump(next, span)?;
+            index = self.here.at;
+            let token = self.raw();
+            let word = self.here.tokens.directives[token.value as usize].word;
+            self.pass();
+            match word {
+                Some(Word::Elseif) if !self.condition()? => {}
+                Some(Word::End) => return Ok(()),
+                _ => {
+                    self.enter(index, Entered::If);
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// `#else` reached from a chosen part: everything to the `#end` is left out.
+    fn run_else(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
+        if !matches!(self.innermost(), Some(Entered::If | Entered::Switch)) {
+            return Err(
+                self.with_trace(Diagnostic::error(span, format!("`#{word}` without `#if`")))
+            );
+        }
+        let (_, end) = self.group(index);
+        self.jump(end, span)?;
+        self.pass();
+        self.frames.pop();
+        Ok(())
+    }
+
+    fn run_while(&mut self, index: usize) -> Parse<()> {
+        self.count_round()?;
+        let home = Rc::clone(&self.here.tokens);
+        let span = home.span(index);
+        if self.condition()? {
+            return Ok(());
+        }
+        self.stay_in(&home, span)?;
+        self.frames.pop();
+        let (_, end) = self.group(index);
+        self.jump(end, span)?;
+        self.pass();
+        Ok(())
+    }
+
+    fn run_for(&mut self, index: usize, span: Span) -> Parse<()> {
+        self.expect_mark('(', "`(` after `#for`")?;
+        let variable = self.identifier("a variable after `#for (`")?;
+        self.take_mark(',')?;
+        let start = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let end = self.number_at_sum()?;
+        let step = if self.take_mark(',')? {
+            self.number_at_sum()?
+        } else {
+            1.0
+        };
+        self.expect_mark(')', "`)` at the end of `#for`")?;
+        if step.abs() < EQUAL {
+            return Err(self.with_trace(Diagnostic::error(span, "the step of `#for` is zero")));
+        }
+        let run = For {
+            body: self.here.at,
+            variable,
+            value: start,
+            end,
+            step,
+        };
+        self.scopes
+            .declare(variable, Value::Number(Number::float(start)));
+        if run.is_over() {
+            let (_, end) = self.group(index);
+            self.jump(end, span)?;
+            self.pass();
+        } else {
+            self.enter(index, Entered::For(Box::new(run)));
+        }
+        Ok(())
+    }
+
+    fn run_switch(&mut self, index: usize, span: Span) -> Parse<()> {
+        let chosen = self.number_in_parentheses()?;
+        let mut part = index;
+        loop {
+            let (next, _) = self.group(part);
+            self.jump(next, span)?;
+            part = self.here.at;
+            let token = self.raw();
+            let word = self.here.tokens.directives[token.value as usize].word;
+            self.pass();
+            let is_chosen = match word {
+                Some(Word::Case) => (self.number_in_parentheses()? - chosen).abs() < EQUAL,
+                Some(Word::Range) => {
+                    let (low, high) = self.pair_in_parentheses()?;
+                    chosen >= low - EQUAL && chosen <= high + EQUAL
+                }
+                Some(Word::End) => return Ok(()),
+                _ => true,
+            };
+            if is_chosen {
+                self.enter(index, Entered::Switch);
+                return Ok(());
+            }
+        }
+    }
+
+    /// `#case` reached from the part above it: POV-Ray falls through.
+    fn run_further_case(&mut self, _index: usize, span: Span, word: Word) -> Parse<()> {
+        if !matches!(self.innermost(), Some(Entered::Switch)) {
+            return Err(self.with_trace(Diagnostic::error(
+                span,
+                format!("`#{word}` without `#switch`"),
+            )));
+        }
+        if word == Word::Case {
+            self.number_in_parentheses()?;
+        } else {
+            self.pair_in_parentheses()?;
+        }
+        Ok(())
+    }
+
+    /// `#break` leaves the innermost loop, `#switch` or macro.
+    fn run_break(&mut self, span: Span) -> Parse<()> {
+        let is_target =
+            |frame: &Frame| !matches!(frame.kind, Entered::If | Entered::Include { .. });
+        let Some(at) = self.frames.iter().rposition(is_target) else {
+            return Err(self.with_trace(
+                Diagnostic::error(span, "`#break` outside of a loop, `#switch` or macro")
+                    .with_hint(
+                        "Remove it, or put it inside `#while`, `#for`, `#switch` or `#macro`.",
+                    ),
+            ));
+        };
+        for left in self.frames.drain(at + 1..) {
+            if matches!(left.kind, Entered::Include { .. }) {
+                self.scopes.leave();
+            }
+        }
+        let frame = &self.frames[at];
+        let end = frame.end;
+        self.here.tokens = Rc::clone(&frame.home);
+        self.jump(end, span)?;
+        if !matches!(self.innermost(), Some(Entered::Macro { .. })) {
+            self.frames.pop();
+            self.pass();
+        }
+        Ok(())
+    }
+
+    /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
+    fn run_end(&mut self, span: Span) -> Parse<()> {
+        let Some(frame) = self.frames.last_mut() else {
+            return Err(self.unopened_end(span));
+        };
+        match &mut frame.kind {
+            Entered::If | Entered::Switch => {
+                self.frames.pop();
+                Ok(())
+            }
+            Entered::While { condition } => {
+                self.here.at = *condition;
+                self.here.tokens = Rc::clone(&frame.home);
+                self.run_while(self.here.at - 1)
+            }
+            Entered::For(run) => {
+                // The body may have changed the variable: POV-Ray counts on from what it holds.
+                if let Some(Value::Number(now)) = self.scopes.get(run.variable) {
+                    run.value = now.v[0];
+                }
+                run.value += run.step;
+                let (variable, value, is_over, body) =
+                    (run.variable, run.value, run.is_over(), run.body);
+                if is_over {
+                    self.frames.pop();
+                } else {
+                    self.here.at = body;
+                    self.here.tokens = Rc::clone(&frame.home);
+                    self.count_round()?;
+                }
+                self.scopes
+                    .declare(variable, Value::Number(Number::float(value)));
+                Ok(())
+            }
+            Entered::Macro { .. } => {
+                if let Some(Frame {
+                    kind: Entered::Macro { back, .. },
+                    ..
+                }) = self.frames.pop()
+                {
+                    self.here = back;
+                    self.scopes.leave();
+                }
+                Ok(())
+            }
+            Entered::Include { .. } => Err(self.unopened_end(span)),
+        }
+    }
+
+    fn unopened_end(&self, span: Span) -> Box<Diagnostic> {
+        self.with_trace(
+            Diagnostic::error(
+                span,
+                "`#end` without an open `#if`, `#while`, `#for`, `#switch` or `#macro`",
+            )
+            .with_hint("Remove it, or look for a directive above that lacks its `#`."),
+        )
+    }
+
+    /// After a condition was read: it must have ended in the file where it began.
+    fn stay_in(&mut self, home: &Rc<Tokens>, span: Span) -> Parse<()> {
+        if Rc::ptr_eq(home, &self.here.tokens) {
+            return Ok(());
+        }
+        Err(self.with_trace(Diagnostic::error(
+            span,
+            "the condition of this directive ends in another file",
+        )))
+    }
+
+    fn count_round(&mut self) -> Parse<()> {
+        self.rounds += 1;
+        if self.rounds > limits::ROUNDS {
+            return Err(self.error_here(format!(
+                "the loops of this scene run more than {} rounds",
+                limits::ROUNDS
+            )));
+        }
+        Ok(())
+    }
+
+    /// The bracketed condition of `#if`, `#elseif` or `#while`.
+    fn condition(&mut self) -> Parse<bool> {
+        Ok(self.number_in_parentheses()?.abs() > EQUAL)
+    }
+
+    fn number_in_parentheses(&mut self) -> Parse<f64> {
+        self.expect_mark('(', "`(`")?;
+        let value = self.condition_value()?;
+        self.expect_mark(')', "`)`")?;
+        Ok(value)
+    }
+
+    fn pair_in_parentheses(&mut self) -> Parse<(f64, f64)> {
+        self.expect_mark('(', "`(`")?;
+        let low = self.condition_value()?;
+        self.take_mark(',')?;
+        let high = self.condition_value()?;
+        self.expect_mark(')', "`)`")?;
+        Ok((low, high))
+    }
+}

@@ -1,0 +1,326 @@
+//! The built-in functions that give numbers and vectors.
+
+use super::flow::EQUAL;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::{Parse, Word};
+use crate::math::{axis_rotation, rotation};
+use crate::source::Diagnostic;
+use crate::syntax::{Kind, Symbol};
+use glam::DVec3;
+
+impl Reader<'_> {
+    /// The call that begins with the function word at hand.
+    pub(super) fn call_function(&mut self, word: Word) -> Parse<Number> {
+        self.pass();
+        let name = self.taken_span();
+        self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let value = match word {
+            Word::Defined => {
+                let is_defined = self.names_a_value()?;
+                Number::truth(is_defined)
+            }
+            Word::Strlen => Number::float(self.string()?.chars().count() as f64),
+            Word::Asc => {
+                let text = self.string()?;
+                Number::float(text.chars().next().map_or(0.0, |c| f64::from(u32::from(c))))
+            }
+            Word::Val => Number::float(leading_number(&self.string()?)),
+            Word::Strcmp => {
+                let left = self.string()?;
+                self.take_mark(',')?;
+                let right = self.string()?;
+                Number::float(f64::from(left.as_bytes().cmp(right.as_bytes()) as i8))
+            }
+            Word::FileExists => {
+                let file = self.string()?;
+                Number::truth(self.sources.find_include(&file, name.file).is_ok())
+            }
+            Word::Dimensions | Word::DimensionSize => self.dimensions(word)?,
+            Word::Min | Word::Max => self.extremum(word)?,
+            Word::Select => self.select()?,
+            Word::Rand => self.rand()?,
+            Word::Seed => self.seed()?,
+            Word::Vlength => Number::float(self.vector3()?.length()),
+            Word::Vnormalize => self.vnormalize()?,
+            Word::Vdot => {
+                let (a, b) = self.two_vectors()?;
+                Number::float(a.dot(b))
+            }
+            Word::Vcross => {
+                let (a, b) = self.two_vectors()?;
+                Number::vector(a.cross(b))
+            }
+            Word::Vrotate => {
+                let (v, by) = self.two_vectors()?;
+                Number::vector(rotation(by) * v)
+            }
+            Word::VaxisRotate => {
+                let (v, axis) = self.two_vectors()?;
+                self.take_mark(',')?;
+                let degrees = self.number_at_sum()?;
+                Number::vector(axis_rotation(axis, degrees) * v)
+            }
+            _ => self.float_function(word, name)?,
+        };
+        self.expect_mark(')', &format!("`)` at the end of `{word}(...)`"))?;
+        Ok(value)
+    }
+
+    fn float_function(&mut self, word: Word, name: crate::source::Span) -> Parse<Number> {
+        if is_of_two(word) {
+            let a = self.number_at_sum()?;
+            self.take_mark(',')?;
+            let b = self.number_at_sum()?;
+            return two(word, a, b).map(Number::float).map_err(|message| {
+                self.with_trace(Diagnostic::error(name.to(self.taken_span()), message))
+            });
+        }
+        if !is_of_one(word) {
+            return Err(self.with_trace(Diagnostic::error(
+                name,
+                format!("`{word}` is not built yet"),
+            )));
+        }
+        let a = self.condition_value()?;
+        let place = name.to(self.taken_span());
+        if matches!(word, Word::Acos | Word::Asin) && a.abs() > 1.0 {
+            self.warning(Diagnostic::warning(
+                place,
+                format!("`{word}` of {a}: the argument is taken as {}", a.signum()),
+            ));
+        }
+        one(word, a)
+            .map(Number::float)
+            .map_err(|message| self.with_trace(Diagnostic::error(place, message)))
+    }
+
+    fn two_vectors(&mut self) -> Parse<(DVec3, DVec3)> {
+        let a = self.vector3()?;
+        self.take_mark(',')?;
+        Ok((a, self.vector3()?))
+    }
+
+    fn vnormalize(&mut self) -> Parse<Number> {
+        let v = self.vector3()?;
+        if v == DVec3::ZERO {
+            self.warning(Diagnostic::warning(
+                self.taken_span(),
+                "the zero vector has no direction; it stays zero",
+            ));
+        }
+        Ok(Number::vector(v.normalize_or_zero()))
+    }
+
+    fn extremum(&mut self, word: Word) -> Parse<Number> {
+        let mut best = self.number_at_sum()?;
+        while self.take_mark(',')? {
+            let next = self.number_at_sum()?;
+            best = if word == Word::Min {
+                best.min(next)
+            } else {
+                best.max(next)
+            };
+        }
+        Ok(Number::float(best))
+    }
+
+    /// `select(a, negative, zero, positive)` or `select(a, negative, zero or positive)`.
+    fn select(&mut self) -> Parse<Number> {
+        let test = self.number_at_sum()?;
+        self.expect_mark(',', "`,` in `select`")?;
+        let negative = self.sum()?;
+        self.expect_mark(',', "`,` in `select`")?;
+        let zero = self.sum()?;
+        let positive = if self.take_mark(',')? {
+            self.sum()?
+        } else {
+            zero
+        };
+        let len = negative.len.max(zero.len).max(positive.len);
+        let chosen = if test < 0.0 {
+            negative
+        } else if test == 0.0 {
+            zero
+        } else {
+            positive
+        };
+        Ok(chosen.promoted(len))
+    }
+
+    fn dimensions(&mut self, word: Word) -> Parse<Number> {
+        let symbol = self.identifier("an array")?;
+        let Some(Value::Array(array)) = self.scopes.get(symbol) else {
+            return Err(self.error_taken("expected an array"));
+        };
+        let sizes = array.sizes.clone();
+        if word == Word::Dimensions {
+            return Ok(Number::float(sizes.len() as f64));
+        }
+        self.take_mark(',')?;
+        let wanted = self.number_at_sum()?;
+        let size = sizes
+            .iter()
+            .enumerate()
+            .find(|(i, _)| (*i + 1) as f64 == wanted.trunc());
+        match size {
+            Some((_, &size)) => Ok(Number::float(size as f64)),
+            None => Err(self.error_taken(format!("the array has dimensions 1 to {}", sizes.len()))),
+        }
+    }
+
+    /// `seed(n)` opens a stream of random numbers and gives its handle.
+    fn seed(&mut self) -> Parse<Number> {
+        let start = self.number_at_sum()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the stream wraps at 32 bits"
+        )]
+        self.streams.push(start as i64 as u32);
+        Ok(Number::float((self.streams.len() - 1) as f64))
+    }
+
+    /// The next number of a stream, in [0, 1].
+    fn rand(&mut self) -> Parse<Number> {
+        let handle = self.number_at_sum()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "out of range means no stream"
+        )]
+        let Some(state) = self.streams.get_mut(handle as usize) else {
+            return Err(self.error_taken("this is no stream of `seed`"));
+        };
+        *state = state.wrapping_mul(1_812_433_253).wrapping_add(12345);
+        Ok(Number::float(f64::from(*state) / f64::from(u32::MAX)))
+    }
+
+    /// A bare identifier that holds a string, or anything else that begins one.
+    pub(super) fn at_string(&mut self) -> Parse<bool> {
+        let token = self.peek()?;
+        Ok(match token.kind {
+            Kind::String => true,
+            Kind::Name => match self.scopes.get(Symbol(token.value)) {
+                Some(Value::Text(_)) => true,
+                Some(Value::Array(array)) => array
+                    .items
+                    .iter()
+                    .flatten()
+                    .any(|item| matches!(item, Value::Text(_))),
+                _ => false,
+            },
+            Kind::Word => token.word().is_some_and(|word| self.begins_string(word)),
+            _ => false,
+        })
+    }
+}
+
+fn is_of_two(word: Word) -> bool {
+    use Word::{Atan2, BitwiseAnd, BitwiseOr, BitwiseXor, Div, Mod, Pow};
+    matches!(
+        word,
+        Atan2 | BitwiseAnd | BitwiseOr | BitwiseXor | Div | Mod | Pow
+    )
+}
+
+fn is_of_one(word: Word) -> bool {
+    use Word::{
+        Abs, Acos, Acosh, Asin, Asinh, Atan, Atanh, Ceil, Cos, Cosh, Degrees, Exp, Floor, Int, Ln,
+        Log, Radians, Sin, Sinh, Sqrt, Tan, Tanh,
+    };
+    matches!(
+        word,
+        Abs | Acos
+            | Acosh
+            | Asin
+            | Asinh
+            | Atan
+            | Atanh
+            | Ceil
+            | Cos
+            | Cosh
+            | Degrees
+            | Exp
+            | Floor
+            | Int
+            | Ln
+            | Log
+            | Radians
+            | Sin
+            | Sinh
+            | Sqrt
+            | Tan
+            | Tanh
+    )
+}
+
+/// A function of one argument, or what is wrong with the argument.
+fn one(word: Word, a: f64) -> Result<f64, String> {
+    Ok(match word {
+        Word::Abs => a.abs(),
+        Word::Acos => a.clamp(-1.0, 1.0).acos(),
+        Word::Acosh => a.acosh(),
+        Word::Asin => a.clamp(-1.0, 1.0).asin(),
+        Word::Asinh => a.asinh(),
+        Word::Atan => a.atan(),
+        Word::Atanh => a.atanh(),
+        Word::Ceil => a.ceil(),
+        Word::Cos => a.cos(),
+        Word::Cosh => a.cosh(),
+        Word::Degrees => a.to_degrees(),
+        Word::Exp => a.exp(),
+        Word::Floor => a.floor(),
+        Word::Int => a.trunc(),
+        Word::Ln | Word::Log if a <= 0.0 => {
+            return Err(format!("the logarithm of {a} does not exist"));
+        }
+        Word::Ln => a.ln(),
+        Word::Log => a.log10(),
+        Word::Radians => a.to_radians(),
+        Word::Sin => a.sin(),
+        Word::Sinh => a.sinh(),
+        Word::Sqrt if a < 0.0 => return Err(format!("the square root of {a} does not exist")),
+        Word::Sqrt => a.sqrt(),
+        Word::Tan => a.tan(),
+        _ => a.tanh(),
+    })
+}
+
+/// A function of two arguments, or what is wrong with them.
+fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "bit functions take whole numbers, as in POV-Ray"
+    )]
+    let (left, right) = (a as i64, b as i64);
+    #[allow(clippy::cast_precision_loss, reason = "as above")]
+    Ok(match word {
+        Word::Atan2 if a == 0.0 && b == 0.0 => {
+            return Err("`atan2(0, 0)` does not exist".to_owned());
+        }
+        Word::Atan2 => a.atan2(b),
+        Word::BitwiseAnd => (left & right) as f64,
+        Word::BitwiseOr => (left | right) as f64,
+        Word::BitwiseXor => (left ^ right) as f64,
+        Word::Div | Word::Mod if b.abs() < EQUAL => {
+            return Err(format!("`{word}` divides by zero"));
+        }
+        Word::Div => (a / b).trunc(),
+        Word::Mod => a % b,
+        _ if a == 0.0 && b == 0.0 => return Err("`pow(0, 0)` does not exist".to_owned()),
+        _ => a.powf(b),
+    })
+}
+
+/// The number at the start of a text, 0 if there is none.
+fn leading_number(text: &str) -> f64 {
+    let text = text.trim_start();
+    let is_part = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let end = text.find(|c| !is_part(c)).unwrap_or(text.len());
+    (0..=end)
+        .rev()
+        .filter(|&at| text.is_char_boundary(at))
+        .find_map(|at| text[..at].parse().ok())
+        .unwrap_or(0.0)
+}

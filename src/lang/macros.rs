@@ -1,0 +1,201 @@
+//! Macros: text that is put in place of its call.
+
+use super::cursor::{Entered, Frame, Place};
+use super::limits;
+use super::reader::Reader;
+use super::value::Value;
+use crate::args::{Parse, Word};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Kind, Symbol, Tokens};
+use std::rc::Rc;
+
+/// A declared macro.
+#[derive(Debug)]
+pub(super) struct Macro {
+    tokens: Rc<Tokens>,
+    body: usize,
+    end: u32,
+    parameters: Vec<Symbol>,
+    defined: Span,
+}
+
+/// What a call gives for one parameter.
+enum Argument {
+    Reference((Symbol, usize)),
+    Value(Value),
+}
+
+impl Reader<'_> {
+    /// `#macro Name(A, B) ... #end`: keeps the place of the body and goes behind its `#end`.
+    pub(super) fn define_macro(&mut self, index: usize, span: Span) -> Parse<()> {
+        let token = self.here.tokens.tokens[index];
+        let end = self.here.tokens.directives[token.value as usize].end;
+        if end == u32::MAX {
+            return Err(self.with_trace(
+                Diagnostic::error(span, "this `#macro` has no matching `#end`")
+                    .with_hint("Close it with `#end`."),
+            ));
+        }
+        let name = self.identifier("a name after `#macro`")?;
+        let mut parameters = Vec::new();
+        if !self.take_raw_mark('(') {
+            return Err(self.expected_here("`(` after the macro's name"));
+        }
+        loop {
+            self.take_raw_mark(',');
+            if self.take_raw_mark(')') {
+                break;
+            }
+            parameters.push(self.identifier("a parameter or `)` in `#macro`")?);
+        }
+        let defined = Macro {
+            tokens: Rc::clone(&self.here.tokens),
+            body: self.here.at,
+            end,
+            parameters,
+            defined: span,
+        };
+        self.scopes.declare(name, Value::Macro(Rc::new(defined)));
+        self.here.at = end as usize;
+        self.pass();
+        Ok(())
+    }
+
+    fn take_raw_mark(&mut self, mark: char) -> bool {
+        let token = self.raw();
+        let is_it = token.kind == Kind::Mark && token.value == mark as u32;
+        if is_it {
+            self.pass();
+        }
+        is_it
+    }
+
+    /// The call at hand: reads its arguments and enters the body.
+    pub(super) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
+        let call = self.here_span();
+        self.pass();
+        let arguments = self.macro_arguments(name, called, call)?;
+        if self.scopes.depth() as usize >= limits::CALLS {
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    call,
+                    format!("macros call each other more than {} deep", limits::CALLS),
+                )
+                .with_hint("A macro that calls itself needs an `#if` that ends the recursion."),
+            ));
+        }
+        let kind = Entered::Macro {
+            back: self.here.clone(),
+            call,
+            name,
+        };
+        self.frames.push(Frame {
+            home: Rc::clone(&called.tokens),
+            end: called.end,
+            kind,
+        });
+        self.scopes.enter();
+        for (&parameter, argument) in called.parameters.iter().zip(arguments) {
+            match argument {
+                Argument::Reference(target) => self.scopes.alias(parameter, target),
+                Argument::Value(value) => self.scopes.local(parameter, value),
+            }
+        }
+        self.here = Place {
+            tokens: Rc::clone(&called.tokens),
+            at: called.body,
+        };
+        Ok(())
+    }
+
+    fn macro_arguments(
+        &mut self,
+        name: Symbol,
+        called: &Macro,
+        call: Span,
+    ) -> Parse<Vec<Argument>> {
+        let spelling = self.names.spelling(name).to_owned();
+        if !self.take_mark('(')? {
+            return Err(self.expected_here(&format!("`(` after the macro `{spelling}`")));
+        }
+        let mut arguments = Vec::with_capacity(called.parameters.len());
+        let wanted = called.parameters.len();
+        while !self.take_mark(')')? {
+            if arguments.len() == wanted {
+                let error = self.expected_here(&format!(
+                    "`)`: the macro `{spelling}` takes {wanted} arguments"
+                ));
+                return Err(Box::new(error.with_label(called.defined, "defined here")));
+            }
+            arguments.push(self.macro_argument()?);
+            self.take_mark(',')?;
+        }
+        if arguments.len() < wanted {
+            let found = arguments.len();
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    call,
+                    format!("the macro `{spelling}` takes {wanted} arguments, found {found}"),
+                )
+                .with_label(called.defined, "defined here"),
+            ));
+        }
+        Ok(arguments)
+    }
+
+    /// A bare identifier goes by reference, everything else by value.
+    fn macro_argument(&mut self) -> Parse<Argument> {
+        let token = self.peek()?;
+        let behind = self.raw_ahead(1);
+        let ends =
+            behind.kind == Kind::Mark && (behind.value == ',' as u32 || behind.value == ')' as u32);
+        if token.kind == Kind::Name
+            && ends
+            && let Some(target) = self.scopes.target(Symbol(token.value))
+        {
+            self.pass();
+            return Ok(Argument::Reference(target));
+        }
+        let what = "an argument of the macro";
+        match self.value(what)? {
+            Some(value) => Ok(Argument::Value(value)),
+            None => Err(self.expected_here(what)),
+        }
+    }
+
+    /// An identifier as it is written, whatever it holds; no macro of that name is called.
+    pub(super) fn identifier(&mut self, what: &str) -> Parse<Symbol> {
+        let token = self.raw();
+        match token.kind {
+            Kind::Name => {
+                self.pass();
+                Ok(Symbol(token.value))
+            }
+            Kind::Word => {
+                let word = token.word().map_or("", Word::spelling);
+                Err(self.with_trace(
+                    Diagnostic::error(
+                        self.here_span(),
+                        format!("expected {what}, found the reserved word `{word}`"),
+                    )
+                    .with_hint(format!(
+                        "Reserved words cannot be declared; `{}` could.",
+                        capitalised(word)
+                    )),
+                ))
+            }
+            Kind::Directive | Kind::End => {
+                self.peek()?;
+                Err(self.expected_here(what))
+            }
+            _ => Err(self.expected_here(what)),
+        }
+    }
+}
+
+fn capitalised(word: &str) -> String {
+    word.split('_')
+        .map(|part| part[..1].to_uppercase() + &part[1..])
+        .collect::<Vec<_>>()
+        .join("_")
+}

@@ -1,0 +1,349 @@
+//! Objects, CSG and what they carry.
+
+use super::reader::Reader;
+use super::value::{Element, Value};
+use crate::args::{Args, Parse, Word, transform_step};
+use crate::interior::Interior;
+use crate::light::Light;
+use crate::scene::{Attached, Kind, Object, Operation};
+use crate::shape::Shape;
+use crate::source::Diagnostic;
+use crate::syntax::{Class, Kind as Tok, Symbol};
+use crate::texture::{Layer, Material, Texture};
+use std::sync::Arc;
+
+impl Reader<'_> {
+    /// The object that begins at hand, if one does.
+    pub(super) fn object(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        let Some(word) = token.word() else {
+            return Ok(None);
+        };
+        let object = match word {
+            Word::Union => self.csg(Operation::Union)?,
+            Word::Merge => self.csg(Operation::Merge)?,
+            Word::Intersection => self.csg(Operation::Intersection)?,
+            Word::Difference => self.csg(Operation::Difference)?,
+            Word::Object => self.object_block()?,
+            Word::LightSource => self.light()?,
+            _ if word.class() == Class::Shape => self.shape(word)?,
+            Word::LightGroup => return Err(self.not_built(word)),
+            _ => return Ok(None),
+        };
+        Ok(Some(Arc::new(object)))
+    }
+
+    /// The object of the identifier at hand; a light counts as one.
+    pub(super) fn object_of_name(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        if token.kind != Tok::Name {
+            return Ok(None);
+        }
+        let value = match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Array(_)) => self.array_or_item()?,
+            Some(Value::Poison) => return Err(self.consequence()),
+            Some(value @ (Value::Object(_) | Value::Element(_))) => {
+                let value = value.clone();
+                if light_of(&value).is_none() && !matches!(value, Value::Object(_)) {
+                    return Ok(None);
+                }
+                self.pass();
+                value
+            }
+            _ => return Ok(None),
+        };
+        match value {
+            Value::Object(object) => Ok(Some(object)),
+            other => match light_of(&other) {
+                Some(light) => Ok(Some(Arc::new(Object::new(Kind::Light(light))))),
+                None => {
+                    Err(self.error_taken(format!("expected an object, found {}", other.kind())))
+                }
+            },
+        }
+    }
+
+    /// The value of `#declare L = light_source { ... }`.
+    pub(super) fn light_value(&mut self) -> Parse<Value> {
+        self.pass();
+        Ok(Value::Element(Element::new(
+            "light_source",
+            Light::read(self)?,
+        )))
+    }
+
+    fn light(&mut self) -> Parse<Object> {
+        self.pass();
+        Ok(Object::new(Kind::Light(Arc::new(Light::read(self)?))))
+    }
+
+    /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
+    fn object_block(&mut self) -> Parse<Object> {
+        self.pass();
+        self.open_block()?;
+        let inner = match self.object_of_name()? {
+            Some(object) => Some(object),
+            None => self.object()?,
+        };
+        let Some(inner) = inner else {
+            return Err(self.expected_here("an object in `object { }`"));
+        };
+        let mut object = (*inner).clone();
+        self.modifiers(&mut object, "object")?;
+        Ok(object)
+    }
+
+    fn shape(&mut self, word: Word) -> Parse<Object> {
+        self.pass();
+        self.open_block()?;
+        let mut object = match self.object_of_name()? {
+            Some(object) => (*object).clone(),
+            None => match Shape::read(word, self) {
+                Some(shape) => Object::new(Kind::Shape(Arc::new(shape?))),
+                None => {
+                    self.blocks.pop();
+                    return Err(self.not_built(word));
+                }
+            },
+        };
+        self.modifiers(&mut object, word.spelling())?;
+        Ok(object)
+    }
+
+    fn csg(&mut self, operation: Operation) -> Parse<Object> {
+        self.pass();
+        let word = self.source_text(self.taken_span()).to_owned();
+        let start = self.taken_span();
+        self.open_block()?;
+        if let Some(known) = self.object_of_name()? {
+            let mut object = (*known).clone();
+            self.modifiers(&mut object, &word)?;
+            return Ok(object);
+        }
+        let mut children = Vec::new();
+        while let Some(child) = self.object()? {
+            children.push(child);
+            self.count_object()?;
+        }
+        if children.len() < 2 {
+            let text = format!("`{word}` should have at least two objects");
+            self.warning(Diagnostic::warning(start, text));
+        }
+        let mut object = Object::new(Kind::Csg {
+            operation,
+            children,
+        });
+        self.modifiers(&mut object, &word)?;
+        Ok(object)
+    }
+
+    /// Everything behind the parameters of an object, up to its `}`.
+    fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
+        loop {
+            if self.take_close()? {
+                return Ok(());
+            }
+            if let Some(step) = transform_step(self)? {
+                object.steps.push(step);
+                continue;
+            }
+            let word = self.peek()?.word();
+            let is_known = match word {
+                Some(word) => self.modifier(object, word)?,
+                None => false,
+            };
+            if !is_known {
+                return Err(self.unknown_modifier(of));
+            }
+        }
+    }
+
+    fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
+        let token = self.raw();
+        let not_built = [Word::Photons, Word::UvMapping, Word::CutawayTextures];
+        if let Some(word) = token.word().filter(|word| not_built.contains(word)) {
+            return self.not_built(word);
+        }
+        if token
+            .word()
+            .is_some_and(|word| matches!(word.class(), Class::Shape | Class::Csg))
+        {
+            return self.expected_here(&format!("a modifier of `{of}` or its `}}`"));
+        }
+        self.expected_here(&format!(
+            "a modifier (texture, pigment, finish, transform, ...) or `}}` in `{of}`"
+        ))
+    }
+
+    /// One modifier; false if the word is none.
+    fn modifier(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
+        match word {
+            Word::Texture => {
+                let texture = self.texture_layers()?;
+                self.lay_over(object, texture);
+            }
+            Word::Pigment | Word::Normal | Word::Finish => self.texture_part(object, word)?,
+            Word::InteriorTexture => {
+                self.pass();
+                let default = self.default_layer.clone();
+                let texture = Texture::read(self, &default)?;
+                object.interior_texture = Some(object.attach(Arc::new(texture)));
+            }
+            Word::Interior => {
+                self.pass();
+                object.interior = Some(Arc::new(Interior::read(self)?));
+            }
+            Word::Material => self.material(object)?,
+            Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
+            _ => return self.switch(object, word),
+        }
+        Ok(true)
+    }
+
+    fn switch(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
+        match word {
+            Word::NoShadow => object.flags.no_shadow = true,
+            Word::Inverse => object.is_inverse = !object.is_inverse,
+            Word::NoImage
+            | Word::NoReflection
+            | Word::NoRadiosity
+            | Word::DoubleIlluminate
+            | Word::Hollow
+            | Word::Hierarchy
+            | Word::SplitUnion
+            | Word::Sturm => {
+                self.pass();
+                let is_on = self.float_or(1.0)? != 0.0;
+                match word {
+                    Word::NoImage => object.flags.no_image = is_on,
+                    Word::NoReflection => object.flags.no_reflection = is_on,
+                    Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
+                    Word::Hollow => object.flags.hollow = Some(is_on),
+                    // The others change no picture of what is built.
+                    _ => {}
+                }
+                return Ok(true);
+            }
+            _ if word.class() == Class::Color => {
+                let at = self.here_span();
+                self.color_value()?;
+                self.warning(
+                    Diagnostic::warning(at, "a colour of an object itself has no effect here")
+                        .with_hint("Put it into `pigment { }`."),
+                );
+                return Ok(true);
+            }
+            _ => return Ok(false),
+        }
+        self.pass();
+        Ok(true)
+    }
+
+    /// `pigment`, `normal` or `finish` straight in an object: they change the top layer of its texture.
+    fn texture_part(&mut self, object: &mut Object, word: Word) -> Parse<()> {
+        if object.texture.is_none() {
+            let texture = Texture::from(self.default_layer.clone());
+            object.texture = Some(object.attach(Arc::new(texture)));
+        }
+        baked(object).top_mut().read_part(word, self)?;
+        Ok(())
+    }
+
+    /// Gives an object a texture, or a further layer over the one it has.
+    fn lay_over(&mut self, object: &mut Object, texture: Texture) {
+        match &object.texture {
+            Some(_) => baked(object).lay_over(texture, self.version),
+            None => object.texture = Some(object.attach(Arc::new(texture))),
+        }
+    }
+
+    fn material(&mut self, object: &mut Object) -> Parse<()> {
+        self.pass();
+        let default = self.default_layer.clone();
+        let material = Material::read(self, &default)?;
+        if let Some(texture) = material.texture {
+            self.lay_over(object, texture);
+        }
+        if let Some(texture) = material.interior_texture {
+            object.interior_texture = Some(object.attach(Arc::new(texture)));
+        }
+        if let Some(interior) = material.interior {
+            object.interior = Some(Arc::new(interior));
+        }
+        Ok(())
+    }
+
+    /// `clipped_by { objects }`, `bounded_by { objects }`, and either `{ the other }`.
+    fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
+        self.pass();
+        self.open_block()?;
+        let is_clip = word == Word::ClippedBy;
+        let other = if is_clip {
+            Word::BoundedBy
+        } else {
+            Word::ClippedBy
+        };
+        if self.take_word(other)? {
+            let copied = if is_clip {
+                object.bounded_by.clone()
+            } else {
+                object.clipped_by.clone()
+            };
+            if is_clip {
+                object.clipped_by.extend(copied)
+            } else {
+                object.bounded_by.extend(copied)
+            }
+            return Args::close(self);
+        }
+        let mut count = 0;
+        loop {
+            let next = match self.object()? {
+                Some(next) => Some(next),
+                None => self.object_of_name()?,
+            };
+            let Some(next) = next else { break };
+            let next = object.attach(next);
+            if is_clip {
+                object.clipped_by.push(next)
+            } else {
+                object.bounded_by.push(next)
+            }
+            count += 1;
+        }
+        if count == 0 {
+            return Err(self.expected_here(&format!("an object in `{word}`")));
+        }
+        Args::close(self)
+    }
+
+    /// "`word` is not built yet" at the token at hand.
+    pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
+        self.error_here(format!("`{word}` is not built yet"))
+    }
+}
+
+/// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.
+fn baked(object: &mut Object) -> &mut Texture {
+    let steps = std::mem::take(&mut object.steps);
+    let plain = || Attached {
+        what: Arc::new(Texture::from(Layer::default())),
+        after: 0,
+    };
+    let attached = object.texture.get_or_insert_with(plain);
+    let texture = Arc::make_mut(&mut attached.what);
+    steps[attached.after..]
+        .iter()
+        .for_each(|step| texture.transform(step));
+    attached.after = steps.len();
+    object.steps = steps;
+    texture
+}
+
+/// The light that a value holds.
+fn light_of(value: &Value) -> Option<Arc<Light>> {
+    match value {
+        Value::Element(Element { value, .. }) => Arc::clone(value).downcast::<Light>().ok(),
+        _ => None,
+    }
+}

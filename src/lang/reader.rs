@@ -1,0 +1,235 @@
+//! The reader: everything that reading a scene keeps.
+
+use super::cursor::{Frame, Place};
+use super::limits;
+use super::scope::Scopes;
+use super::value::{Number, Value};
+use crate::args::Parse;
+use crate::camera::Camera;
+use crate::color::Color;
+use crate::options::ReadOptions;
+use crate::scene::{Background, Globals, Object, Scene};
+use crate::source::{Diagnostic, FileId, Severity, Sources};
+use crate::syntax::{Names, Tokens, tokenize};
+use crate::texture::{Layer, Texture};
+use rustc_hash::FxHashMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// The state of reading one scene.
+pub(super) struct Reader<'a> {
+    pub(super) sources: &'a mut Sources,
+    pub(super) options: &'a ReadOptions,
+    pub(super) names: Names,
+    tokenized: FxHashMap<FileId, Rc<Tokens>>,
+    /// Where reading goes on.
+    pub(super) here: Place,
+    /// The token last taken: its file and index, and the tokens it is one of.
+    pub(super) last: (FileId, usize),
+    pub(super) last_tokens: Rc<Tokens>,
+    pub(super) frames: Vec<Frame>,
+    pub(super) scopes: Scopes,
+    /// The `{` of the elements being read.
+    pub(super) blocks: Vec<crate::source::Span>,
+    /// Where the statement being read began.
+    pub(super) statement_start: (FileId, usize),
+    /// How deep the expression being read is nested.
+    pub(super) depth: usize,
+    /// While the value of a `#declare` is looked at for its end: how many frames, parentheses and blocks were open
+    /// where it began.
+    pub(super) declaring: Option<(usize, usize, usize)>,
+    pub(super) rounds: u64,
+    pub(super) streams: Vec<u32>,
+    pub(super) version: f64,
+    pub(super) has_version: bool,
+    pub(super) now: f64,
+    pub(super) default_layer: Layer,
+    pub(super) default_texture: Arc<Texture>,
+    pub(super) default_camera: Camera,
+    pub(super) camera: Option<Camera>,
+    pub(super) background: Option<Color>,
+    pub(super) globals: Globals,
+    pub(super) objects: Vec<Arc<Object>>,
+    object_count: usize,
+    pub(super) messages: String,
+    findings: Vec<Diagnostic>,
+    pub(super) errors: usize,
+}
+
+/// What reading a scene gives.
+#[derive(Debug)]
+pub struct Reading {
+    /// The scene; `None` if anything in it is faulty.
+    pub scene: Option<Scene>,
+    /// Errors and warnings in the order in which they were found.
+    pub findings: Vec<Diagnostic>,
+    /// What `#debug`, `#render` and `#statistics` write.
+    pub messages: String,
+}
+
+/// The effective version of scenes without any `#version` (facts 3.1).
+const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
+/// Days from the start of 1970 to the start of 2000, which `now` counts from.
+const DAYS_1970_TO_2000: f64 = 10957.0;
+
+impl<'a> Reader<'a> {
+    /// A reader at the start of a file.
+    pub(super) fn new(
+        file: FileId,
+        sources: &'a mut Sources,
+        options: &'a ReadOptions,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let mut names = Names::new();
+        let unboxed = |errors: Vec<Box<Diagnostic>>| {
+            errors.into_iter().map(|error| *error).collect::<Vec<_>>()
+        };
+        let tokens = Rc::new(tokenize(file, sources.text(file), &mut names).map_err(unboxed)?);
+        let mut reader = Reader {
+            sources,
+            options,
+            names,
+            tokenized: FxHashMap::default(),
+            last: (file, 0),
+            last_tokens: Rc::clone(&tokens),
+            here: Place { tokens, at: 0 },
+            frames: Vec::new(),
+            scopes: Scopes::default(),
+            blocks: Vec::new(),
+            statement_start: (file, 0),
+            depth: 0,
+            declaring: None,
+            rounds: 0,
+            streams: Vec::new(),
+            version: options.version.unwrap_or(3.7),
+            has_version: options.version.is_some(),
+            now: days_since_2000(),
+            default_layer: Layer::default(),
+            default_texture: Arc::new(Texture::from(Layer::default())),
+            default_camera: Camera::default(),
+            camera: None,
+            background: None,
+            globals: Globals::default(),
+            objects: Vec::new(),
+            object_count: 0,
+            messages: String::new(),
+            findings: Vec::new(),
+            errors: 0,
+        };
+        reader.declare_options();
+        Ok(reader)
+    }
+
+    /// The identifiers that exist before the first line.
+    fn declare_options(&mut self) {
+        let o = self.options;
+        let known = [
+            ("image_width", f64::from(o.width)),
+            ("image_height", f64::from(o.height)),
+            ("clock_delta", o.clock_delta),
+            ("frame_number", f64::from(o.frame_number)),
+            ("initial_frame", f64::from(o.initial_frame)),
+            ("final_frame", f64::from(o.final_frame)),
+            ("initial_clock", o.initial_clock),
+            ("final_clock", o.final_clock),
+        ];
+        let given = o
+            .declares
+            .iter()
+            .map(|(name, value)| (name.as_str(), *value));
+        for (name, value) in known.into_iter().chain(given) {
+            let symbol = self.names.intern(name);
+            self.scopes
+                .declare(symbol, Value::Number(Number::float(value)));
+        }
+        let name = self.names.intern("input_file_name");
+        let text: Rc<str> = self.sources.name(self.here.tokens.file).into();
+        self.scopes.declare(name, Value::Text(text));
+    }
+
+    /// The tokens of a file, made once.
+    pub(super) fn tokens_of(&mut self, file: FileId) -> Parse<Rc<Tokens>> {
+        if let Some(tokens) = self.tokenized.get(&file) {
+            return Ok(Rc::clone(tokens));
+        }
+        match tokenize(file, self.sources.text(file), &mut self.names) {
+            Ok(tokens) => {
+                let tokens = Rc::new(tokens);
+                self.tokenized.insert(file, Rc::clone(&tokens));
+                Ok(tokens)
+            }
+            Err(mut errors) => {
+                let last = errors.pop().unwrap_or_else(|| self.consequence());
+                for error in errors {
+                    self.record(*error);
+                }
+                Err(last)
+            }
+        }
+    }
+
+    /// Counts an object against the limit.
+    pub(super) fn count_object(&mut self) -> Parse<()> {
+        self.object_count += 1;
+        if self.object_count > limits::OBJECTS {
+            return Err(self.error_here(format!("a scene has at most {} objects", limits::OBJECTS)));
+        }
+        Ok(())
+    }
+
+    /// The silent error of using something that failed before and was reported there.
+    pub(super) fn consequence(&self) -> Box<Diagnostic> {
+        Box::new(Diagnostic::error(None, ""))
+    }
+
+    /// Keeps a finding; consequences of earlier ones are not told.
+    pub(super) fn record(&mut self, finding: Diagnostic) {
+        if finding.severity == Severity::Error {
+            self.errors += 1;
+        }
+        if !finding.message.is_empty() && !self.findings.contains(&finding) {
+            self.findings.push(finding);
+        }
+    }
+
+    /// Keeps a warning, once for each place.
+    pub(super) fn warning(&mut self, warning: Diagnostic) {
+        let is_known =
+            |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
+        if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
+            self.findings.push(warning);
+        }
+    }
+
+    /// The scene that was read.
+    pub(super) fn finish(mut self) -> Reading {
+        if self.errors == 0 && self.objects.is_empty() {
+            self.warning(Diagnostic::warning(None, "no objects in scene"));
+        }
+        let version = if self.has_version {
+            self.version
+        } else {
+            VERSION_OF_SCENES_WITHOUT
+        };
+        let scene = (self.errors == 0).then(|| Scene {
+            camera: self.camera.unwrap_or(self.default_camera),
+            objects: self.objects,
+            background: Background {
+                color: self.background,
+            },
+            globals: self.globals,
+            version,
+        });
+        Reading {
+            scene,
+            findings: self.findings,
+            messages: self.messages,
+        }
+    }
+}
+
+fn days_since_2000() -> f64 {
+    let since_1970 = std::time::SystemTime::now()
+        .duration_since(std::time::UNIX_EPOCH)
+        .unwrap_or_default();
+    since_1970.as_secs_f64() / 86400.0 - DAYS_1970_TO_2000
+}

@@ -1,0 +1,149 @@
+//! Which value an identifier has now.
+//!
+//! Scopes are dynamic, as in POV-Ray: each include file and each macro call opens one, and an identifier means its
+//! innermost binding, whoever made it. Every symbol carries its own stack of bindings, so that a look-up is one step.
+
+use super::value::Value;
+use crate::syntax::Symbol;
+
+/// A binding: the depth of the scope that owns it, and what it holds.
+#[derive(Debug)]
+struct Binding {
+    depth: u32,
+    held: Held,
+}
+
+#[derive(Debug)]
+enum Held {
+    Value(Value),
+    /// A macro parameter given by reference: the binding of another symbol, by its place in that symbol's stack.
+    Alias(Symbol, u32),
+}
+
+/// All bindings of a run.
+#[derive(Debug, Default)]
+pub(super) struct Scopes {
+    stacks: Vec<Vec<Binding>>,
+    /// For each open scope but the global one, the symbols bound in it.
+    open: Vec<Vec<Symbol>>,
+}
+
+impl Scopes {
+    /// Opens a scope for an include file or a macro call.
+    pub(super) fn enter(&mut self) {
+        self.open.push(Vec::new());
+    }
+
+    /// Closes the innermost scope with all its bindings.
+    pub(super) fn leave(&mut self) {
+        let depth = self.depth();
+        for symbol in self.open.pop().unwrap_or_default() {
+            let stack = &mut self.stacks[symbol.0 as usize];
+            if let Some(at) = stack.iter().rposition(|binding| binding.depth == depth) {
+                stack.remove(at);
+            }
+        }
+    }
+
+    /// How many scopes are open beside the global one.
+    pub(super) fn depth(&self) -> u32 {
+        u32::try_from(self.open.len()).expect("the depth of calls is limited")
+    }
+
+    /// The value of a symbol.
+    pub(super) fn get(&self, symbol: Symbol) -> Option<&Value> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        let mut binding = stack.last()?;
+        loop {
+            match &binding.held {
+                Held::Value(value) => return Some(value),
+                Held::Alias(target, at) => {
+                    binding = self.stacks[target.0 as usize].get(*at as usize)?
+                }
+            }
+        }
+    }
+
+    /// The value of a symbol, to be changed in place.
+    pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
+        let (symbol, at) = self.owner(symbol)?;
+        match &mut self.stacks[symbol.0 as usize][at].held {
+            Held::Value(value) => Some(value),
+            Held::Alias(..) => None,
+        }
+    }
+
+    /// Where the value of a symbol is kept: the end of its chain of aliases.
+    fn owner(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        let (mut symbol, mut at) = (symbol, stack.len().checked_sub(1)?);
+        while let Held::Alias(target, place) = self.stacks[symbol.0 as usize].get(at)?.held {
+            (symbol, at) = (target, place as usize);
+        }
+        Some((symbol, at))
+    }
+
+    /// `#declare`: assigns to the binding that the name has now, or makes a global one.
+    pub(super) fn declare(&mut self, symbol: Symbol, value: Value) {
+        match self.get_mut(symbol) {
+            Some(old) => *old = value,
+            None => self.bind(symbol, 0, Held::Value(value)),
+        }
+    }
+
+    /// `#local`: assigns to the innermost scope's binding, or makes one there.
+    pub(super) fn local(&mut self, symbol: Symbol, value: Value) {
+        let depth = self.depth();
+        let is_ours =
+            |stack: &Vec<Binding>| stack.last().is_some_and(|binding| binding.depth == depth);
+        if self.stacks.get(symbol.0 as usize).is_some_and(is_ours) {
+            self.declare(symbol, value);
+        } else {
+            self.bind(symbol, depth, Held::Value(value));
+        }
+    }
+
+    /// Binds a macro parameter in the innermost scope to the binding that `target` had before that scope opened.
+    pub(super) fn alias(&mut self, symbol: Symbol, target: (Symbol, usize)) {
+        let depth = self.depth();
+        let at = u32::try_from(target.1).expect("stacks of bindings are short");
+        self.bind(symbol, depth, Held::Alias(target.0, at));
+    }
+
+    /// What an alias made now would stand for.
+    pub(super) fn target(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
+        self.owner(symbol)
+    }
+
+    fn bind(&mut self, symbol: Symbol, depth: u32, held: Held) {
+        let index = symbol.0 as usize;
+        if self.stacks.len() <= index {
+            self.stacks.resize_with(index + 1, Vec::new);
+        }
+        let stack = &mut self.stacks[index];
+        let at = stack
+            .iter()
+            .rposition(|binding| binding.depth <= depth)
+            .map_or(0, |i| i + 1);
+        stack.insert(at, Binding { depth, held });
+        if depth > 0 {
+            self.open[depth as usize - 1].push(symbol);
+        }
+    }
+
+    /// `#undef`: removes the binding that the name has now; says whether there was one.
+    pub(super) fn undefine(&mut self, symbol: Symbol) -> bool {
+        self.stacks
+            .get_mut(symbol.0 as usize)
+            .and_then(Vec::pop)
+            .is_some()
+    }
+
+    /// Symbols that have a value now.
+    pub(super) fn defined(&self) -> impl Iterator<Item = Symbol> + '_ {
+        let filled = |(index, stack): (usize, &Vec<Binding>)| {
+            (!stack.is_empty()).then(|| Symbol(u32::try_from(index).unwrap_or(u32::MAX)))
+        };
+        self.stacks.iter().enumerate().filter_map(filled)
+    }
+}

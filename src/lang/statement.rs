@@ -1,0 +1,384 @@
+//! The statements of a scene file, and going on after a faulty one.
+
+use super::cursor::Entered;
+use super::limits;
+use super::reader::Reader;
+use crate::args::{Args, Parse, Word};
+use crate::camera::Camera;
+use crate::color::Gamma;
+use crate::scene::Object;
+use crate::source::Diagnostic;
+use crate::syntax::{Class, Kind};
+use crate::texture::{Layer, Texture};
+use std::sync::Arc;
+
+/// POV-Ray's bounds of `max_trace_level`.
+const TRACE_LEVELS: std::ops::RangeInclusive<f64> = 1.0..=256.0;
+
+impl Reader<'_> {
+    /// Reads the whole scene; findings are recorded.
+    pub(super) fn statements(&mut self) {
+        loop {
+            match self.statement() {
+                Ok(true) => {}
+                Ok(false) => return,
+                Err(error) => {
+                    self.record(*error);
+                    if self.errors >= limits::ERRORS {
+                        return;
+                    }
+                    self.recover();
+                }
+            }
+        }
+    }
+
+    /// One statement; false at the end of the scene.
+    fn statement(&mut self) -> Parse<bool> {
+        self.blocks.clear();
+        self.depth = 0;
+        let token = self.peek()?;
+        self.statement_start = (self.here.tokens.file, self.here.at);
+        if token.kind == Kind::End {
+            return self.end_of_scene().map(|()| false);
+        }
+        match token.word() {
+            Some(Word::Camera) => {
+                self.pass();
+                let base = self.default_camera.clone();
+                let camera = Camera::read(self, &base)?;
+                if self.camera.replace(camera).is_some() {
+                    self.warning(Diagnostic::warning(
+                        self.taken_span(),
+                        "more than one camera; the last one counts",
+                    ));
+                }
+            }
+            Some(Word::Background) => {
+                self.pass();
+                self.open_block()?;
+                self.background = Some(self.color_value()?);
+                Args::close(self)?;
+            }
+            Some(Word::GlobalSettings) => self.global_settings()?,
+            Some(Word::Default) => {
+                self.pass();
+                self.run_default()?;
+            }
+            _ => self.object_statement()?,
+        }
+        Ok(true)
+    }
+
+    fn object_statement(&mut self) -> Parse<()> {
+        let object = match self.object()? {
+            Some(object) => Some(object),
+            None => self.object_of_name()?,
+        };
+        if let Some(object) = object {
+            let object = self.with_default_texture(object);
+            self.objects.push(object);
+            return self.count_object();
+        }
+        let token = self.raw();
+        match token.word() {
+            Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
+            _ => Err(self.expected_here("an object or a statement")),
+        }
+    }
+
+    /// An object without a texture takes the default one as it is at the object's end.
+    fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
+        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light(_)) {
+            let texture = Arc::clone(&self.default_texture);
+            let attached = object.attach(texture);
+            Arc::make_mut(&mut object).texture = Some(attached);
+        }
+        object
+    }
+
+    /// Changes the defaults for the objects that follow.
+    fn set_default(&mut self, layer: Layer) {
+        self.default_texture = Arc::new(Texture::from(layer.clone()));
+        self.default_layer = layer;
+    }
+
+    fn end_of_scene(&mut self) -> Parse<()> {
+        let Some(open) = self
+            .frames
+            .iter()
+            .rev()
+            .find(|frame| !matches!(frame.kind, Entered::Include { .. }))
+        else {
+            return Ok(());
+        };
+        let name = match open.kind {
+            Entered::Macro { .. } => "a macro",
+            Entered::While { .. } => "`#while`",
+            Entered::For(_) => "`#for`",
+            Entered::Switch => "`#switch`",
+            _ => "`#if`",
+        };
+        self.frames.clear();
+        Err(self.error_here(format!(
+            "the scene ends inside {name}: its `#end` is missing"
+        )))
+    }
+
+    /// `default { texture | pigment | normal | finish | camera ... }`, also as `#default`.
+    pub(super) fn run_default(&mut self) -> Parse<()> {
+        self.open_block()?;
+        loop {
+            if self.take_close()? {
+                return Ok(());
+            }
+            match self.peek()?.word() {
+                Some(Word::Texture) => {
+                    let texture = self.texture_layers()?;
+                    if let Some(layer) = texture.layers().last() {
+                        self.set_default(layer.clone());
+                    }
+                }
+                Some(Word::Camera) => {
+                    self.pass();
+                    let base = self.default_camera.clone();
+                    self.default_camera = Camera::read(self, &base)?;
+                }
+                Some(word @ (Word::Pigment | Word::Normal | Word::Finish)) => {
+                    let mut layer = self.default_layer.clone();
+                    layer.read_part(word, self)?;
+                    self.set_default(layer);
+                }
+                Some(word @ (Word::Radiosity | Word::Rainbow | Word::Fog | Word::Media)) => {
+                    return Err(self.not_built(word));
+                }
+                _ => {
+                    return Err(self.expected_here(
+                        "`texture`, `pigment`, `finish`, `camera` or `}` in `default`",
+                    ));
+                }
+            }
+        }
+    }
+
+    fn global_settings(&mut self) -> Parse<()> {
+        self.pass();
+        self.open_block()?;
+        while !self.take_close()? {
+            let Some(word) = self.peek()?.word() else {
+                return Err(self.expected_here("a setting or `}` in `global_settings`"));
+            };
+            self.global_setting(word)?;
+        }
+        Ok(())
+    }
+
+    fn global_setting(&mut self, word: Word) -> Parse<()> {
+        if matches!(word, Word::Radiosity | Word::Photons | Word::Subsurface) {
+            return Err(self.not_built(word));
+        }
+        let at = self.here_span();
+        match word {
+            Word::AssumedGamma => {
+                self.pass();
+                let gamma = self.gamma()?;
+                if self.globals.assumed_gamma.is_some() {
+                    self.warning(Diagnostic::warning(
+                        at,
+                        "`assumed_gamma` is set already; the first one counts",
+                    ));
+                } else {
+                    self.globals.assumed_gamma = Some(gamma);
+                }
+            }
+            Word::AdcBailout => {
+                self.pass();
+                self.globals.adc_bailout = self.number_at_sum()?;
+            }
+            Word::MaxTraceLevel => {
+                self.pass();
+                let level = self.number_at_sum()?.trunc();
+                if !TRACE_LEVELS.contains(&level) {
+                    let text = format!(
+                        "`max_trace_level` runs from 1 to 256; {level} is taken to the nearest"
+                    );
+                    self.warning(Diagnostic::warning(at, text));
+                }
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "clamped"
+                )]
+                let level = level.clamp(*TRACE_LEVELS.start(), *TRACE_LEVELS.end()) as u32;
+                self.globals.max_trace_level = level;
+            }
+            Word::AmbientLight => {
+                self.pass();
+                self.globals.ambient_light = self.color_value()?.rgb;
+            }
+            // These matter only to features that are refused by name where they are used.
+            Word::NumberOfWaves
+            | Word::MaxIntersections
+            | Word::HfGray16
+            | Word::MmPerUnit
+            | Word::NoiseGenerator => {
+                self.pass();
+                self.float_or(1.0)?;
+            }
+            Word::IridWavelength => {
+                self.pass();
+                self.color_value()?;
+            }
+            Word::Charset => {
+                self.pass();
+                if !(self.take_word(Word::Ascii)?
+                    || self.take_word(Word::Utf8)?
+                    || self.take_word(Word::Sys)?)
+                {
+                    return Err(self.expected_here("`ascii`, `utf8` or `sys` after `charset`"));
+                }
+            }
+            _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
+        }
+        Ok(())
+    }
+
+    fn gamma(&mut self) -> Parse<Gamma> {
+        if self.take_word(Word::Srgb)? {
+            return Ok(Gamma::Srgb);
+        }
+        let gamma = self.number_at_sum()?;
+        if gamma > 0.0 && gamma.is_finite() {
+            Ok(Gamma::power(gamma))
+        } else {
+            Err(self.error_taken("`assumed_gamma` must be a positive number or `srgb`"))
+        }
+    }
+
+    /// After an error: leaves the loops and macros it happened in and goes on behind the faulty statement.
+    fn recover(&mut self) {
+        let open_blocks = self.blocks.len();
+        self.blocks.clear();
+        self.unwind_loops_and_macros();
+        if open_blocks > 0 && self.is_at_new_statement() {
+            return;
+        }
+        if open_blocks == 0 && self.statement_start == (self.here.tokens.file, self.here.at) {
+            self.skip_token();
+        }
+        let mut depth = open_blocks;
+        loop {
+            let token = self.raw();
+            match token.kind {
+                Kind::End => return,
+                Kind::Directive => {
+                    self.skip_directive();
+                    continue;
+                }
+                Kind::Mark if token.is_mark('{') => depth += 1,
+                Kind::Mark if token.is_mark('}') => {
+                    if depth <= 1 {
+                        self.pass();
+                        return;
+                    }
+                    depth -= 1;
+                }
+                _ if depth == 0 && self.is_at_new_statement() => return,
+                _ => {}
+            }
+            self.pass();
+        }
+    }
+
+    fn skip_token(&mut self) {
+        if self.raw().kind != Kind::End {
+            self.pass();
+        }
+    }
+
+    /// Whether the token at hand begins a line and could begin a statement: the mark of a forgotten `}` above.
+    fn is_at_new_statement(&self) -> bool {
+        let token = self.raw();
+        let begins = match token.word() {
+            Some(
+                Word::Texture
+                | Word::Pigment
+                | Word::Finish
+                | Word::Normal
+                | Word::Interior
+                | Word::Material,
+            ) => false,
+            Some(word) => matches!(word.class(), Class::Shape | Class::Statement | Class::Csg),
+            None => false,
+        };
+        let text = self.sources.text(self.here.tokens.file);
+        let before = &text.as_bytes()[..token.start as usize];
+        begins && before.last().is_none_or(|&byte| byte == b'\n')
+    }
+
+    fn unwind_loops_and_macros(&mut self) {
+        let floor = self
+            .frames
+            .iter()
+            .rposition(|frame| matches!(frame.kind, Entered::Include { .. }))
+            .map_or(0, |at| at + 1);
+        let is_running = |kind: &Entered| !matches!(kind, Entered::If | Entered::Include { .. });
+        // A macro may have been called from a file further out than the include it has itself entered.
+        let outermost = self
+            .frames
+            .iter()
+            .position(|frame| matches!(frame.kind, Entered::Macro { .. }));
+        let from = outermost
+            .or_else(|| (floor..self.frames.len()).find(|&at| is_running(&self.frames[at].kind)));
+        let Some(from) = from else { return };
+        let left: Vec<_> = self.frames.drain(from..).collect();
+        for (order, frame) in left.into_iter().enumerate() {
+            if matches!(frame.kind, Entered::Macro { .. } | Entered::Include { .. }) {
+                self.scopes.leave();
+            }
+            if order > 0 {
+                continue;
+            }
+            match frame.kind {
+                Entered::Macro { back, .. } => self.here = back,
+                _ => {
+                    let end = if frame.end == u32::MAX {
+                        frame.home.tokens.len() - 1
+                    } else {
+                        frame.end as usize + 1
+                    };
+                    self.here.tokens = frame.home;
+                    self.here.at = end;
+                }
+            }
+        }
+    }
+
+    /// Passes a directive while looking for the end of a faulty statement: whole groups at once.
+    fn skip_directive(&mut self) {
+        let token = self.raw();
+        let directive = &self.here.tokens.directives[token.value as usize];
+        let (word, end) = (directive.word, directive.end);
+        match word {
+            Some(Word::End) => {
+                self.frames
+                    .pop_if(|frame| !matches!(frame.kind, Entered::Include { .. }));
+            }
+            Some(
+                Word::If
+                | Word::Ifdef
+                | Word::Ifndef
+                | Word::While
+                | Word::For
+                | Word::Switch
+                | Word::Macro,
+            ) if end != u32::MAX => self.here.at = end as usize,
+            Some(Word::Else | Word::Elseif | Word::Case | Word::Range) if end != u32::MAX => {
+                self.here.at = end as usize;
+                return;
+            }
+            _ => {}
+        }
+        self.skip_token();
+    }
+}

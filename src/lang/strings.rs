@@ -1,0 +1,173 @@
+//! Strings and the functions that make them.
+
+use super::limits;
+use super::reader::Reader;
+use super::value::Value;
+use crate::args::{Parse, Word};
+use crate::source::Diagnostic;
+use crate::syntax::{Kind, Symbol};
+
+impl Reader<'_> {
+    /// Whether a word begins a string.
+    pub(super) fn begins_string(&self, word: Word) -> bool {
+        use Word::{Chr, Concat, Datetime, Str, Strlwr, Strupr, Substr, Vstr};
+        matches!(
+            word,
+            Chr | Concat | Datetime | Str | Strlwr | Strupr | Substr | Vstr
+        )
+    }
+
+    /// A string: a literal, an identifier, or a call of a string function.
+    pub(super) fn string(&mut self) -> Parse<String> {
+        let token = self.peek()?;
+        match token.kind {
+            Kind::String => {
+                self.pass();
+                Ok(self.last_tokens.string(token.value))
+            }
+            Kind::Name => match self.scopes.get(Symbol(token.value)) {
+                Some(Value::Text(text)) => {
+                    let text = text.to_string();
+                    self.pass();
+                    Ok(text)
+                }
+                Some(Value::Array(_)) => match self.array_or_item()? {
+                    Value::Text(text) => Ok(text.to_string()),
+                    other => {
+                        Err(self.error_taken(format!("expected a string, found {}", other.kind())))
+                    }
+                },
+                Some(Value::Poison) => Err(self.consequence()),
+                _ => Err(self.expected_here("a string")),
+            },
+            _ => match token.word().filter(|&word| self.begins_string(word)) {
+                Some(word) => self.string_function(word),
+                None => Err(self.expected_here("a string")),
+            },
+        }
+    }
+
+    fn string_function(&mut self, word: Word) -> Parse<String> {
+        self.pass();
+        let name = self.taken_span();
+        self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let text = match word {
+            Word::Concat => {
+                let mut text = self.string()?;
+                while self.take_mark(',')? {
+                    text.push_str(&self.string()?);
+                    if text.len() > limits::STRING {
+                        return Err(self.error_taken(format!(
+                            "a string has at most {} bytes",
+                            limits::STRING
+                        )));
+                    }
+                }
+                text
+            }
+            Word::Chr => {
+                let code = self.number_at_sum()?;
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "checked by from_u32"
+                )]
+                char::from_u32(code as u32).map_or(String::new(), String::from)
+            }
+            Word::Str => {
+                let value = self.number_at_sum()?;
+                self.take_mark(',')?;
+                let (width, digits) = self.width_and_digits()?;
+                formatted(value, width, digits)
+            }
+            Word::Vstr => self.vstr()?,
+            Word::Strlwr => self.string()?.to_lowercase(),
+            Word::Strupr => self.string()?.to_uppercase(),
+            Word::Substr => self.substr()?,
+            _ => {
+                return Err(self.with_trace(Diagnostic::error(
+                    name,
+                    format!("`{word}` is not built yet"),
+                )));
+            }
+        };
+        self.expect_mark(')', &format!("`)` at the end of `{word}(...)`"))?;
+        Ok(text)
+    }
+
+    fn width_and_digits(&mut self) -> Parse<(i32, i32)> {
+        let width = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let digits = self.number_at_sum()?;
+        #[allow(clippy::cast_possible_truncation, reason = "clamped")]
+        Ok((
+            width.clamp(-400.0, 400.0) as i32,
+            digits.clamp(-1.0, 60.0) as i32,
+        ))
+    }
+
+    fn vstr(&mut self) -> Parse<String> {
+        let count = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let vector = self.vector_of(5)?;
+        self.take_mark(',')?;
+        let between = self.string()?;
+        self.take_mark(',')?;
+        let (width, digits) = self.width_and_digits()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let count = count.clamp(2.0, 5.0) as usize;
+        let parts: Vec<String> = vector.v[..count]
+            .iter()
+            .map(|&v| formatted(v, width, digits))
+            .collect();
+        Ok(parts.join(&between))
+    }
+
+    fn substr(&mut self) -> Parse<String> {
+        let text: Vec<char> = self.string()?.chars().collect();
+        self.take_mark(',')?;
+        let from = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let length = self.number_at_sum()?;
+        if from < 1.0 || length < 0.0 || from - 1.0 + length > text.len() as f64 {
+            return Err(self.error_taken(format!(
+                "`substr` asks for {length} characters from number {from} on of a string of {}",
+                text.len()
+            )));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "checked just above"
+        )]
+        let (from, length) = (from as usize - 1, length as usize);
+        Ok(text[from..from + length].iter().collect())
+    }
+}
+
+/// As C's `%*.*f`: negative width pads with zeros, negative digits mean six.
+fn formatted(value: f64, width: i32, digits: i32) -> String {
+    let digits = usize::try_from(digits).unwrap_or(6);
+    let length = width.unsigned_abs() as usize;
+    if width < 0 {
+        format!("{value:0length$.digits$}")
+    } else {
+        format!("{value:length$.digits$}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::formatted;
+
+    #[test]
+    fn numbers_are_padded_as_in_c() {
+        assert_eq!(formatted(std::f64::consts::PI, 8, 2), "    3.14");
+        assert_eq!(formatted(std::f64::consts::PI, -8, 2), "00003.14");
+        assert_eq!(formatted(2.0, 0, -1), "2.000000");
+    }
+}

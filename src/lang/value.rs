@@ -1,0 +1,132 @@
+//! What identifiers hold and expressions give.
+
+use super::macros::Macro;
+use crate::scene::Object;
+use std::any::{Any, TypeId};
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A number, or a vector or colour of up to five components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Number {
+    /// The components; those from `len` on are zero.
+    pub(super) v: [f64; 5],
+    /// How many there are: 1 for a float, 2 to 4 for a vector, 5 for a colour.
+    pub(super) len: u8,
+}
+
+impl Number {
+    /// A float.
+    pub(super) fn float(v: f64) -> Self {
+        Number {
+            v: [v, 0.0, 0.0, 0.0, 0.0],
+            len: 1,
+        }
+    }
+
+    /// 1 or 0.
+    pub(super) fn truth(v: bool) -> Self {
+        Number::float(f64::from(u8::from(v)))
+    }
+
+    /// A vector of three.
+    pub(super) fn vector(v: glam::DVec3) -> Self {
+        Number {
+            v: [v.x, v.y, v.z, 0.0, 0.0],
+            len: 3,
+        }
+    }
+
+    /// The same value with `len` components: a float is repeated, a shorter vector is filled with zeros.
+    pub(super) fn promoted(mut self, len: u8) -> Self {
+        if self.len == 1 && len > 1 {
+            let v = self.v[0];
+            self.v[..usize::from(len)].fill(v);
+        }
+        self.len = self.len.max(len);
+        self
+    }
+
+    /// What a person calls it.
+    pub(super) fn kind(&self) -> &'static str {
+        match self.len {
+            1 => "a number",
+            2 => "a vector of 2",
+            3 => "a vector",
+            4 => "a vector of 4",
+            _ => "a colour",
+        }
+    }
+}
+
+/// What an identifier can hold.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// A float, vector or colour.
+    Number(Number),
+    /// A text.
+    Text(Rc<str>),
+    /// A macro.
+    Macro(Rc<Macro>),
+    /// An array.
+    Array(Rc<Array>),
+    /// An object or CSG.
+    Object(Arc<Object>),
+    /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
+    Element(Element),
+    /// The result of something that failed: using it fails without a further message.
+    Poison,
+}
+
+/// A scene element behind an identifier.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    /// Its word: "texture", "finish".
+    pub(super) name: &'static str,
+    /// The element itself.
+    pub(super) value: Arc<dyn Any + Send + Sync>,
+}
+
+impl Element {
+    /// An element with its word.
+    pub(super) fn new<T: Any + Send + Sync>(name: &'static str, value: T) -> Self {
+        Element {
+            name,
+            value: Arc::new(value),
+        }
+    }
+
+    /// The Rust type of the element.
+    pub(super) fn kind(&self) -> TypeId {
+        (*self.value).type_id()
+    }
+}
+
+/// An array of one to five dimensions, row-major.
+#[derive(Clone, Debug)]
+pub(super) struct Array {
+    /// The sizes by dimension.
+    pub(super) sizes: Vec<usize>,
+    /// The elements; `None` is not initialised.
+    pub(super) items: Vec<Option<Value>>,
+}
+
+impl Value {
+    /// Whether it is an element of this Rust type.
+    pub(super) fn is_element(&self, kind: TypeId) -> bool {
+        matches!(self, Value::Element(element) if element.kind() == kind)
+    }
+
+    /// What a person calls it, with an article.
+    pub(super) fn kind(&self) -> String {
+        match self {
+            Value::Number(n) => n.kind().to_owned(),
+            Value::Text(_) => "a string".to_owned(),
+            Value::Macro(_) => "a macro".to_owned(),
+            Value::Array(_) => "an array".to_owned(),
+            Value::Object(_) => "an object".to_owned(),
+            Value::Element(e) => format!("a {}", e.name),
+            Value::Poison => "a value that could not be read".to_owned(),
+        }
+    }
+}

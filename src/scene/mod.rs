@@ -1,0 +1,69 @@
+//! The hall: what a scene file says, as plain data. Reading fills it, drawing draws it; a Rust program can build it
+//! without any file.
+
+mod object;
+
+pub use object::{Attached, Flags, Kind, Object, Operation};
+
+use crate::camera::Camera;
+use crate::color::{Color, Gamma, Rgb};
+use std::sync::Arc;
+
+/// A whole scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The camera; the default one where the file has none.
+    pub camera: Camera,
+    /// The objects and lights in the order of the file.
+    pub objects: Vec<Arc<Object>>,
+    /// The colour behind everything.
+    pub background: Background,
+    /// What `global_settings` says.
+    pub globals: Globals,
+    /// The effective language version: the last `#version` of the run, or 3.62 where there is none.
+    pub version: f64,
+}
+
+/// What a ray sees that hits nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Background {
+    /// The colour; `None` where the file gives none: black, and fully transparent.
+    pub color: Option<Color>,
+}
+
+/// Settings of the whole scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Globals {
+    /// The working space; `None` where the file says nothing.
+    pub assumed_gamma: Option<Gamma>,
+    /// Below this weight a ray is not traced.
+    pub adc_bailout: f64,
+    /// How many generations of rays there are.
+    pub max_trace_level: u32,
+    /// The factor of every `ambient`.
+    pub ambient_light: Rgb,
+}
+
+impl Default for Globals {
+    fn default() -> Self {
+        Globals {
+            assumed_gamma: None,
+            adc_bailout: 1.0 / 255.0,
+            max_trace_level: 5,
+            ambient_light: Rgb::WHITE,
+        }
+    }
+}
+
+impl Scene {
+    /// How stored values relate to the numbers of the scene: `None` means that there is no gamma handling at all,
+    /// as in old scenes that set neither `#version 3.7` nor `assumed_gamma`.
+    #[must_use]
+    pub fn working_gamma(&self) -> Option<Gamma> {
+        match self.globals.assumed_gamma {
+            Some(gamma) => Some(gamma),
+            None if self.version >= 3.7 => Some(Gamma::LINEAR),
+            None => None,
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! Expressions, promotion, functions and directives give the values that POV-Ray gives: every line below runs through
+//! both programs, which write it by `#debug`.
+
+use std::path::Path;
+use std::process::Command;
+
+/// Statements that run before every group.
+const BEFORE: &str = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+
+/// Runs a scene that writes lines by `#debug` and gives those lines.
+fn lines(program: &str, scene: &str, name: &str) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("values");
+    std::fs::create_dir_all(&folder).expect("the folder for test files can be made");
+    let file = folder.join(format!("{name}.pov"));
+    std::fs::write(&file, scene).expect("test files can be written");
+    let output = Command::new(program)
+        .arg(format!("+I{}", file.display()))
+        .args(["+W4", "+H4", "-D", "-F", "-A", "+WT1"])
+        .output()
+        .unwrap_or_else(|error| {
+            panic!("{program} cannot be run ({error}); tools/test installs what is missing")
+        });
+    let text = String::from_utf8_lossy(&output.stderr);
+    let found: Vec<String> = text
+        .lines()
+        .filter(|line| line.starts_with("= "))
+        .map(|line| line.trim_end().to_owned())
+        .collect();
+    assert!(
+        output.status.success(),
+        "{program} failed on {name}:\n{text}"
+    );
+    found
+}
+
+/// Checks that both programs write the same lines for a scene.
+fn same(name: &str, body: &str, count: usize) {
+    let scene = format!("{BEFORE}{body}\n");
+    let expected = lines("povray", &scene, name);
+    assert_eq!(expected.len(), count, "POV-Ray wrote {expected:#?}");
+    assert_eq!(lines(env!("CARGO_BIN_EXE_povr"), &scene, name), expected);
+}
+
+/// Floats in seven digits, one line each.
+fn same_floats(name: &str, expressions: &[&str]) {
+    let body: String = expressions
+        .iter()
+        .enumerate()
+        .map(|(i, expression)| {
+            format!("#debug concat(\"= {i} \", str({expression}, 0, 7), \"\\n\")\n")
+        })
+        .collect();
+    same(name, &body, expressions.len());
+}
+
+#[test]
+fn precedence_is_that_of_pov_ray() {
+    same_floats(
+        "precedence",
+        &[
+            "1+2*3",
+            "(1|0&0)",
+            "(3>2>1)",
+            "-<1,2,3>.y*2",
+            "!0*5",
+            "(!0*5)",
+            "2*-3",
+            "2--3",
+            "(1<2)",
+            "(1=1+1e-11)",
+            "(1 ? 2 : 3)",
+            "(0 ? 2 : 1 ? 5 : 6)",
+            "<1,2,3>.z",
+            "(<1,2,3>+1).x",
+            "8/4/2",
+            "8-4-2",
+            "- -2",
+            "+5",
+            "(2!=3)",
+            "(2>=2)",
+            "(2<=1)",
+            ".5e1",
+            "5.",
+            "1e2",
+            "(<1,2>*<3,4,5>).z",
+            "(<1,2>+<3,4,5,6>).t",
+            "pi",
+            "(true&false)",
+            "yes",
+            "off",
+            "version",
+            "clock",
+            "image_width",
+            "image_height",
+        ],
+    );
+}
+
+#[test]
+fn float_functions_agree() {
+    same_floats(
+        "functions",
+        &[
+            "abs(-2)",
+            "acos(.3)",
+            "asin(.3)",
+            "atan(2)",
+            "atan2(1,-2)",
+            "ceil(1.2)",
+            "ceil(-1.2)",
+            "cos(1)",
+            "cosh(1)",
+            "degrees(1)",
+            "div(7,2)",
+            "div(-7,2)",
+            "exp(1)",
+            "floor(-1.2)",
+            "int(-1.7)",
+            "int(1.7)",
+            "log(100)",
+            "ln(2)",
+            "max(1,5,3)",
+            "min(4,2,8)",
+            "mod(7,3)",
+            "mod(-7,3)",
+            "mod(7.5,2)",
+            "pow(2,10)",
+            "radians(180)",
+            "sin(1)",
+            "sinh(1)",
+            "sqrt(2)",
+            "tan(1)",
+            "tanh(1)",
+            "asinh(1)",
+            "acosh(2)",
+            "atanh(.5)",
+            "select(-1,2,3)",
+            "select(0,2,3)",
+            "select(1,2,3,4)",
+            "vlength(<3,4,0>)",
+            "vdot(<1,2,3>,<4,5,6>)",
+            "strlen(\"abc\")",
+            "asc(\"A\")",
+            "val(\"1.5e2x\")",
+            "strcmp(\"a\",\"b\")",
+            "bitwise_and(12,10)",
+            "bitwise_or(12,10)",
+            "bitwise_xor(12,10)",
+            "abs(1 ? -4 : 2)",
+            "sin((1<2))",
+        ],
+    );
+}
+
+#[test]
+fn random_streams_are_the_same_to_the_last_digit() {
+    same(
+        "random",
+        "#declare S = seed(42); #declare T = seed(-7);
+        #declare I = 0;
+        #while (I < 8)
+          #debug concat(\"= \", str(rand(S), 0, 12), \" \", str(rand(T), 0, 12), \"\\n\")
+          #declare I = I + 1;
+        #end",
+        8,
+    );
+}
+
+#[test]
+fn vector_functions_agree() {
+    let vectors = [
+        "vcross(<1,2,3>,<4,5,6>)",
+        "vnormalize(<1,2,2>)",
+        "vrotate(<1,2,3>,<10,20,30>)",
+        "vaxis_rotate(<1,2,3>,<1,1,0>,40)",
+        "<1,2,3>/2",
+        "2*x+3*y",
+        "<1 2 3>",
+        "(x+y)*z",
+        "-<1,-2,3>",
+    ];
+    let body: String = vectors
+        .iter()
+        .map(|v| format!("#debug concat(\"= \", vstr(3, {v}, \",\", 0, 7), \"\\n\")\n"))
+        .collect();
+    same("vectors", &body, vectors.len());
+}
+
+#[test]
+fn colours_have_five_components_in_every_form() {
+    let colors = [
+        "rgb <.1,.2,.3>",
+        "rgb .5",
+        "rgbf .5",
+        "rgbt .5",
+        "rgbft .5",
+        "rgbf <1,2,3,4>",
+        "rgbt <1,2,3,4>",
+        "rgbft <1,2,3,4,5>",
+        "color 0.5",
+        "color <1,2,3>",
+        "color red .3 filter .2",
+        "rgb .5 green 1",
+        "rgb <1,.5>",
+        "color rgb 1 transmit .25",
+        "rgb <1,1,1>*0.5",
+        "srgb <.5,.5,.5>",
+        "srgbt <.5,.25,.75,.5>",
+    ];
+    let body: String = colors
+        .iter()
+        .enumerate()
+        .map(|(i, c)| format!("#declare C{i} = {c};\n#debug concat(\"= {i} \", vstr(5, C{i}, \",\", 0, 5), \"\\n\")\n"))
+        .collect();
+    same("colours", &body, colors.len());
+}
+
+#[test]
+fn strings_agree() {
+    same(
+        "strings",
+        "#declare S = \"abc\";
+        #debug concat(\"= \", S, chr(65), substr(S, 2, 2), strupr(S), strlwr(\"DEF\"), \"\\n\")
+        #debug concat(\"= [\", str(pi, 8, 2), \"] [\", str(pi, -8, 2), \"] [\", str(pi, 0, -1), \"]\\n\")
+        #if (\"a\" = \"a\") #debug \"= equal\\n\" #end
+        #if (\"a\" < \"b\") #debug \"= less\\n\" #end
+        #if (concat(\"a\", \"b\") = \"ab\") #debug \"= joined\\n\" #end",
+        5,
+    );
+}
+
+#[test]
+fn macros_are_text_and_take_identifiers_by_reference() {
+    same(
+        "macros",
+        "#macro P() 1+2 #end
+        #debug concat(\"= \", str(2*P(), 0, 3), \" \", str(P()*2, 0, 3), \"\\n\")
+        #macro Set(A) #declare A = 9; #end
+        #declare B = 1; Set(B)
+        #debug concat(\"= \", str(B, 0, 3), \"\\n\")
+        #declare C = 1; Set(C+0)
+        #debug concat(\"= \", str(C, 0, 3), \"\\n\")
+        #macro Two() 3, 4 #end
+        #debug concat(\"= \", str(max(Two()), 0, 3), \"\\n\")
+        #macro Inner() X #end
+        #macro Outer() #local X = 5; Inner() #end
+        #declare Z = Outer();
+        #debug concat(\"= \", str(Z, 0, 3), \"\\n\")
+        #macro Fac(N) #if (N <= 1) 1 #else N*Fac(N-1) #end #end
+        #declare F = (Fac(5));
+        #debug concat(\"= \", str(F, 0, 3), \"\\n\")
+        #macro Open() ( #end
+        #declare O = Open() 1+2)*3;
+        #debug concat(\"= \", str(O, 0, 3), \"\\n\")",
+        7,
+    );
+}
+
+#[test]
+fn loops_and_branches_run_alike() {
+    same(
+        "loops",
+        "#for (I, 1, 3) #debug concat(\"= for \", str(I, 0, 1), \"\\n\") #end
+        #debug concat(\"= after \", str(I, 0, 1), \"\\n\")
+        #for (K, 3, 1, -1) #debug concat(\"= down \", str(K, 0, 1), \"\\n\") #end
+        #for (K, 3, 1) #debug \"= never\\n\" #end
+        #for (I, 1, 6) #declare I = I + 1; #debug concat(\"= skip \", str(I, 0, 1), \"\\n\") #end
+        #declare W = 0;
+        #while (W < 10) #if (W = 2) #break #end #debug concat(\"= while \", str(W, 0, 1), \"\\n\") #declare W = W + 1; #end
+        #switch (2) #case (1) #debug \"= one\\n\" #break #case (2) #debug \"= two\\n\" #case (3) #debug \"= three\\n\" #break
+          #range (4, 5) #debug \"= range\\n\" #break #else #debug \"= else\\n\" #end
+        #switch (4.5) #case (1) #break #range (4, 5) #debug \"= in range\\n\" #break #end
+        #switch (9) #case (1) #debug \"= one\\n\" #else #debug \"= other\\n\" #end
+        #if (0) #debug \"= a\\n\" #elseif (1) #debug \"= b\\n\" #else #debug \"= c\\n\" #end
+        #ifdef (NotThere) #debug \"= defined\\n\" #else #debug \"= undefined\\n\" #end
+        #ifndef (W) #debug \"= no W\\n\" #else #debug \"= W\\n\" #end",
+        19,
+    );
+}
+
+#[test]
+fn arrays_hold_values_of_any_dimension() {
+    same(
+        "arrays",
+        "#declare A = array[3] { 1, 2, 3 }
+        #declare A[1] = 7;
+        #debug concat(\"= \", str(A[1] + A[2], 0, 2), \"\\n\")
+        #declare B = array[2][2] { { 1, 2 }, { 3, 4 } }
+        #debug concat(\"= \", str(B[1][0], 0, 2), \" \", str(dimension_size(B, 2), 0, 0), \" \", str(dimensions(B), 0, 0), \"\\n\")
+        #declare V = array[2] { <1,2,3>, x }
+        #debug concat(\"= \", str((V[0] + V[1]).x, 0, 2), \"\\n\")
+        #declare S = array[2]; #declare S[0] = \"text\";
+        #debug concat(\"= \", S[0], \"\\n\")
+        #ifdef (S[1]) #debug \"= set\\n\" #else #debug \"= unset\\n\" #end",
+        5,
+    );
+}
+
+#[test]
+fn a_local_name_ends_with_its_macro() {
+    same(
+        "scopes",
+        "#declare A = 1;
+        #macro M() #local A = 2; #local Only = 3; #debug concat(\"= \", str(A, 0, 1), \"\\n\") #end
+        M()
+        #debug concat(\"= \", str(A, 0, 1), \"\\n\")
+        #ifdef (Only) #debug \"= leaks\\n\" #else #debug \"= gone\\n\" #end
+        #macro D() #declare Made = 4; #end
+        D()
+        #debug concat(\"= \", str(Made, 0, 1), \"\\n\")
+        #undef Made
+        #ifdef (Made) #debug \"= still\\n\" #else #debug \"= undone\\n\" #end",
+        5,
+    );
+}
