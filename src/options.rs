@@ -70,6 +70,19 @@ pub struct RenderOptions {
     pub threads: Option<usize>,
     /// Whether the background's transparency is kept.
     pub alpha: bool,
+    /// From which distance on a ray meets surfaces.
+    pub least_distance: LeastDistance,
+}
+
+/// From which distance on a ray that leaves a surface meets others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LeastDistance {
+    /// From the error of the point it leaves: thin things are seen whole in any unit of length.
+    #[default]
+    Rounding,
+    /// From POV-Ray's 1/10000 of a unit, 1/1000 for shadows: what is thinner is lost, as there. This tells whether
+    /// two pictures differ by nothing else.
+    PovRay,
 }
 
 /// A drawn scene.
@@ -131,6 +144,7 @@ impl Default for RenderOptions {
             quality: 9,
             threads: None,
             alpha: false,
+            least_distance: LeastDistance::default(),
         }
     }
 }

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use clap::{CommandFactory, Parser};
 
 use super::typed::{Output, Typed};
+use crate::options::LeastDistance;
 
 /// Draws POV-Ray scenes.
 #[derive(Debug, Parser)]
@@ -31,6 +32,9 @@ struct Modern {
     /// Print what was done and how long it took
     #[arg(long)]
     stats: bool,
+    /// Lose what is thinner than POV-Ray's least distances, as it does: tells whether pictures differ by more
+    #[arg(long)]
+    pov_distances: bool,
     // Without a short form: `-V` is POV-Ray's.
     /// Print version
     #[arg(long, action = clap::ArgAction::Version)]
@@ -113,5 +117,8 @@ pub(super) fn read(typed: &mut Typed, option: &[String]) -> Result<(), clap::Err
     }
     typed.quiet |= given.quiet;
     typed.stats |= given.stats;
+    if given.pov_distances {
+        typed.least_distance = LeastDistance::PovRay;
+    }
     Ok(())
 }

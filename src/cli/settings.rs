@@ -118,6 +118,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         quality: typed.quality,
         threads: typed.threads,
         alpha: typed.alpha,
+        least_distance: typed.least_distance,
     })
 }
 

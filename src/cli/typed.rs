@@ -1,5 +1,6 @@
 //! What was typed, before it is decided what that means: every option's last value.
 
+use crate::options::LeastDistance;
 use std::path::PathBuf;
 
 use crate::color::Gamma;
@@ -35,6 +36,7 @@ pub(super) struct Typed {
     pub(super) quiet: bool,
     pub(super) warnings: bool,
     pub(super) stats: bool,
+    pub(super) least_distance: LeastDistance,
     /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
     pub(super) unbuilt: Vec<(Unbuilt, String)>,
     /// Options that are known and have no effect, as typed.
@@ -94,6 +96,7 @@ impl Default for Typed {
             quiet: false,
             warnings: true,
             stats: false,
+            least_distance: LeastDistance::default(),
             unbuilt: Vec::new(),
             idle: Vec::new(),
             doubts: Vec::new(),

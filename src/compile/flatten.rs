@@ -3,7 +3,7 @@
 
 use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::interiors::{InteriorId, Interiors};
-use super::leaf::Leaf;
+use super::leaf::{Extent, Leaf};
 use super::world::{Flags, Surface};
 use crate::light::Light;
 use crate::math::{Bounds, Step};
@@ -87,7 +87,8 @@ impl Flat {
             }
             Kind::Shape(shape) if is_plain && !object.is_inverse => {
                 let surface = self.surface(&below);
-                let (leaf, bounds) = Leaf::new((**shape).clone(), &below.steps, surface);
+                let (leaf, bounds) =
+                    Leaf::new((**shape).clone(), &below.steps, surface, Extent::Surface);
                 if !bounds.is_empty() {
                     self.push_item(Item::Leaf(index(self.leaves.len())), bounds);
                     self.leaves.push(leaf);
@@ -208,7 +209,8 @@ impl Flat {
             }
             Kind::Shape(shape) => {
                 let surface = self.surface(below);
-                let (leaf, bounds) = Leaf::new((**shape).clone(), &below.steps, surface);
+                let (leaf, bounds) =
+                    Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
                 self.leaves.push(leaf);
                 program.nodes[parent as usize].children += 1;
                 program.operands.push(Operand {

@@ -4,6 +4,24 @@ use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::shape::{Geometry, Root, Shape, Start};
 use glam::{DAffine3, DVec3};
 
+/// Which bounds of a shape are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Of what can be seen.
+    Surface,
+    /// Of all that lies inside.
+    Solid,
+}
+
+impl Extent {
+    fn of(self, shape: &Shape) -> Bounds {
+        match self {
+            Extent::Surface => shape.bounds(),
+            Extent::Solid => shape.solid_bounds(),
+        }
+    }
+}
+
 /// A prepared primitive.
 #[derive(Clone, Debug)]
 pub struct Leaf {
@@ -17,13 +35,14 @@ pub struct Leaf {
 }
 
 impl Leaf {
-    /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives its bounds too.
+    /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives the bounds of its
+    /// surface too, or with `extent` those of the solid, which may be larger.
     #[must_use]
-    pub fn new(mut shape: Shape, steps: &[Step], surface: u32) -> (Leaf, Bounds) {
+    pub fn new(mut shape: Shape, steps: &[Step], surface: u32, extent: Extent) -> (Leaf, Bounds) {
         let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
         let rest = &steps[absorbed..];
         if rest.is_empty() {
-            let bounds = shape.bounds();
+            let bounds = extent.of(&shape);
             return (
                 Leaf {
                     shape,
@@ -34,7 +53,7 @@ impl Leaf {
             );
         }
         let transform = Transform::from_steps(rest);
-        let bounds = shape.bounds().transformed(&transform.world_from_object);
+        let bounds = extent.of(&shape).transformed(&transform.world_from_object);
         (
             Leaf {
                 shape,

@@ -7,7 +7,7 @@ mod leaf;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
-pub use leaf::Leaf;
+pub use leaf::{Extent, Leaf};
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, World};
 
 use crate::accel::Bvh;

@@ -9,7 +9,7 @@ use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::light::Light;
 use crate::math::{Bounds, Ray};
-use crate::options::RenderOptions;
+use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
 use crate::shape::{Crossing, Root};
 use crate::texture::PreparedTexture;
@@ -151,6 +151,9 @@ pub struct Globals {
 /// Below this share of the coordinates' size two surfaces are not told apart by a ray that leaves one of them:
 /// 4096 roundings of a double, which covers a chain of transforms and a slanted hit.
 const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
+/// POV-Ray's least distances, in units of the scene: for shadows and for all other rays.
+const POV_RAY_SHADOW: f64 = 1e-3;
+const POV_RAY_LEAST: f64 = 1e-4;
 /// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
 const TREE_FROM: usize = 3;
 
@@ -179,6 +182,7 @@ pub struct World {
     unbounded: Vec<u32>,
     ties_by_box: bool,
     is_opaque: bool,
+    least_distance: LeastDistance,
 }
 
 /// The best surface on a ray so far.
@@ -206,6 +210,7 @@ impl World {
                 has_alpha: options.alpha,
             },
             ties_by_box: flat.items.len() + flat.lights.len() >= TREE_FROM,
+            least_distance: options.least_distance,
             is_opaque: flat.surfaces.iter().all(Surface::is_opaque),
             boxes: flat.bounds.iter().map(single_precision).collect(),
             lights: flat.lights,
@@ -240,6 +245,15 @@ impl World {
         best.map(|best| self.hit(query, &best.found))
     }
 
+    /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
+    #[must_use]
+    pub fn reach(&self, centre: DVec3, distance: f64) -> f64 {
+        match self.least_distance {
+            LeastDistance::Rounding => distance - BLUR * centre.abs().max_element().max(distance),
+            LeastDistance::PovRay => distance - POV_RAY_SHADOW,
+        }
+    }
+
     /// Whether an opaque surface lies on a ray.
     #[must_use]
     pub fn is_blocked(&self, query: &Query, scratch: &mut Scratch) -> bool {
@@ -260,14 +274,17 @@ impl World {
         self.is_opaque
     }
 
-    /// The interiors of all objects that hold a point.
+    /// The interiors of all objects that hold a point: of the unbounded ones first, then of the others in the order
+    /// of the file. Where POV-Ray keeps no tree, all are in the order of the file.
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut interiors = SmallVec::new();
-        let mut numbers: Vec<u32> = self.unbounded.clone();
+        let mut numbers: Vec<u32> = Vec::new();
         self.tree
             .around(point, |number| numbers.push(self.bounded[number as usize]));
-        numbers.sort_unstable();
+        numbers.extend(&self.unbounded);
+        let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
+        numbers.sort_unstable_by_key(|&number| (is_bounded(number), number));
         for number in numbers {
             let (holds, first) = match self.items[number as usize] {
                 Item::Leaf(leaf) => (self.leaves[leaf as usize].contains(point), leaf),
@@ -324,6 +341,15 @@ impl World {
         found.root.t
     }
 
+    /// The distance up to which surfaces are not met: the error of the point that the ray leaves.
+    fn least_distance(&self, query: &Query) -> f64 {
+        match (self.least_distance, query.seen) {
+            (LeastDistance::Rounding, _) => query.from.map_or(0.0, |left| left.blur),
+            (LeastDistance::PovRay, Seen::Shadow) => POV_RAY_SHADOW,
+            (LeastDistance::PovRay, _) => POV_RAY_LEAST,
+        }
+    }
+
     /// The first surface of an item up to and including `far` that the asker can see and wants.
     fn find(
         &self,
@@ -333,7 +359,7 @@ impl World {
         scratch: &mut Scratch,
         mut wanted: impl FnMut(&Found) -> bool,
     ) -> Option<Found> {
-        let from = query.from.map_or(0.0, |left| left.blur);
+        let from = self.least_distance(query);
         let mut wanted =
             |found: &Found| is_seen(&self.surface_of(found).flags, query.seen) && wanted(found);
         match self.items[item as usize] {
@@ -353,7 +379,7 @@ impl World {
                 let leaf = &self.leaves[number as usize];
                 let root = match &query.from {
                     Some(left) if left.leaf == number => {
-                        nearest_but(leaf, left, &query.ray, &mut scratch.roots)?
+                        nearest_but(leaf, left, query, from, &mut scratch.roots)?
                     }
                     _ => leaf.nearest(&query.ray, from, next_after(far))?,
                 };
@@ -417,14 +443,20 @@ fn is_seen(flags: &Flags, seen: Seen) -> bool {
     }
 }
 
-/// The first visible root in front, on the leaf that the ray has just left.
-fn nearest_but(leaf: &Leaf, left: &Departure, ray: &Ray, roots: &mut Vec<Root>) -> Option<Root> {
+/// The first visible root beyond `from`, on the leaf that the ray has just left.
+fn nearest_but(
+    leaf: &Leaf,
+    left: &Departure,
+    query: &Query,
+    from: f64,
+    roots: &mut Vec<Root>,
+) -> Option<Root> {
     roots.clear();
-    leaf.roots(ray, roots);
-    hide_departure(roots, left, ray.dir);
+    leaf.roots(&query.ray, roots);
+    hide_departure(roots, left, query.ray.dir);
     roots
         .iter()
-        .find(|root| root.is_visible && root.t > 0.0)
+        .find(|root| root.is_visible && root.t > from)
         .copied()
 }
 

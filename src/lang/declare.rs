@@ -30,18 +30,18 @@ impl Reader<'_> {
             let spelling = self.names.spelling(symbol).to_owned();
             return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
         }
-        let outer = self
-            .declaring
-            .replace((self.frames.len(), self.depth, self.blocks.len()));
+        let place = (self.frames.len(), self.depth, self.blocks.len());
+        let outer = self.declaring.replace(place);
         let value = self.value("a value");
-        let end = match &value {
-            Ok(Some(value)) => self.end_of_declaration(value),
-            _ => Ok(()),
-        };
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {
+                // The name has its value before the `;` is looked for: a directive may stand there and use it.
+                let is_number = matches!(value, Value::Number(_));
                 self.assign(symbol, value, is_local);
+                let outer = self.declaring.replace(place);
+                let end = self.end_of_declaration(is_number);
+                self.declaring = outer;
                 end
             }
             Ok(None) => {
@@ -71,8 +71,8 @@ impl Reader<'_> {
     }
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
-    fn end_of_declaration(&mut self, value: &Value) -> Parse<()> {
-        if self.take_mark(';')? || !matches!(value, Value::Number(_)) {
+    fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
+        if self.take_mark(';')? || !is_number {
             return Ok(());
         }
         let behind = self.taken_span();
@@ -99,7 +99,7 @@ impl Reader<'_> {
         let Some(value) = self.value("a value")? else {
             return Err(self.expected_here("a value"));
         };
-        self.end_of_declaration(&value)?;
+        self.end_of_declaration(matches!(value, Value::Number(_)))?;
         if let Some(Value::Array(array)) = self.scopes.get_mut(symbol) {
             Rc::make_mut(array).items[at] = Some(value);
         }
@@ -448,7 +448,6 @@ impl Reader<'_> {
         if self.peek()?.kind == Kind::Mark && self.raw().value == '{' as u32 {
             self.array_items(&mut array, 0, 0)?;
         }
-        self.take_mark(';')?;
         Ok(Value::Array(Rc::new(array)))
     }
 

@@ -103,7 +103,7 @@ impl Tracer<'_> {
         let mut query = Query {
             ray,
             from: Some(*lit.departure),
-            far: distance,
+            far: self.world.reach(ray.at(distance), distance),
             seen: Seen::Shadow,
         };
         if self.world.is_blocked(&query, scratch) {
