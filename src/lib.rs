@@ -4,6 +4,7 @@
 //!  text ──syntax──▶ tokens ──lang──▶ scene ──compile──▶ world ──trace──▶ colour ──render──▶ film ──output──▶ files
 //! ```
 
+pub mod accel;
 pub mod args;
 pub mod color;
 pub mod math;
