@@ -280,8 +280,10 @@ impl World {
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut interiors = SmallVec::new();
         let mut numbers: Vec<u32> = Vec::new();
-        self.tree
-            .around(point, |number| numbers.push(self.bounded[number as usize]));
+        self.tree.around(point, |number| {
+            numbers.push(self.bounded[number as usize]);
+            false
+        });
         numbers.extend(&self.unbounded);
         let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
         numbers.sort_unstable_by_key(|&number| (is_bounded(number), number));

@@ -3,7 +3,10 @@
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+#[cfg(test)]
+pub(crate) mod random;
 mod ray;
+pub(crate) mod rounding;
 mod transform;
 pub(crate) mod watertight;
 

@@ -8,7 +8,7 @@
 
 mod axial;
 #[cfg(test)]
-mod check;
+pub(crate) mod check;
 mod cone;
 mod cuboid;
 mod cylinder;

@@ -1,0 +1,260 @@
+//! The tree against a plain search through all boxes.
+
+use super::Bvh;
+use crate::math::chord::ball_chord;
+use crate::math::conditioning::Eased;
+use crate::math::random::Random;
+use crate::math::{Bounds, Ray};
+use glam::DVec3;
+
+struct Sphere {
+    centre: DVec3,
+    radius: f64,
+}
+
+impl Sphere {
+    fn bounds(&self) -> Bounds {
+        Bounds::new(self.centre - self.radius, self.centre + self.radius)
+    }
+
+    fn hit(&self, ray: &Ray) -> Option<f64> {
+        let eased = Eased::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
+        let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
+        [enter, leave]
+            .map(|t| eased.t(t))
+            .into_iter()
+            .find(|t| *t > 0.0)
+    }
+}
+
+fn spheres(count: usize, size: f64, at: DVec3) -> Vec<Sphere> {
+    let mut rng = Random::new(17);
+    let mut sphere = || Sphere {
+        centre: at + rng.vector(size),
+        radius: size * 0.3 * rng.share().powi(4),
+    };
+    (0..count).map(|_| sphere()).collect()
+}
+
+fn bounds_of(spheres: &[Sphere]) -> Vec<Bounds> {
+    spheres.iter().map(Sphere::bounds).collect()
+}
+
+/// The nearest hit, and of several at the same depth the one first in the list.
+fn nearest(bvh: &Bvh, spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
+    let mut best: Option<(u32, f64)> = None;
+    bvh.nearest(ray, 0.0, f64::INFINITY, |item, end| {
+        let Some(t) = spheres[item as usize].hit(ray) else {
+            return end;
+        };
+        if best.is_none_or(|(first, least)| t < least || (t == least && item < first)) {
+            best = Some((item, t));
+        }
+        end.min(t)
+    });
+    best
+}
+
+fn nearest_of_all(spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
+    let hits = (0..)
+        .zip(spheres)
+        .filter_map(|(item, sphere)| Some((item, sphere.hit(ray)?)));
+    hits.min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+#[test]
+fn the_nearest_hit_is_that_of_a_plain_search() {
+    for (size, at) in [
+        (1.0, DVec3::ZERO),
+        (1.0, DVec3::splat(1e8)),
+        (1e-30, DVec3::ZERO),
+        (1e30, DVec3::ZERO),
+        (1e-150, DVec3::ZERO),
+        (1e150, DVec3::ZERO),
+        (1e-3, DVec3::new(0.0, 5e3, 0.0)),
+    ] {
+        let spheres = spheres(300, size, at);
+        let bvh = Bvh::build(&bounds_of(&spheres));
+        let region = Bounds::new(at - size, at + size);
+        let mut rng = Random::new(18);
+        let mut hits = 0;
+        for _ in 0..1500 {
+            let ray = rng.ray_near(&region);
+            for far in [0.0, -1e3, -1e9] {
+                let ray = Ray::new(ray.at(far), ray.dir);
+                let expected = nearest_of_all(&spheres, &ray);
+                assert_eq!(nearest(&bvh, &spheres, &ray), expected, "{ray:?}");
+                hits += usize::from(expected.is_some());
+                let is_any = bvh.any(&ray, 0.0, f64::INFINITY, |item| {
+                    spheres[item as usize].hit(&ray).is_some()
+                });
+                assert_eq!(is_any, expected.is_some());
+            }
+        }
+        assert!(hits > 1000, "only {hits} hits at size {size}");
+    }
+}
+
+/// Whether an axis-parallel line meets a box, which is exact.
+fn meets(bounds: &Bounds, origin: DVec3, along: usize) -> bool {
+    (0..3)
+        .filter(|&axis| axis != along)
+        .all(|axis| bounds.min[axis] <= origin[axis] && origin[axis] <= bounds.max[axis])
+}
+
+#[test]
+fn rays_in_the_faces_and_edges_of_boxes_meet_them() {
+    for unit in [1.0, 1e-30, 1e30, 0.1] {
+        let cell = |i: i32| f64::from(i) * unit;
+        let mut boxes = Vec::new();
+        for (x, y) in (-4..4).flat_map(|x| (-4..4).map(move |y| (x, y))) {
+            let low = DVec3::new(cell(x), cell(y), cell(x * y));
+            boxes.push(Bounds::new(low, low + DVec3::splat(unit)));
+        }
+        let bvh = Bvh::build(&boxes);
+        for (i, along) in (0..boxes.len()).flat_map(|i| [0, 1, 2].map(|along| (i, along))) {
+            for sign in [1.0, -1.0] {
+                let mut dir = DVec3::splat(-0.0);
+                dir[along] = sign;
+                let mut origin = boxes[i].min;
+                origin[along] -= sign * 100.0 * unit;
+                let mut seen = vec![false; boxes.len()];
+                let ray = Ray::new(origin, dir);
+                bvh.any(&ray, 0.0, f64::INFINITY, |item| {
+                    seen[item as usize] = true;
+                    false
+                });
+                for (other, is_seen) in seen.iter().enumerate() {
+                    assert!(*is_seen || !meets(&boxes[other], origin, along));
+                }
+                assert!(seen.iter().filter(|seen| **seen).count() < boxes.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_box_that_begins_where_the_search_ends_is_visited() {
+    let boxes =
+        [0.0, 0.0, 3.0].map(|z| Bounds::new(DVec3::new(-1.0, -1.0, z), DVec3::new(1.0, 1.0, z)));
+    let bvh = Bvh::build(&boxes);
+    let ray = Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z);
+    let mut visited = Vec::new();
+    bvh.nearest(&ray, 0.0, f64::INFINITY, |item, end| {
+        visited.push(item);
+        end.min(if item < 2 { 5.0 } else { 8.0 })
+    });
+    visited.sort_unstable();
+    assert_eq!(visited, [0, 1]);
+}
+
+#[test]
+fn the_visits_go_from_front_to_back() {
+    let boxes: Vec<Bounds> = (0..50)
+        .map(|i| {
+            Bounds::new(
+                DVec3::splat(f64::from(i * 7 % 50)),
+                DVec3::splat(f64::from(i * 7 % 50) + 0.5),
+            )
+        })
+        .collect();
+    let ray = Ray::new(DVec3::splat(-3.0), DVec3::ONE);
+    let mut visited = Vec::new();
+    Bvh::build(&boxes).nearest(&ray, 0.0, 1e3, |item, end| {
+        visited.push(item * 7 % 50);
+        end
+    });
+    assert!(visited.is_sorted() && visited.len() == 50);
+}
+
+#[test]
+fn a_point_is_found_in_every_box_that_holds_it() {
+    let spheres = spheres(500, 2.0, DVec3::new(10.0, 0.0, 0.0));
+    let boxes = bounds_of(&spheres);
+    let bvh = Bvh::build(&boxes);
+    let mut rng = Random::new(19);
+    let mut found = 0;
+    for _ in 0..2000 {
+        let point = DVec3::new(10.0, 0.0, 0.0) + rng.vector(2.0);
+        let mut seen = vec![false; boxes.len()];
+        bvh.around(point, |item| {
+            seen[item as usize] = true;
+            false
+        });
+        for (bounds, is_seen) in boxes.iter().zip(seen) {
+            let holds = point.cmpge(bounds.min).all() && point.cmple(bounds.max).all();
+            assert!(is_seen || !holds);
+            found += usize::from(is_seen);
+        }
+    }
+    assert!(found > 1000 && found < 200_000);
+}
+
+#[test]
+fn few_many_alike_and_strange_boxes_build() {
+    let ray = Ray::new(DVec3::new(0.2, 0.3, -9.0), DVec3::Z);
+    let count = |boxes: &[Bounds]| {
+        let mut count = 0;
+        Bvh::build(boxes).any(&ray, 0.0, f64::INFINITY, |_| {
+            count += 1;
+            false
+        });
+        count
+    };
+    let cube = Bounds::new(DVec3::NEG_ONE, DVec3::ONE);
+    let point = Bounds::new(DVec3::new(0.2, 0.3, 0.0), DVec3::new(0.2, 0.3, 0.0));
+    let huge = Bounds::new(DVec3::splat(-1e308), DVec3::splat(1e308));
+    assert_eq!(count(&[]), 0);
+    assert_eq!(count(&[cube]), 1);
+    assert_eq!(count(&[point]), 1);
+    assert_eq!(count(&[huge]), 1);
+    assert_eq!(count(&[Bounds::EMPTY]), 0);
+    assert_eq!(count(&[cube; 5000]), 5000);
+    assert_eq!(count(&[point; 777]), 777);
+    assert_eq!(
+        count(&[cube, point, huge, Bounds::EMPTY, Bounds::EVERYTHING]),
+        4
+    );
+    let growing: Vec<Bounds> = (-1000..1000)
+        .map(|i| Bounds::new(DVec3::ZERO, DVec3::splat(2.0_f64.powi(i))))
+        .collect();
+    assert!(count(&growing) >= 1000);
+}
+
+#[test]
+fn the_tree_is_the_same_for_any_number_of_threads() {
+    let boxes = bounds_of(&spheres(20_000, 1.0, DVec3::ZERO));
+    let build = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build()
+            .unwrap()
+            .install(|| format!("{:?}", Bvh::build(&boxes)))
+    };
+    assert!(build(1) == build(4));
+}
+
+#[test]
+fn a_ray_that_is_not_a_number_finds_at_most_everything() {
+    let bvh = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
+    for dir in [DVec3::ZERO, DVec3::splat(f64::NAN), DVec3::splat(1e300)] {
+        for origin in [DVec3::ZERO, DVec3::splat(f64::NAN), DVec3::splat(1e300)] {
+            let mut count = 0;
+            bvh.nearest(&Ray::new(origin, dir), 0.0, f64::INFINITY, |_, end| {
+                count += 1;
+                end
+            });
+            assert!(count <= 100);
+        }
+    }
+}
+
+#[test]
+fn memory_stays_below_sixty_bytes_an_item() {
+    let boxes = bounds_of(&spheres(20_000, 1.0, DVec3::ZERO));
+    let bytes = Bvh::build(&boxes).bytes();
+    assert!(
+        bytes < 60 * boxes.len(),
+        "{} bytes an item",
+        bytes / boxes.len()
+    );
+}
