@@ -17,6 +17,10 @@ fn alternates(shape: &dyn Geometry, ray: &Ray) -> Vec<Root> {
     let mut is_inside = start == Start::Inside;
     for root in &roots {
         assert!(root.t.is_finite());
+        if root.crossing == Crossing::Touch {
+            assert!(is_inside, "{ray:?}: {roots:?}");
+            continue;
+        }
         let expected = if is_inside {
             Crossing::Leave
         } else {
@@ -80,7 +84,8 @@ fn surface(shape: &dyn Geometry, ray: &Ray, root: &Root, size: f64) {
 fn parity(shape: &dyn Geometry, ray: &Ray, start: Start, roots: &[Root], size: f64) {
     let gap = 1e-9 * size / ray.dir.length();
     let mut ends = vec![-10.0 * size / ray.dir.length()];
-    ends.extend(roots.iter().map(|root| root.t));
+    let crossings = roots.iter().filter(|root| root.crossing != Crossing::Touch);
+    ends.extend(crossings.map(|root| root.t));
     ends.push(ends[ends.len() - 1].max(0.0) + 10.0 * size / ray.dir.length());
     let mut is_inside = start == Start::Inside;
     for pair in ends.windows(2) {

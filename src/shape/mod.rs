@@ -17,6 +17,7 @@ mod plane;
 mod read;
 mod smooth_triangle;
 mod sphere;
+mod torus;
 mod triangle;
 
 pub use cone::Cone;
@@ -26,6 +27,7 @@ pub use disc::Disc;
 pub use plane::Plane;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
+pub use torus::Torus;
 pub use triangle::Triangle;
 
 use crate::args::{Args, Parse, Word};
@@ -40,7 +42,8 @@ pub enum Crossing {
     Enter,
     /// It comes out.
     Leave,
-    /// It meets a surface without a volume (triangle, the disc of a half-space seen from neither side).
+    /// The inside stays as it is: a surface without a volume (triangle), or one within the solid (the inner lemon of a
+    /// spindle torus).
     Touch,
 }
 
@@ -192,6 +195,8 @@ shapes! {
     Cylinder from Cylinder,
     /// `cone`
     Cone from Cone,
+    /// `torus`
+    Torus from Torus,
     /// `plane`
     Plane from Plane,
     /// `disc`
@@ -272,6 +277,8 @@ mod tests {
             (Word::Cylinder, "<0,0,0> <0,1,0> 1 open"),
             (Word::Cone, "<0,0,0>, 1, <0,1,0>, 0"),
             (Word::Cone, "<0,0,0> 1 <0,1,0> 0 open"),
+            (Word::Torus, "1, .3"),
+            (Word::Torus, "1 .3 sturm"),
             (Word::Plane, "<0,1,0>, -1"),
             (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
             (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
