@@ -123,7 +123,8 @@ impl Camera {
     #[must_use]
     pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
         let u = (x + 0.5) / f64::from(width) - 0.5;
-        let v = 0.5 - (y + 0.5) / f64::from(height);
+        // In this order of operations a ray through an edge that lies on a pixel's centre goes to POV-Ray's side.
+        let v = (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5;
         let (origin, dir) = match self.projection {
             Projection::Perspective => {
                 (self.location, self.direction + u * self.right + v * self.up)
