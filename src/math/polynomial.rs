@@ -36,10 +36,12 @@ pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
 }
 
 fn between_turns(c: &[f64]) -> Places {
-    let derivative: SmallVec<[f64; 8]> = (1_u32..)
-        .zip(&c[1..])
-        .map(|(power, c)| f64::from(power) * c)
-        .collect();
+    let mut derivative: SmallVec<[f64; 8]> = SmallVec::new();
+    let mut power = 0.0;
+    for c in &c[1..] {
+        power += 1.0;
+        derivative.push(power * c);
+    }
     let mut stops = sign_changes(&derivative);
     stops.push(1.0);
     let mut places = Places::new();
@@ -109,8 +111,13 @@ fn quadratic(c0: f64, c1: f64, c2: f64) -> Places {
 
 /// Those that lie in the searched range; not NaN.
 fn within(all: &[f64]) -> Places {
-    let is_in = |x: &f64| -1.0 < *x && *x < 1.0;
-    all.iter().copied().filter(is_in).collect()
+    let mut places = Places::new();
+    for &x in all {
+        if -1.0 < x && x < 1.0 {
+            places.push(x);
+        }
+    }
+    places
 }
 
 #[cfg(test)]

@@ -211,7 +211,7 @@ fn linear_sides(b: f64, c: f64, middle: f64) -> Option<Sides> {
 
 impl Geometry for Cone {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend(self.crossings(ray));
+        roots.extend_from_slice(&self.crossings(ray));
         Start::Outside
     }
 

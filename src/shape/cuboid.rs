@@ -38,39 +38,30 @@ impl Cuboid {
         Ok(Cuboid::new(first, second))
     }
 
+    #[inline]
     fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
-        let mut enter = (f64::NEG_INFINITY, 0_u16);
-        let mut leave = (f64::INFINITY, 0_u16);
-        let (mut steepest_in, mut steepest_out) = (0.0, 0.0);
-        for (axis, low_face) in [(0, 0), (1, 2), (2, 4)] {
-            let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
-            if dir == 0.0 {
-                if origin < self.min[axis] || origin > self.max[axis] {
-                    return None;
-                }
-                continue;
+        let to_min = (self.min - ray.origin) / ray.dir;
+        let to_max = (self.max - ray.origin) / ray.dir;
+        let (mut near, mut far) = (to_min.min(to_max), to_min.max(to_max));
+        let is_along = ray.dir.cmpeq(DVec3::ZERO);
+        if is_along.any() {
+            let is_in = ray.origin.cmpge(self.min) & ray.origin.cmple(self.max);
+            if (is_along & !is_in).any() {
+                return None;
             }
-            let to_low = (self.min[axis] - origin) / dir;
-            let to_high = (self.max[axis] - origin) / dir;
-            let (near, far) = if dir > 0.0 {
-                ((to_low, low_face), (to_high, low_face + 1))
-            } else {
-                ((to_high, low_face + 1), (to_low, low_face))
-            };
-            // On an edge the face that the ray meets more squarely is taken.
-            let steepness = dir.abs();
-            if near.0 > enter.0 || (near.0 == enter.0 && steepness > steepest_in) {
-                (enter, steepest_in) = (near, steepness);
-            }
-            if far.0 < leave.0 || (far.0 == leave.0 && steepness > steepest_out) {
-                (leave, steepest_out) = (far, steepness);
-            }
+            near = DVec3::select(is_along, DVec3::NEG_INFINITY, near);
+            far = DVec3::select(is_along, DVec3::INFINITY, far);
         }
-        if enter.0 <= leave.0 {
-            span(enter, leave)
-        } else {
-            None
+        let (enter, leave) = (near.max_element(), far.min_element());
+        if enter > leave {
+            return None;
         }
+        let enter_axis = squarest(near, enter, ray.dir);
+        let leave_axis = squarest(far, leave, ray.dir);
+        span(
+            (enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
+            (leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
+        )
     }
 
     /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
@@ -82,6 +73,25 @@ impl Cuboid {
             DVec3::ZERO,
         )
     }
+}
+
+/// The axis on which `all` equals `one`; on an edge the one whose face the ray meets more squarely.
+#[inline]
+fn squarest(all: DVec3, one: f64, dir: DVec3) -> usize {
+    let steepness = DVec3::select(all.cmpeq(DVec3::splat(one)), dir.abs(), DVec3::NEG_ONE);
+    if steepness.x >= steepness.y && steepness.x >= steepness.z {
+        0
+    } else if steepness.y >= steepness.z {
+        1
+    } else {
+        2
+    }
+}
+
+/// The number of the lower or the upper face across an axis.
+#[inline]
+fn face(axis: usize, is_upper: bool) -> u16 {
+    [0, 2, 4][axis] + u16::from(is_upper)
 }
 
 impl Geometry for Cuboid {

@@ -13,6 +13,8 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+#[cfg(test)]
+mod oracle;
 mod plane;
 mod read;
 mod smooth_triangle;

@@ -244,10 +244,10 @@ impl Stretch {
 
     /// The places after two Newton steps on the distance from the surface; as they were if that breaks their order.
     fn refined(&self, places: Places) -> Places {
-        let near: Places = places
-            .iter()
-            .map(|x| self.refine(self.refine(*x)))
-            .collect();
+        let mut near = Places::new();
+        for x in &places {
+            near.push(self.refine(self.refine(*x)));
+        }
         let is_in_order = near.windows(2).all(|pair| pair[0] < pair[1]);
         if is_in_order { near } else { places }
     }
@@ -259,7 +259,7 @@ impl Stretch {
         let outward = flat(p).dot(flat(self.half)) / axis_distance;
         let off_axis = |middle: f64| {
             let across = axis_distance - middle;
-            let from_middle = across.hypot(p.y);
+            let from_middle = (across * across + p.y * p.y).sqrt();
             let slope = (across * outward + p.y * self.half.y) / from_middle;
             (from_middle - 1.0, slope)
         };
@@ -290,7 +290,7 @@ fn root(t: f64, crossing: Crossing, face: u16) -> Root {
 
 impl Geometry for Torus {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend(self.crossings(ray));
+        roots.extend_from_slice(&self.crossings(ray));
         Start::Outside
     }
 
