@@ -133,7 +133,8 @@ impl Camera {
                 (self.location + u * self.right + v * self.up, self.direction)
             }
         };
-        Some(Ray::new(origin, dir.try_normalize()?))
+        let length = dir.length();
+        (length > 0.0 && length.is_finite()).then(|| Ray::new(origin, dir / length))
     }
 
     /// Whether all rays start at [`Camera::location`].

@@ -146,7 +146,9 @@ impl Case {
         };
         if let Some(broken) = broken {
             let saved = side_by_side(&expected, &actual).save(&sheet);
-            return Err(format!("{broken} for `{limits}`\n{found}{}", seen_in(&sheet, saved)).into());
+            return Err(
+                format!("{broken} for `{limits}`\n{found}{}", seen_in(&sheet, saved)).into(),
+            );
         }
         // An old sheet would tell of a failure that is over.
         let _ = fs::remove_file(&sheet);

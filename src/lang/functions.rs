@@ -9,6 +9,9 @@ use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
 
+/// What POV-Ray gives as the extent of unbounded objects.
+const UNBOUNDED: f64 = 1e10;
+
 impl Reader<'_> {
     /// The call that begins with the function word at hand.
     pub(super) fn call_function(&mut self, word: Word) -> Parse<Number> {
@@ -55,6 +58,7 @@ impl Reader<'_> {
                 let (v, by) = self.two_vectors()?;
                 Number::vector(rotation(by) * v)
             }
+            Word::MinExtent | Word::MaxExtent => self.extent(word)?,
             Word::VaxisRotate => {
                 let (v, axis) = self.two_vectors()?;
                 self.take_mark(',')?;
@@ -93,6 +97,22 @@ impl Reader<'_> {
         one(word, a)
             .map(Number::float)
             .map_err(|message| self.with_trace(Diagnostic::error(place, message)))
+    }
+
+    /// A corner of the box around a declared object.
+    fn extent(&mut self, word: Word) -> Parse<Number> {
+        let Some(object) = self.object_of_name()? else {
+            return Err(self.expected_here("an object identifier"));
+        };
+        let bounds = object.bounds();
+        let corner = if word == Word::MinExtent {
+            bounds.min
+        } else {
+            bounds.max
+        };
+        Ok(Number::vector(
+            corner.clamp(DVec3::splat(-UNBOUNDED), DVec3::splat(UNBOUNDED)),
+        ))
     }
 
     fn two_vectors(&mut self) -> Parse<(DVec3, DVec3)> {
