@@ -54,7 +54,7 @@ pub struct ReadOptions {
 }
 
 /// What to draw of the scene, and with what effort.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RenderOptions {
     /// Pixels in a row of the whole picture.
     pub width: u32,
@@ -72,6 +72,45 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
+    /// How pixels are sampled; `None` for one ray through the centre of each.
+    pub antialias: Option<Antialias>,
+}
+
+/// How pixels are sampled more than once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Antialias {
+    /// Which of POV-Ray's methods.
+    pub method: Method,
+    /// From which difference of two colours on a pixel is sampled again: the sum over red, green, blue and transmit.
+    pub threshold: f64,
+    /// The side of the grid in method 1, how often a pixel is halved in method 2: 1 to 9.
+    pub depth: u32,
+    /// The share of a grid cell by which samples are moved, 0 to 1.
+    pub jitter: f64,
+    /// The gamma in which colours are compared.
+    pub gamma: f64,
+}
+
+/// POV-Ray's methods of antialiasing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// A grid in pixels that differ from a neighbour (`+AM1`).
+    One,
+    /// Dividing pixels whose corners differ (`+AM2`).
+    Two,
+}
+
+impl Default for Antialias {
+    /// What `+A` alone means.
+    fn default() -> Self {
+        Antialias {
+            method: Method::One,
+            threshold: 0.3,
+            depth: 3,
+            jitter: 1.0,
+            gamma: 2.5,
+        }
+    }
 }
 
 /// From which distance on a ray that leaves a surface meets others.
@@ -145,6 +184,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
+            antialias: None,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures are to be the same.
 //!
-//! A scene's first line is a comment that says what it shows. Further comments may state `// size: 320x240` and limits
+//! A scene's first line is a comment that says what it shows. Further comments may state `// size: 320x240`, switches
+//! for both renderers, `// switches: +A0.3 +AM2`, and limits
 //! with their reason, `// compare: channel<=2 pixels<=0.5% because "..."`; without them `Limits::DEFAULT` holds, and
 //! single pixels (never more than `Limits::DEFAULT` allows) may be off by more if they are explained: POV-Ray loses
 //! surfaces nearer than a fixed distance to the one a ray leaves, and with `--pov-distances` povr does so too and must
@@ -39,6 +40,8 @@ struct Case {
     text: String,
     size: (u32, u32),
     limits: Option<Limits>,
+    /// Switches for both renderers, behind the usual ones.
+    own_switches: Vec<String>,
 }
 
 fn main() -> ExitCode {
@@ -107,6 +110,7 @@ impl Case {
             path,
             size: (160, 120),
             limits: None,
+            own_switches: Vec::new(),
             text: String::new(),
         };
         let comments = text
@@ -120,6 +124,8 @@ impl Case {
                 }
             } else if let Some(size) = comment.strip_prefix("size:") {
                 case.size = read_size(size)?;
+            } else if let Some(switches) = comment.strip_prefix("switches:") {
+                case.own_switches = switches.split_whitespace().map(str::to_owned).collect();
             }
         }
         case.text = text;
@@ -198,6 +204,7 @@ impl Case {
         switches.extend(["-D", "-A"].map(String::from));
         switches.push(format!("+L{}", self.folder().display()));
         switches.push(format!("+L{STANDARD_INCLUDES}"));
+        switches.extend(self.own_switches.iter().cloned());
         switches
     }
 

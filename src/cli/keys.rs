@@ -6,6 +6,7 @@
 use super::error::CliError;
 use super::typed::{Output, Typed, Unbuilt};
 use super::values::{file_gamma, file_type, flag, name, number, path, size, whole};
+use crate::options::Method;
 
 /// What an option does with its value. The third text is what was typed, for messages.
 pub(super) type Set = fn(&mut Typed, &str, &str) -> Result<(), CliError>;
@@ -40,10 +41,10 @@ const NUMBER: Set = |_, value, said| number(value, said).map(drop);
 const KEYS: &[(&str, Set)] = &[
     ("All_Console", |t, v, s| { t.quiet = !flag(t, v, s); Ok(()) }),
     ("All_File", IDLE),
-    ("Antialias", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Antialias, on, s); Ok(()) }),
-    ("Antialias_Depth", NUMBER),
-    ("Antialias_Gamma", NUMBER),
-    ("Antialias_Threshold", NUMBER),
+    ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
+    ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
+    ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
+    ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.max(0.0); Ok(()) }),
     ("Append_File", IDLE),
     ("Bits_Per_Color", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
     ("Bits_Per_Colour", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
@@ -87,8 +88,8 @@ const KEYS: &[(&str, Set)] = &[
     ("Initial_Clock", NUMBER),
     ("Initial_Frame", NUMBER),
     ("Input_File_Name", |t, v, s| { t.scene = Some(name(v, s)?); Ok(()) }),
-    ("Jitter", IDLE),
-    ("Jitter_Amount", NUMBER),
+    ("Jitter", |t, v, s| { t.is_jittered = flag(t, v, s); Ok(()) }),
+    ("Jitter_Amount", |t, v, s| { t.antialias.jitter = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
     ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
     ("Light_Buffer", IDLE),
     ("Max_Image_Buffer_Memory", IDLE),
@@ -121,7 +122,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Render_Console", IDLE),
     ("Render_File", IDLE),
     ("Render_Pattern", IDLE),
-    ("Sampling_Method", NUMBER),
+    ("Sampling_Method", |t, v, s| { t.antialias.method = method(v, s)?; Ok(()) }),
     ("Split_Unions", IDLE),
     ("Start_Column", |t, v, s| { t.start_column = Some(edge(v, s)?); Ok(()) }),
     ("Start_Row", |t, v, s| { t.start_row = Some(edge(v, s)?); Ok(()) }),
@@ -145,6 +146,29 @@ const KEYS: &[(&str, Set)] = &[
 ];
 
 /// A value of a small scale; POV-Ray takes what is beyond it for its end.
+/// POV-Ray's largest `+R`; larger ones count as this.
+const MOST_DEPTH: u8 = 9;
+
+fn above_zero(value: &str, said: &str) -> Result<f64, CliError> {
+    match number(value, said)? {
+        gamma if gamma > 0.0 && gamma.is_finite() => Ok(gamma),
+        other => Err(CliError::new(format!(
+            "`{said}`: a gamma is above 0, found {other}"
+        ))),
+    }
+}
+
+/// Method 3 is a second name of method 2, as in POV-Ray.
+fn method(value: &str, said: &str) -> Result<Method, CliError> {
+    match whole(value, said)? {
+        1 => Ok(Method::One),
+        2 | 3 => Ok(Method::Two),
+        other => Err(CliError::new(format!(
+            "`{said}`: there is no sampling method {other}; there are 1 and 2"
+        ))),
+    }
+}
+
 fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
     let value = number(value, said)?.clamp(0.0, f64::from(most));
     #[allow(

@@ -50,6 +50,7 @@ POV-Ray's switches, upper or lower case; later ones win:
                         +FE EXR, +FH HDR, -F no file
   +UA                   keep the transparency of the background
   +Q9                   quality, 0 to 11
+  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method, depth, jitter; -A off
   +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock

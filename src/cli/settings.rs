@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::error::CliError;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
-use crate::options::{ReadOptions, RenderOptions};
+use crate::options::{Antialias, ReadOptions, RenderOptions};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The most pixels of a picture: a film of 8 GiB.
@@ -119,6 +119,14 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
+        antialias: typed.is_antialiased.then(|| Antialias {
+            jitter: if typed.is_jittered {
+                typed.antialias.jitter
+            } else {
+                0.0
+            },
+            ..typed.antialias
+        }),
     })
 }
 

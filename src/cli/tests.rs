@@ -4,6 +4,7 @@ use std::path::Path;
 use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
+use crate::options::{Antialias, Method};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The settings of a command line, without any ini file around it.
@@ -216,8 +217,7 @@ fn an_ini_file_of_blender_is_read() {
         settings.notes,
         [
             "povr: note: `All_File=1` has no effect here",
-            "povr: note: `Bounding_Method=2` has no effect here",
-            "povr: note: `Jitter=off` has no effect here"
+            "povr: note: `Bounding_Method=2` has no effect here"
         ]
     );
 }
@@ -296,7 +296,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
         (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
         (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
-        (vec![&scene, "+A0.3"], "`+A0.3`: antialiasing is not built yet\n  hint: use `-A` (or `Antialias=off`)".to_owned()),
+        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1 and 2".to_owned()),
         (vec![&scene, "+KFF3"], "`+KFF3`: animation is not built yet\n  hint: draw one picture a call: `+K0.5` sets the clock".to_owned()),
         (vec![&scene, "+C"], "`+C`: continuing an interrupted picture is not built yet\n  hint: leave it out to draw the whole picture".to_owned()),
         (vec![&stem], format!("`{stem}` is neither a scene (`.pov`) nor an ini file that can be found\n  hint: is `{scene}` meant?")),
@@ -315,9 +315,48 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
 fn a_wish_for_what_is_not_built_can_be_taken_back() {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
-    settings(&[&scene, "+A0.3", "-A"]);
+    settings(&[&scene, "+C", "-C"]);
     settings(&[&scene, "+KFI1", "+KFF0", "+KI0", "+KF2", "+K0.5"]);
-    assert!(refusal(&[&scene, "-A", "Antialias=on"]).starts_with("`Antialias=on`: antialiasing"));
+    assert!(
+        refusal(&[&scene, "-C", "Continue_Trace=on"])
+            .starts_with("`Continue_Trace=on`: continuing")
+    );
+}
+
+#[test]
+fn antialiasing_is_set_by_switches_and_by_ini_words() {
+    let here = folder(&[("s.pov", "")]);
+    let scene = here.path().join("s.pov").display().to_string();
+    let how = |more: &[&str]| {
+        let arguments: Vec<&str> = std::iter::once(scene.as_str())
+            .chain(more.iter().copied())
+            .collect();
+        settings(&arguments).render.antialias
+    };
+    assert_eq!(how(&[]), None);
+    assert_eq!(how(&["+A"]), Some(Antialias::default()));
+    assert_eq!(how(&["+A0.1", "-A"]), None);
+    let fine = Antialias {
+        method: Method::Two,
+        threshold: 0.1,
+        depth: 5,
+        jitter: 0.5,
+        gamma: 1.5,
+    };
+    assert_eq!(
+        how(&["+A0.1", "+AM2", "+R5", "+J0.5", "+AG1.5"]),
+        Some(fine)
+    );
+    let words = [
+        "Antialias=on",
+        "Antialias_Threshold=0.1",
+        "Sampling_Method=3",
+        "Antialias_Depth=5",
+    ];
+    let more = ["Jitter_Amount=0.5", "Antialias_Gamma=1.5"];
+    assert_eq!(how(&[&words[..], &more[..]].concat()), Some(fine));
+    assert_eq!(how(&["+A", "-J"]).map(|how| how.jitter), Some(0.0));
+    assert_eq!(how(&["+A", "+R20"]).map(|how| how.depth), Some(9));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What was typed, before it is decided what that means: every option's last value.
 
-use crate::options::LeastDistance;
+use crate::options::{Antialias, LeastDistance};
 use std::path::PathBuf;
 
 use crate::color::Gamma;
@@ -37,6 +37,10 @@ pub(super) struct Typed {
     pub(super) warnings: bool,
     pub(super) stats: bool,
     pub(super) least_distance: LeastDistance,
+    pub(super) is_antialiased: bool,
+    pub(super) is_jittered: bool,
+    /// How, if it is antialiased.
+    pub(super) antialias: Antialias,
     /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
     pub(super) unbuilt: Vec<(Unbuilt, String)>,
     /// Options that are known and have no effect, as typed.
@@ -59,7 +63,6 @@ pub(super) enum Output {
 /// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unbuilt {
-    Antialias,
     Animation,
     Continue,
     Dither,
@@ -97,6 +100,9 @@ impl Default for Typed {
             warnings: true,
             stats: false,
             least_distance: LeastDistance::default(),
+            is_antialiased: false,
+            is_jittered: true,
+            antialias: Antialias::default(),
             unbuilt: Vec::new(),
             idle: Vec::new(),
             doubts: Vec::new(),
@@ -118,10 +124,6 @@ impl Unbuilt {
     /// What it is, and how to do without: the two halves of a refusal.
     pub(super) fn refusal(self) -> (&'static str, &'static str) {
         match self {
-            Unbuilt::Antialias => (
-                "antialiasing is not built yet",
-                "use `-A` (or `Antialias=off`)",
-            ),
             Unbuilt::Animation => (
                 "animation is not built yet",
                 "draw one picture a call: `+K0.5` sets the clock",

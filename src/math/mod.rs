@@ -3,6 +3,7 @@
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+pub mod hash;
 pub(crate) mod polynomial;
 #[cfg(test)]
 pub(crate) mod random;

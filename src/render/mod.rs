@@ -1,18 +1,23 @@
 //! From a world to a film: tiles over all cores.
 
+mod antialias;
+mod jitter;
+
 use crate::compile::{Scratch, World};
 use crate::film::{Film, Pixel};
 use crate::options::RenderOptions;
 use crate::trace::Tracer;
+use antialias::Sampler;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
 
 /// A rectangle of pixels: columns and rows from, to (not included).
 struct Tile {
-    columns: std::ops::Range<u32>,
-    rows: std::ops::Range<u32>,
+    columns: Range<u32>,
+    rows: Range<u32>,
 }
 
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
@@ -22,20 +27,20 @@ pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + 
     let tracer = Tracer::new(world, options.quality);
     let tiles = tiles(options);
     let draw = |tile: &Tile| {
-        let pixels = draw_tile(&tracer, tile, options);
-        progress(pixels.len() as u64);
-        pixels
+        let drawn = draw_tile(&tracer, tile, options);
+        progress(drawn.1.len() as u64);
+        drawn
     };
-    let drawn: Vec<Vec<Pixel>> = tiles.par_iter().map(draw).collect();
+    let drawn: Vec<(Tile, Vec<Pixel>)> = tiles.par_iter().map(draw).collect();
     let mut film = Film::new(
         options.width,
         options.height,
         options.columns.clone(),
         options.rows.clone(),
     );
-    for (tile, pixels) in tiles.iter().zip(drawn) {
+    for (tile, pixels) in drawn {
         let width = (tile.columns.end - tile.columns.start) as usize;
-        for (y, row) in tile.rows.clone().zip(pixels.chunks(width)) {
+        for (y, row) in tile.rows.clone().zip(pixels.chunks(width.max(1))) {
             let start = y as usize * options.width as usize + tile.columns.start as usize;
             film.pixels[start..start + width].copy_from_slice(row);
         }
@@ -43,17 +48,21 @@ pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + 
     film
 }
 
+/// The tiles that hold the pixels to be drawn. They lie on a grid of the whole picture, so that a part of it is drawn
+/// with the same blocks as the whole.
 fn tiles(options: &RenderOptions) -> Vec<Tile> {
-    let starts = |range: &std::ops::Range<u32>| {
-        let range = range.clone();
-        range
-            .clone()
+    let starts = |range: &Range<u32>, side: u32| {
+        let (first, end) = (range.start / TILE * TILE, range.end);
+        (first..end)
             .step_by(TILE as usize)
-            .map(move |start| start..(start + TILE).min(range.end))
+            .map(move |start| start..(start + TILE).min(side))
     };
-    starts(&options.rows)
+    if options.columns.is_empty() || options.rows.is_empty() {
+        return Vec::new();
+    }
+    starts(&options.rows, options.height)
         .flat_map(|rows| {
-            starts(&options.columns).map(move |columns| Tile {
+            starts(&options.columns, options.width).map(move |columns| Tile {
                 columns,
                 rows: rows.clone(),
             })
@@ -61,18 +70,48 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
         .collect()
 }
 
-fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> Vec<Pixel> {
+/// The pixels of a tile that are to be drawn, row by row.
+fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile, Vec<Pixel>) {
     let mut scratch = Scratch::default();
-    let mut pixels = Vec::with_capacity(TILE as usize * TILE as usize);
-    for y in tile.rows.clone() {
-        for x in tile.columns.clone() {
-            let (x, y) = (f64::from(x), f64::from(y));
-            let sample = tracer.pixel(x, y, options.width, options.height, &mut scratch);
-            pixels.push(Pixel {
-                rgb: sample.rgb,
-                transmit: sample.transmit,
-            });
+    let wanted = Tile {
+        columns: shared(&tile.columns, &options.columns),
+        rows: shared(&tile.rows, &options.rows),
+    };
+    let pixels = match &options.antialias {
+        None => {
+            let columns = wanted.columns.clone();
+            let places = wanted
+                .rows
+                .clone()
+                .flat_map(|y| columns.clone().map(move |x| (x, y)));
+            let trace = |(x, y)| {
+                let sample = tracer.pixel(
+                    f64::from(x),
+                    f64::from(y),
+                    options.width,
+                    options.height,
+                    &mut scratch,
+                );
+                Pixel {
+                    rgb: sample.rgb,
+                    transmit: sample.transmit,
+                }
+            };
+            places.map(trace).collect()
         }
-    }
-    pixels
+        Some(how) => {
+            let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
+            let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
+            let skipped = (wanted.columns.start - tile.columns.start) as usize;
+            rows.filter(|(_, y)| wanted.rows.contains(y))
+                .flat_map(|(row, _)| &row[skipped..skipped + wanted.columns.len()])
+                .copied()
+                .collect()
+        }
+    };
+    (wanted, pixels)
+}
+
+fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {
+    a.start.max(b.start)..a.end.min(b.end)
 }
