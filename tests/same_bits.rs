@@ -1,0 +1,134 @@
+//! The same picture, bit for bit, for any number of threads and for any part of it.
+
+use povr::film::Film;
+use povr::options::{Antialias, Input, Method, ReadOptions, RenderOptions};
+
+/// A scene with mirrors, glass, shadows, patterns and solids.
+const SCENE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 40 }
+light_source { <-4, 6, -8>, rgb 1 }
+light_source { <5, 3, -2>, rgb <0.3, 0.2, 0.4> }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } finish { reflection 0.2 } }
+sphere { <-1.2, 0, 0>, 1 pigment { rgbf <0.9, 0.95, 1, 0.9> } interior { ior 1.5 } }
+difference {
+  box { -0.8, 0.8 }
+  cylinder { -2*z, 2*z, 0.5 }
+  torus { 0.8, 0.2 rotate 90*x }
+  rotate <20, 30, 0> translate 1.2*x
+  pigment { rgb <0.8, 0.5, 0.2> } finish { phong 0.8 reflection 0.1 }
+}";
+
+const WIDTH: u32 = 101;
+const HEIGHT: u32 = 75;
+
+fn options() -> RenderOptions {
+    let (columns, rows) = (0..WIDTH, 0..HEIGHT);
+    RenderOptions {
+        width: WIDTH,
+        height: HEIGHT,
+        columns,
+        rows,
+        ..RenderOptions::default()
+    }
+}
+
+fn drawn(scene: &str, options: &RenderOptions) -> Film {
+    let input = Input::Text {
+        name: "same_bits.pov".to_owned(),
+        text: scene.into(),
+    };
+    let read = ReadOptions {
+        width: WIDTH,
+        height: HEIGHT,
+        ..ReadOptions::default()
+    };
+    povr::draw(&input, &read, options, &|_| {})
+        .expect("the scene is right")
+        .film
+}
+
+#[test]
+fn any_number_of_threads_draws_the_same_picture() {
+    let with = |threads| {
+        drawn(
+            SCENE,
+            &RenderOptions {
+                threads: Some(threads),
+                ..options()
+            },
+        )
+    };
+    let one = with(1);
+    assert_eq!(one, with(2));
+    assert_eq!(one, with(7));
+}
+
+#[test]
+fn a_part_is_drawn_as_it_is_in_the_whole() {
+    for method in [None, Some(Method::One), Some(Method::Two)] {
+        let antialias = method.map(|method| Antialias {
+            method,
+            threshold: 0.1,
+            ..Antialias::default()
+        });
+        let whole = drawn(
+            SCENE,
+            &RenderOptions {
+                antialias,
+                ..options()
+            },
+        );
+        let part = RenderOptions {
+            columns: 13..70,
+            rows: 5..64,
+            antialias,
+            ..options()
+        };
+        let film = drawn(SCENE, &part);
+        for y in part.rows.clone() {
+            for x in part.columns.clone() {
+                let at = (y * WIDTH + x) as usize;
+                assert_eq!(
+                    film.pixels[at], whole.pixels[at],
+                    "at {x}, {y} with {method:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Every length of the scene times a power of two.
+fn scaled(factor: f64) -> String {
+    format!(
+        "#version 3.7;
+        global_settings {{ assumed_gamma 1 }}
+        #declare S = {factor};
+        camera {{ location <0, 2, -6>*S direction z*S right 1.33*x*S up y*S look_at 0 }}
+        light_source {{ <-4, 6, -8>*S, rgb 1 }}
+        sphere {{ <-1.2, 0, 0>*S, S pigment {{ rgbf <0.9, 0.95, 1, 0.9> }} interior {{ ior 1.5 }} }}
+        difference {{
+          box {{ -0.8*S, 0.8*S }}
+          cylinder {{ -2*z*S, 2*z*S, 0.5*S }}
+          torus {{ 0.8*S, 0.2*S rotate 90*x }}
+          rotate <20, 30, 0> translate 1.2*x*S
+          pigment {{ rgb <0.8, 0.5, 0.2> }} finish {{ phong 0.8 reflection 0.3 }}
+        }}
+        box {{ <-3, -1.2, -3>*S, <3, -1, 3>*S pigment {{ checker rgb 1, rgb 0.4 scale S }} }}"
+    )
+}
+
+#[test]
+fn a_scene_scaled_by_a_power_of_two_keeps_its_picture() {
+    let expected = drawn(&scaled(1.0), &options());
+    for power in [-40, -13, 13, 40] {
+        let film = drawn(&scaled(2f64.powi(power)), &options());
+        let differ = expected
+            .pixels
+            .iter()
+            .zip(&film.pixels)
+            .filter(|(a, b)| a != b)
+            .count();
+        assert_eq!(differ, 0, "{differ} pixels differ at scale 2^{power}");
+    }
+}
