@@ -26,6 +26,7 @@ use std::process::ExitCode;
 
 use crate::options::{Failure, Input, Picture, ReadOptions, RenderOptions};
 use crate::output;
+use crate::source::MAX_FILE_BYTES;
 use ini::Reader;
 use typed::Typed;
 
@@ -210,8 +211,12 @@ fn input(scene: &Scene) -> Result<Input, String> {
             let mut text = Vec::new();
             io::stdin()
                 .lock()
+                .take(MAX_FILE_BYTES + 1)
                 .read_to_end(&mut text)
                 .map_err(|error| format!("povr: cannot read standard input: {error}"))?;
+            if text.len() as u64 > MAX_FILE_BYTES {
+                return Err("povr: standard input is too large for a scene".to_owned());
+            }
             Ok(Input::Text {
                 name: "standard input".to_owned(),
                 text,

@@ -1,7 +1,7 @@
 //! The reader as elements see it.
 
 use super::reader::Reader;
-use super::value::Value;
+use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
@@ -12,28 +12,32 @@ use std::sync::Arc;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        self.number_at_sum()
+        let start = self.start_span();
+        let number = self.number_at_sum()?;
+        self.finite(&[number], start)?;
+        Ok(number)
     }
 
     fn float_or(&mut self, default: f64) -> Parse<f64> {
         if self.begins_number()? {
-            self.number_at_sum()
+            self.float()
         } else {
             Ok(default)
         }
     }
 
     fn vector2(&mut self) -> Parse<DVec2> {
-        let number = self.vector_of(2)?;
+        let number = self.finite_vector(2)?;
         Ok(DVec2::new(number.v[0], number.v[1]))
     }
 
     fn vector(&mut self) -> Parse<DVec3> {
-        self.vector3()
+        let number = self.finite_vector(3)?;
+        Ok(DVec3::new(number.v[0], number.v[1], number.v[2]))
     }
 
     fn vector4(&mut self) -> Parse<[f64; 4]> {
-        let number = self.vector_of(4)?;
+        let number = self.finite_vector(4)?;
         Ok([number.v[0], number.v[1], number.v[2], number.v[3]])
     }
 
@@ -131,5 +135,32 @@ impl Args for Reader<'_> {
 
     fn version(&self) -> f64 {
         self.version
+    }
+}
+
+impl Reader<'_> {
+    fn finite_vector(&mut self, len: u8) -> Parse<Number> {
+        let start = self.start_span();
+        let number = self.vector_of(len)?;
+        self.finite(&number.v[..usize::from(len)], start)?;
+        Ok(number)
+    }
+
+    /// What reaches an element must be finite: no ray meets an infinite sphere, and a picture has no infinite colour.
+    pub(super) fn finite(&self, numbers: &[f64], start: Span) -> Parse<()> {
+        let Some(bad) = numbers.iter().find(|number| !number.is_finite()) else {
+            return Ok(());
+        };
+        let (is, hint) = if bad.is_nan() {
+            ("no number", "It comes of `0 * infinity` or the like.")
+        } else {
+            (
+                "infinite",
+                "It comes of a division by zero, or of a number too large to hold.",
+            )
+        };
+        let place = start.to(self.taken_span());
+        Err(self
+            .with_trace(Diagnostic::error(place, format!("this value is {is}")).with_hint(hint)))
     }
 }

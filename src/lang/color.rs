@@ -11,6 +11,18 @@ use crate::syntax::{Class, Kind, Symbol};
 impl Reader<'_> {
     /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
     pub(super) fn color_value(&mut self) -> Parse<Color> {
+        let start = self.start_span();
+        let parts = self.color_parts()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "colours are single precision"
+        )]
+        let stored = parts.map(|part| f64::from(part as f32));
+        self.finite(&stored, start)?;
+        Ok(Color::from_components(parts))
+    }
+
+    fn color_parts(&mut self) -> Parse<[f64; 5]> {
         let mut sum = [0.0; 5];
         let mut has_begun = false;
         loop {
@@ -18,7 +30,7 @@ impl Reader<'_> {
             let word = token.word().filter(|word| word.class() == Class::Color);
             match word {
                 Some(word) if has_begun && !is_component(word) => {
-                    return Ok(Color::from_components(sum));
+                    return Ok(sum);
                 }
                 Some(Word::Color | Word::Colour) => self.pass(),
                 Some(Word::Red) => self.color_part(&mut sum[0])?,
@@ -32,7 +44,7 @@ impl Reader<'_> {
                     sum = self.color_vector(word)?;
                 }
                 None if !has_begun => sum = self.sum_of_five()?,
-                None => return Ok(Color::from_components(sum)),
+                None => return Ok(sum),
             }
             if !matches!(word, Some(Word::Color | Word::Colour)) {
                 has_begun = true;
@@ -129,6 +141,7 @@ impl Reader<'_> {
                     .with_hint("Write `rgb` before the vector."),
                 ));
             }
+            self.finite(&number.v, start)?;
             return Ok(Some(Color::from_components(number.v)));
         }
         self.color_value().map(Some)

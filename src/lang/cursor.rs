@@ -21,6 +21,19 @@ pub(super) struct Place {
     pub(super) at: usize,
 }
 
+/// A `#declare` whose value is being read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Declaring {
+    pub(super) symbol: Symbol,
+    pub(super) is_local: bool,
+    /// How many frames, parentheses and blocks were open where the value began.
+    pub(super) frames: usize,
+    pub(super) depth: usize,
+    pub(super) blocks: usize,
+    /// Whether the value may be complete, so that what follows is only looked at.
+    pub(super) is_complete: bool,
+}
+
 /// What has been entered and not yet left.
 #[derive(Debug)]
 pub(super) struct Frame {
@@ -80,9 +93,15 @@ impl Reader<'_> {
     }
 
     /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
-    /// Otherwise it would run before the name it follows has its value.
+    /// Otherwise it would run before the name it follows has its value. Behind a complete value it may stand in an
+    /// `#if` or a loop as well, which have been entered while looking for more.
     fn ends_declaration(&self, token: Token) -> bool {
-        self.declaring == Some((self.frames.len(), self.depth, self.blocks.len()))
+        let Some(open) = self.declaring else {
+            return false;
+        };
+        let frames = self.frames.len();
+        (frames == open.frames || open.is_complete && frames > open.frames)
+            && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
             && matches!(
                 self.here.tokens.directives[token.value as usize].word,
                 Some(Word::Declare | Word::Local | Word::Macro | Word::Undef)

@@ -1,15 +1,15 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
-use super::cursor::{Entered, Frame, Place};
+use super::cursor::{Declaring, Entered, Frame, Place};
 use super::limits;
 use super::reader::Reader;
-use super::value::{Array, Element, Number, Value};
-use crate::args::{Parse, Word, transform_step};
+use super::value::{Element, Number, Value};
+use crate::args::{Args, Parse, Word, transform_step};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
 use crate::source::Diagnostic;
-use crate::syntax::{Class, Kind, Symbol};
+use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
 use std::rc::Rc;
 
@@ -30,7 +30,14 @@ impl Reader<'_> {
             let spelling = self.names.spelling(symbol).to_owned();
             return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
         }
-        let place = (self.frames.len(), self.depth, self.blocks.len());
+        let place = Declaring {
+            symbol,
+            is_local,
+            frames: self.frames.len(),
+            depth: self.depth,
+            blocks: self.blocks.len(),
+            is_complete: false,
+        };
         let outer = self.declaring.replace(place);
         let value = self.value("a value");
         self.declaring = outer;
@@ -39,7 +46,10 @@ impl Reader<'_> {
                 // The name has its value before the `;` is looked for: a directive may stand there and use it.
                 let is_number = matches!(value, Value::Number(_));
                 self.assign(symbol, value, is_local);
-                let outer = self.declaring.replace(place);
+                let outer = self.declaring.replace(Declaring {
+                    is_complete: true,
+                    ..place
+                });
                 let end = self.end_of_declaration(is_number);
                 self.declaring = outer;
                 end
@@ -57,6 +67,29 @@ impl Reader<'_> {
         }
     }
 
+    /// Looks at what follows a value that may be complete. A directive there may use the name that is being declared,
+    /// so it gets what it has until now.
+    pub(super) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
+        let place = (self.depth, self.blocks.len());
+        let open = self
+            .declaring
+            .filter(|open| (open.depth, open.blocks) == place);
+        if let Some(open) = open {
+            if self.raw().kind == Kind::Directive {
+                self.assign(open.symbol, value(), open.is_local);
+            }
+            self.declaring = Some(Declaring {
+                is_complete: true,
+                ..open
+            });
+        }
+        let token = self.peek();
+        if open.is_some() {
+            self.declaring = open;
+        }
+        token
+    }
+
     fn assign(&mut self, symbol: Symbol, value: Value, is_local: bool) {
         if is_local {
             self.scopes.local(symbol, value);
@@ -65,13 +98,13 @@ impl Reader<'_> {
         }
     }
 
-    fn is_raw_mark(&self, mark: char) -> bool {
+    pub(super) fn is_raw_mark(&self, mark: char) -> bool {
         let token = self.raw();
         token.kind == Kind::Mark && token.value == mark as u32
     }
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
-    fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
+    pub(super) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
         if self.take_mark(';')? || !is_number {
             return Ok(());
         }
@@ -85,59 +118,6 @@ impl Reader<'_> {
             self.warning(Diagnostic::warning(behind, message));
             Ok(())
         }
-    }
-
-    fn declare_item(&mut self, symbol: Symbol) -> Parse<()> {
-        let Some(Value::Array(array)) = self.scopes.get(symbol) else {
-            return Ok(());
-        };
-        let sizes = array.sizes.clone();
-        let at = self.array_index(&sizes)?;
-        if !self.take_mark('=')? {
-            return Err(self.expected_here("`=` after the item of an array"));
-        }
-        let Some(value) = self.value("a value")? else {
-            return Err(self.expected_here("a value"));
-        };
-        self.end_of_declaration(matches!(value, Value::Number(_)))?;
-        if let Some(Value::Array(array)) = self.scopes.get_mut(symbol) {
-            Rc::make_mut(array).items[at] = Some(value);
-        }
-        Ok(())
-    }
-
-    /// `[i][j]...` as an index into the row-major items of an array with these sizes.
-    pub(super) fn array_index(&mut self, sizes: &[usize]) -> Parse<usize> {
-        let mut at = 0;
-        for &size in sizes {
-            self.expect_mark('[', "`[` and an index of the array")?;
-            let index = self.number_at_sum()?;
-            let span = self.taken_span();
-            self.expect_mark(']', "`]` after the index")?;
-            at = at * size + self.checked_index(index, size, span)?;
-        }
-        Ok(at)
-    }
-
-    fn checked_index(&self, index: f64, size: usize, span: crate::source::Span) -> Parse<usize> {
-        let whole = (index + super::flow::EQUAL).trunc();
-        if whole < 0.0 || !whole.is_finite() || whole >= size as f64 {
-            return Err(self.with_trace(
-                Diagnostic::error(
-                    span,
-                    format!(
-                        "the index {whole} is outside of the array, which has {size} items here"
-                    ),
-                )
-                .with_hint(format!("Indices run from 0 to {}.", size.saturating_sub(1))),
-            ));
-        }
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "0 <= whole < size"
-        )]
-        Ok(whole as usize)
     }
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
@@ -241,7 +221,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn run_version(&mut self) -> Parse<()> {
-        let version = self.number_at_sum()?;
+        let version = self.float()?;
         self.take_mark(';')?;
         if version > 3.7 + super::flow::EQUAL {
             return Err(self.with_trace(
@@ -270,7 +250,17 @@ impl Reader<'_> {
             }
             _ => {
                 self.messages.push_str(&text);
-                Ok(())
+                if self.messages.len() <= limits::MESSAGES {
+                    return Ok(());
+                }
+                self.is_over = true;
+                Err(self.with_trace(Diagnostic::error(
+                    span,
+                    format!(
+                        "a scene writes at most {} bytes of messages",
+                        limits::MESSAGES
+                    ),
+                )))
             }
         }
     }
@@ -401,77 +391,24 @@ impl Reader<'_> {
             };
             match &mut sum {
                 None => sum = Some(next),
-                Some(sum) => sum.lay_over(next, self.version),
+                Some(sum) => {
+                    self.check_layers(sum, &next)?;
+                    sum.lay_over(next, self.version);
+                }
+            }
+            if let Some(sum) = &sum {
+                self.peek_behind(|| Value::Element(Element::new("texture", sum.clone())))?;
             }
         }
         sum.ok_or_else(|| self.expected_here("`texture`"))
     }
 
-    /// `array[n][m] { ... }`.
-    fn array_value(&mut self) -> Parse<Value> {
-        self.pass();
-        let mut sizes = Vec::new();
-        while self.take_mark('[')? {
-            let size = self.number_at_sum()?;
-            let span = self.taken_span();
-            self.expect_mark(']', "`]` after the size of the array")?;
-            let whole = (size + super::flow::EQUAL).trunc();
-            if !(1.0..=limits::ARRAY_ITEMS as f64).contains(&whole) {
-                return Err(self.with_trace(Diagnostic::error(
-                    span,
-                    format!("an array cannot have {size} items"),
-                )));
-            }
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "checked just above"
-            )]
-            sizes.push(whole as usize);
+    /// Textures that hold themselves twice double their layers.
+    pub(super) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
+        if lower.layers().len() + upper.layers().len() <= limits::LAYERS {
+            return Ok(());
         }
-        if sizes.is_empty() || sizes.len() > 5 {
-            return Err(self.error_taken("an array has one to five dimensions"));
-        }
-        let total = sizes
-            .iter()
-            .try_fold(1usize, |product, &size| product.checked_mul(size));
-        let Some(total) = total.filter(|&total| total <= limits::ARRAY_ITEMS) else {
-            return Err(self.error_taken(format!(
-                "an array has at most {} items",
-                limits::ARRAY_ITEMS
-            )));
-        };
-        let mut array = Array {
-            items: vec![None; total],
-            sizes,
-        };
-        if self.peek()?.kind == Kind::Mark && self.raw().value == '{' as u32 {
-            self.array_items(&mut array, 0, 0)?;
-        }
-        Ok(Value::Array(Rc::new(array)))
-    }
-
-    fn array_items(&mut self, array: &mut Array, dimension: usize, from: usize) -> Parse<()> {
-        self.open_block()?;
-        let inner: usize = array.sizes[dimension + 1..].iter().product();
-        let mut index = 0;
-        while !self.take_close()? {
-            if index == array.sizes[dimension] {
-                return Err(self.error_here(format!("the array has only {index} items here")));
-            }
-            let at = from + index * inner;
-            if dimension + 1 < array.sizes.len() {
-                self.array_items(array, dimension + 1, at)?;
-            } else {
-                let Some(value) = self.value("an item of the array")? else {
-                    return Err(self.expected_here("an item of the array or `}`"));
-                };
-                array.items[at] = Some(value);
-            }
-            self.take_mark(',')?;
-            index += 1;
-        }
-        Ok(())
+        Err(self.error_taken(format!("a texture has at most {} layers", limits::LAYERS)))
     }
 }
 

@@ -56,9 +56,9 @@ impl Reader<'_> {
         }
         let start = self.taken_span();
         let is_true = self.only_float(test, start)?.abs() > EQUAL;
-        let yes = self.full()?;
+        let yes = self.nested(Self::full)?;
         self.expect_mark(':', "`:` and the other value of `? :`")?;
-        let no = self.full()?;
+        let no = self.nested(Self::full)?;
         let len = yes.len.max(no.len);
         Ok(if is_true {
             yes.promoted(len)

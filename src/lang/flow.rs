@@ -1,7 +1,6 @@
 //! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
 
 use super::cursor::{Entered, Frame};
-use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
@@ -47,6 +46,10 @@ impl Reader<'_> {
             ));
         };
         self.pass();
+        self.nested(|reader| reader.run_known(word, index, span))
+    }
+
+    fn run_known(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
         match word {
             Word::If => self.run_if(index, span, |reader| reader.condition()),
             Word::Ifdef => self.run_if(index, span, |reader| reader.is_defined()),
@@ -186,9 +189,9 @@ impl Reader<'_> {
     }
 
     fn run_while(&mut self, index: usize) -> Parse<()> {
-        self.count_round()?;
         let home = Rc::clone(&self.here.tokens);
         let span = home.span(index);
+        self.count_round(index, self.group(index).1, span)?;
         if self.condition()? {
             return Ok(());
         }
@@ -333,7 +336,8 @@ impl Reader<'_> {
                 } else {
                     self.here.at = body;
                     self.here.tokens = Rc::clone(&frame.home);
-                    self.count_round()?;
+                    let end = frame.end;
+                    self.count_round(body, end, span)?;
                 }
                 self.scopes
                     .declare(variable, Value::Number(Number::float(value)));
@@ -375,15 +379,10 @@ impl Reader<'_> {
         )))
     }
 
-    fn count_round(&mut self) -> Parse<()> {
-        self.rounds += 1;
-        if self.rounds > limits::ROUNDS {
-            return Err(self.error_here(format!(
-                "the loops of this scene run more than {} rounds",
-                limits::ROUNDS
-            )));
-        }
-        Ok(())
+    /// Counts the tokens from `from` to the `#end` of a loop, which are read once more.
+    fn count_round(&mut self, from: usize, end: u32, span: Span) -> Parse<()> {
+        let end = (end as usize).min(self.here.tokens.tokens.len());
+        self.count_again(end.saturating_sub(from), span)
     }
 
     /// The bracketed condition of `#if`, `#elseif` or `#while`.

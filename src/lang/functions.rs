@@ -37,7 +37,7 @@ impl Reader<'_> {
             }
             Word::FileExists => {
                 let file = self.string()?;
-                Number::truth(self.sources.find_include(&file, name.file).is_ok())
+                Number::truth(self.sources.has_include(&file, name.file))
             }
             Word::Dimensions | Word::DimensionSize => self.dimensions(word)?,
             Word::Min | Word::Max => self.extremum(word)?,

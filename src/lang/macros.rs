@@ -74,7 +74,7 @@ impl Reader<'_> {
     pub(super) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
         let call = self.here_span();
         self.pass();
-        let arguments = self.macro_arguments(name, called, call)?;
+        let arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
         if self.scopes.depth() as usize >= limits::CALLS {
             return Err(self.with_trace(
                 Diagnostic::error(
@@ -84,6 +84,10 @@ impl Reader<'_> {
                 .with_hint("A macro that calls itself needs an `#if` that ends the recursion."),
             ));
         }
+        self.count_again(
+            called.end as usize - called.body.min(called.end as usize),
+            call,
+        )?;
         let kind = Entered::Macro {
             back: self.here.clone(),
             call,

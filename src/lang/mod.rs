@@ -1,6 +1,8 @@
 //! The scene language: runs a file's directives, macros and loops, and gives the scene it describes.
 
 mod args;
+mod array;
+mod budget;
 mod color;
 mod cursor;
 mod declare;

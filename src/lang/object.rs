@@ -1,10 +1,12 @@
 //! Objects, CSG and what they carry.
 
+use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Value};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::interior::Interior;
 use crate::light::Light;
+use crate::math::{Step, Transform};
 use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::Shape;
 use crate::source::Diagnostic;
@@ -133,6 +135,7 @@ impl Reader<'_> {
             operation,
             children,
         });
+        self.check_size(&object, start)?;
         self.modifiers(&mut object, &word)?;
         Ok(object)
     }
@@ -145,6 +148,7 @@ impl Reader<'_> {
             }
             if let Some(step) = transform_step(self)? {
                 object.steps.push(step);
+                fold_steps(object);
                 continue;
             }
             let word = self.peek()?.word();
@@ -180,7 +184,7 @@ impl Reader<'_> {
         match word {
             Word::Texture => {
                 let texture = self.texture_layers()?;
-                self.lay_over(object, texture);
+                self.lay_over(object, texture)?;
             }
             Word::Pigment | Word::Normal | Word::Finish => self.texture_part(object, word)?,
             Word::InteriorTexture => {
@@ -250,11 +254,15 @@ impl Reader<'_> {
     }
 
     /// Gives an object a texture, or a further layer over the one it has.
-    fn lay_over(&mut self, object: &mut Object, texture: Texture) {
+    fn lay_over(&mut self, object: &mut Object, texture: Texture) -> Parse<()> {
         match &object.texture {
-            Some(_) => baked(object).lay_over(texture, self.version),
+            Some(lower) => {
+                self.check_layers(&lower.what, &texture)?;
+                baked(object).lay_over(texture, self.version);
+            }
             None => object.texture = Some(object.attach(Arc::new(texture))),
         }
+        Ok(())
     }
 
     fn material(&mut self, object: &mut Object) -> Parse<()> {
@@ -262,7 +270,7 @@ impl Reader<'_> {
         let default = self.default_layer.clone();
         let material = Material::read(self, &default)?;
         if let Some(texture) = material.texture {
-            self.lay_over(object, texture);
+            self.lay_over(object, texture)?;
         }
         if let Some(texture) = material.interior_texture {
             object.interior_texture = Some(object.attach(Arc::new(texture)));
@@ -276,6 +284,7 @@ impl Reader<'_> {
     /// `clipped_by { objects }`, `bounded_by { objects }`, and either `{ the other }`.
     fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
         self.pass();
+        let start = self.taken_span();
         self.open_block()?;
         let is_clip = word == Word::ClippedBy;
         let other = if is_clip {
@@ -289,10 +298,8 @@ impl Reader<'_> {
             } else {
                 object.clipped_by.clone()
             };
-            if is_clip {
-                object.clipped_by.extend(copied)
-            } else {
-                object.bounded_by.extend(copied)
+            for attached in copied {
+                clip_or_bound(object, is_clip, attached);
             }
             return Args::close(self);
         }
@@ -304,11 +311,8 @@ impl Reader<'_> {
             };
             let Some(next) = next else { break };
             let next = object.attach(next);
-            if is_clip {
-                object.clipped_by.push(next)
-            } else {
-                object.bounded_by.push(next)
-            }
+            clip_or_bound(object, is_clip, next);
+            self.check_size(object, start)?;
             count += 1;
         }
         if count == 0 {
@@ -321,6 +325,26 @@ impl Reader<'_> {
     pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
         self.error_here(format!("`{word}` is not built yet"))
     }
+}
+
+/// Makes one step of very many. A loop that turns an object a little further in each round copies all its steps each
+/// time, which takes a time that grows with the square of their number.
+fn fold_steps(object: &mut Object) {
+    let textures = [&object.texture, &object.interior_texture];
+    let textures = textures.into_iter().flatten().map(|texture| texture.after);
+    let around = object.clipped_by.iter().chain(&object.bounded_by);
+    let start = textures
+        .chain(around.map(|attached| attached.after))
+        .max()
+        .unwrap_or(0);
+    if object.steps.len() - start < limits::STEPS {
+        return;
+    }
+    let sum = object
+        .steps
+        .drain(start..)
+        .fold(Transform::IDENTITY, |sum, step| sum.then(&step.transform()));
+    object.steps.push(Step::General(sum));
 }
 
 /// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.
@@ -338,6 +362,14 @@ fn baked(object: &mut Object) -> &mut Texture {
     attached.after = steps.len();
     object.steps = steps;
     texture
+}
+
+fn clip_or_bound(object: &mut Object, is_clip: bool, by: Attached<Arc<Object>>) {
+    if is_clip {
+        object.clip(by);
+    } else {
+        object.bound(by);
+    }
 }
 
 /// The light that a value holds.

@@ -1,6 +1,7 @@
 //! The reader: everything that reading a scene keeps.
 
-use super::cursor::{Frame, Place};
+use super::budget::Budget;
+use super::cursor::{Declaring, Frame, Place};
 use super::limits;
 use super::scope::Scopes;
 use super::value::{Number, Value};
@@ -35,10 +36,13 @@ pub(super) struct Reader<'a> {
     pub(super) statement_start: (FileId, usize),
     /// How deep the expression being read is nested.
     pub(super) depth: usize,
-    /// While the value of a `#declare` is looked at for its end: how many frames, parentheses and blocks were open
-    /// where it began.
-    pub(super) declaring: Option<(usize, usize, usize)>,
-    pub(super) rounds: u64,
+    /// How many directives, conditions, strings and macro arguments are being read inside each other.
+    pub(super) nesting: usize,
+    /// The `#declare` whose value is being read.
+    pub(super) declaring: Option<Declaring>,
+    pub(super) budget: Budget,
+    /// Whether a limit was met behind which nothing more is read.
+    pub(super) is_over: bool,
     pub(super) streams: Vec<u32>,
     pub(super) version: f64,
     pub(super) has_version: bool,
@@ -50,7 +54,6 @@ pub(super) struct Reader<'a> {
     pub(super) background: Option<Color>,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
-    object_count: usize,
     pub(super) messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
@@ -67,6 +70,7 @@ pub struct Reading {
     pub messages: String,
 }
 
+const NO_ROOM: &str = "this file needs more memory than there is";
 /// The effective version of scenes without any `#version` (facts 3.1).
 const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 /// Days from the start of 1970 to the start of 2000, which `now` counts from.
@@ -79,6 +83,11 @@ impl<'a> Reader<'a> {
         sources: &'a mut Sources,
         options: &'a ReadOptions,
     ) -> Result<Self, Vec<Diagnostic>> {
+        let budget = Budget::new();
+        if !budget.has_room_for(sources.text(file)) {
+            let span = crate::source::Span::new(file, 0, 0);
+            return Err(vec![Diagnostic::error(span, NO_ROOM)]);
+        }
         let mut names = Names::new();
         let unboxed = |errors: Vec<Box<Diagnostic>>| {
             errors.into_iter().map(|error| *error).collect::<Vec<_>>()
@@ -97,8 +106,10 @@ impl<'a> Reader<'a> {
             blocks: Vec::new(),
             statement_start: (file, 0),
             depth: 0,
+            nesting: 0,
             declaring: None,
-            rounds: 0,
+            budget,
+            is_over: false,
             streams: Vec::new(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
@@ -110,7 +121,6 @@ impl<'a> Reader<'a> {
             background: None,
             globals: Globals::default(),
             objects: Vec::new(),
-            object_count: 0,
             messages: String::new(),
             findings: Vec::new(),
             errors: 0,
@@ -151,6 +161,10 @@ impl<'a> Reader<'a> {
         if let Some(tokens) = self.tokenized.get(&file) {
             return Ok(Rc::clone(tokens));
         }
+        if !self.budget.has_room_for(self.sources.text(file)) {
+            self.is_over = true;
+            return Err(self.error_taken(NO_ROOM));
+        }
         match tokenize(file, self.sources.text(file), &mut self.names) {
             Ok(tokens) => {
                 let tokens = Rc::new(tokens);
@@ -165,15 +179,6 @@ impl<'a> Reader<'a> {
                 Err(last)
             }
         }
-    }
-
-    /// Counts an object against the limit.
-    pub(super) fn count_object(&mut self) -> Parse<()> {
-        self.object_count += 1;
-        if self.object_count > limits::OBJECTS {
-            return Err(self.error_here(format!("a scene has at most {} objects", limits::OBJECTS)));
-        }
-        Ok(())
     }
 
     /// The silent error of using something that failed before and was reported there.

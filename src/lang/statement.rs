@@ -24,7 +24,7 @@ impl Reader<'_> {
                 Ok(false) => return,
                 Err(error) => {
                     self.record(*error);
-                    if self.errors >= limits::ERRORS {
+                    if self.is_over || self.errors >= limits::ERRORS {
                         return;
                     }
                     self.recover();
@@ -77,8 +77,9 @@ impl Reader<'_> {
         };
         if let Some(object) = object {
             let object = self.with_default_texture(object);
+            self.count_leaves(&object)?;
             self.objects.push(object);
-            return self.count_object();
+            return Ok(());
         }
         let token = self.raw();
         match token.word() {
@@ -193,11 +194,11 @@ impl Reader<'_> {
             }
             Word::AdcBailout => {
                 self.pass();
-                self.globals.adc_bailout = self.number_at_sum()?;
+                self.globals.adc_bailout = self.float()?;
             }
             Word::MaxTraceLevel => {
                 self.pass();
-                let level = self.number_at_sum()?.trunc();
+                let level = self.float()?.trunc();
                 if !TRACE_LEVELS.contains(&level) {
                     let text = format!(
                         "`max_trace_level` runs from 1 to 256; {level} is taken to the nearest"
@@ -247,7 +248,7 @@ impl Reader<'_> {
         if self.take_word(Word::Srgb)? {
             return Ok(Gamma::Srgb);
         }
-        let gamma = self.number_at_sum()?;
+        let gamma = self.float()?;
         if gamma > 0.0 && gamma.is_finite() {
             Ok(Gamma::power(gamma))
         } else {

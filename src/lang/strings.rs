@@ -4,7 +4,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Parse, Word};
-use crate::source::Diagnostic;
+use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 
 impl Reader<'_> {
@@ -23,6 +23,9 @@ impl Reader<'_> {
         match token.kind {
             Kind::String => {
                 self.pass();
+                if let Some(escape) = self.last_tokens.bad_escape(token.value) {
+                    return Err(self.bad_escape(escape));
+                }
                 Ok(self.last_tokens.string(token.value))
             }
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
@@ -41,10 +44,18 @@ impl Reader<'_> {
                 _ => Err(self.expected_here("a string")),
             },
             _ => match token.word().filter(|&word| self.begins_string(word)) {
-                Some(word) => self.string_function(word),
+                Some(word) => self.nested(|reader| reader.string_function(word)),
                 None => Err(self.expected_here("a string")),
             },
         }
+    }
+
+    fn bad_escape(&self, escape: Span) -> Box<Diagnostic> {
+        let written = self.source_text(escape);
+        self.with_trace(
+            Diagnostic::error(escape, format!("`{written}` in a string means nothing"))
+                .with_hint("Write `\\\\` for a backslash; `\\n` is a new line, `\\\"` a quote."),
+        )
     }
 
     fn string_function(&mut self, word: Word) -> Parse<String> {
@@ -56,6 +67,7 @@ impl Reader<'_> {
                 let mut text = self.string()?;
                 while self.take_mark(',')? {
                     text.push_str(&self.string()?);
+                    self.take_memory(text.len() as u64, name)?;
                     if text.len() > limits::STRING {
                         return Err(self.error_taken(format!(
                             "a string has at most {} bytes",

@@ -111,6 +111,30 @@ pub(super) struct Array {
     pub(super) items: Vec<Option<Value>>,
 }
 
+impl Array {
+    /// An array without any values.
+    pub(super) fn new(sizes: Vec<usize>) -> Self {
+        Array {
+            items: vec![None; sizes.iter().product()],
+            sizes,
+        }
+    }
+}
+
+/// Arrays may hold arrays as deep as a loop likes, and the stack of the dropping thread may be small.
+impl Drop for Array {
+    fn drop(&mut self) {
+        let mut open = std::mem::take(&mut self.items);
+        while let Some(item) = open.pop() {
+            if let Some(Value::Array(array)) = item
+                && let Ok(mut last) = Rc::try_unwrap(array)
+            {
+                open.append(&mut last.items);
+            }
+        }
+    }
+}
+
 impl Value {
     /// Whether it is an element of this Rust type.
     pub(super) fn is_element(&self, kind: TypeId) -> bool {

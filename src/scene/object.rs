@@ -28,6 +28,17 @@ pub struct Object {
     pub clipped_by: Vec<Attached<Arc<Object>>>,
     /// `bounded_by`: rays that miss any of these miss the object.
     pub bounded_by: Vec<Attached<Arc<Object>>>,
+    size: Size,
+}
+
+/// How much an object holds. Sharing hides it: forty unions that each hold the one before twice are forty objects,
+/// and 2⁴⁰ shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Objects inside each other, itself included.
+    pub height: u32,
+    /// Shapes and lights, each counted as often as it is drawn; `u32::MAX` for that many and more.
+    pub leaves: u32,
 }
 
 /// Something that an object was given after its first `after` transforms, so that only the later ones move it.
@@ -87,8 +98,22 @@ impl Object {
     /// A bare object.
     #[must_use]
     pub fn new(kind: Kind) -> Self {
+        let size = match &kind {
+            Kind::Shape(_) | Kind::Light(_) => Size {
+                height: 1,
+                leaves: 1,
+            },
+            Kind::Csg { children, .. } => children.iter().fold(
+                Size {
+                    height: 1,
+                    leaves: 0,
+                },
+                |sum, child| sum.with_inside(child.size),
+            ),
+        };
         Object {
             kind,
+            size,
             steps: Vec::new(),
             texture: None,
             interior_texture: None,
@@ -126,6 +151,121 @@ impl Object {
             what,
             after: self.steps.len(),
         }
+    }
+
+    /// How much it holds: its children as they were when it was made, and what [`Object::clip`] and [`Object::bound`]
+    /// gave it.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// Gives the object a `clipped_by`.
+    pub fn clip(&mut self, by: Attached<Arc<Object>>) {
+        self.size = self.size.with_inside(by.what.size);
+        self.clipped_by.push(by);
+    }
+
+    /// Gives the object a `bounded_by`.
+    pub fn bound(&mut self, by: Attached<Arc<Object>>) {
+        self.size = self.size.with_inside(by.what.size);
+        self.bounded_by.push(by);
+    }
+
+    /// Moves what it holds to `to`; what remains is a leaf.
+    fn take_apart(&mut self, to: &mut Vec<Arc<Object>>) {
+        if let Kind::Csg { children, .. } = &mut self.kind {
+            to.append(children);
+        }
+        let around = self.clipped_by.drain(..).chain(self.bounded_by.drain(..));
+        to.extend(around.map(|attached| attached.what));
+    }
+}
+
+/// Objects nest as deep as a scene likes, and the stack of the dropping thread may be small.
+impl Drop for Object {
+    fn drop(&mut self) {
+        let mut open = Vec::new();
+        self.take_apart(&mut open);
+        while let Some(object) = open.pop() {
+            if let Ok(mut last) = Arc::try_unwrap(object) {
+                last.take_apart(&mut open);
+            }
+        }
+    }
+}
+
+impl Size {
+    fn with_inside(self, inner: Size) -> Size {
+        Size {
+            height: self.height.max(inner.height.saturating_add(1)),
+            leaves: self.leaves.saturating_add(inner.leaves),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn light() -> Arc<Object> {
+        Arc::new(Object::new(Kind::Light(Arc::new(Light {
+            centre: DVec3::ZERO,
+            color: crate::color::Rgb::WHITE,
+            fade_distance: 0.0,
+            fade_power: 0.0,
+            is_shadowless: false,
+        }))))
+    }
+
+    fn union(children: Vec<Arc<Object>>) -> Arc<Object> {
+        Arc::new(Object::new(Kind::Csg {
+            operation: Operation::Union,
+            children,
+        }))
+    }
+
+    #[test]
+    fn shared_children_count_as_often_as_they_are_drawn() {
+        let mut doubled = light();
+        for _ in 0..20 {
+            doubled = union(vec![Arc::clone(&doubled), doubled]);
+        }
+        let size = Size {
+            height: 21,
+            leaves: 1 << 20,
+        };
+        assert_eq!(doubled.size(), size);
+        for _ in 0..20 {
+            doubled = union(vec![Arc::clone(&doubled), doubled]);
+        }
+        assert_eq!(doubled.size().leaves, u32::MAX);
+    }
+
+    #[test]
+    fn clips_count() {
+        let mut object = (*union(vec![light()])).clone();
+        let clip = object.attach(union(vec![union(vec![light()])]));
+        object.clip(clip);
+        let size = Size {
+            height: 4,
+            leaves: 2,
+        };
+        assert_eq!(object.size(), size);
+    }
+
+    #[test]
+    fn a_deep_tree_is_dropped_on_a_small_stack() {
+        let drop_it = || {
+            let mut deep = light();
+            for _ in 0..200_000 {
+                deep = union(vec![deep]);
+            }
+            drop(deep);
+        };
+        let small = std::thread::Builder::new().stack_size(1 << 17);
+        assert!(small.spawn(drop_it).unwrap().join().is_ok());
     }
 }
 

@@ -14,6 +14,9 @@ use std::sync::{Arc, OnceLock};
 /// Files of more bytes are refused. Twice as many still have 32-bit offsets, if all of them are Latin-1.
 pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
+/// What comes out of a pipe or a device is refused if it has more bytes: `/dev/zero` has no end.
+const MAX_STREAM_BYTES: u64 = 1 << 28;
+
 /// What POV-Ray appends to the name of an include file that it does not find.
 const EXTENSIONS: [&str; 3] = ["", ".inc", ".INC"];
 
@@ -62,8 +65,10 @@ impl Sources {
             return Ok(file);
         }
         let Some(bytes) = read_limited(path).map_err(cannot_read)? else {
-            let gib = MAX_FILE_BYTES >> 30;
-            let message = format!("`{name}` is too large: a scene file may have {gib} GiB");
+            let (file, stream) = (MAX_FILE_BYTES >> 30, MAX_STREAM_BYTES >> 20);
+            let message = format!(
+                "`{name}` is too large: a scene file may have {file} GiB, a pipe or device {stream} MiB"
+            );
             return Err(Box::new(Diagnostic::error(None, message)));
         };
         let id = self.push(name.to_string(), Some(path.to_owned()), &bytes);
@@ -100,16 +105,16 @@ impl Sources {
         including_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
         let folders = self.folders(including_file);
-        for folder in &folders {
-            for extension in EXTENSIONS {
-                let path = folder.join(format!("{name}{extension}"));
-                // A folder may have the name of a file; a pipe is a file here.
-                if fs::metadata(&path).is_ok_and(|found| !found.is_dir()) {
-                    return self.load_file(path);
-                }
-            }
+        match first_file(name, &folders) {
+            Some(path) => self.load_file(path),
+            None => Err(Box::new(not_found(name, &folders))),
         }
-        Err(Box::new(not_found(name, &folders)))
+    }
+
+    /// Whether there is a file that `#include "name"` would mean.
+    #[must_use]
+    pub fn has_include(&self, name: &str, including_file: FileId) -> bool {
+        first_file(name, &self.folders(including_file)).is_some()
     }
 
     /// Where include files are searched; an empty path is the current folder.
@@ -186,15 +191,31 @@ impl Sources {
     }
 }
 
-/// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`].
+fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
+    let paths = folders
+        .iter()
+        .flat_map(|folder| EXTENSIONS.map(|extension| folder.join(format!("{name}{extension}"))));
+    // A folder may have the name of a file; a pipe is a file here.
+    paths
+        .into_iter()
+        .find(|path| fs::metadata(path).is_ok_and(|found| !found.is_dir()))
+}
+
+/// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
 fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
     let file = File::open(path)?;
-    if file.metadata()?.len() > MAX_FILE_BYTES {
+    let about = file.metadata()?;
+    if about.len() > MAX_FILE_BYTES {
         return Ok(None);
     }
+    let most = if about.is_file() {
+        MAX_FILE_BYTES
+    } else {
+        MAX_STREAM_BYTES
+    };
     // A pipe does not tell its length beforehand.
     let mut bytes = Vec::new();
-    let mut limited = file.take(MAX_FILE_BYTES + 1);
+    let mut limited = file.take(most + 1);
     limited.read_to_end(&mut bytes)?;
     Ok((limited.limit() > 0).then_some(bytes))
 }
@@ -422,7 +443,7 @@ mod tests {
         assert!(
             error
                 .message
-                .ends_with("is too large: a scene file may have 2 GiB")
+                .contains("is too large: a scene file may have 2 GiB")
         );
     }
 }

@@ -79,6 +79,14 @@ fn nesting() -> Vec<(&'static str, String)> {
         ("calls", nested("#declare A = ", "abs(", "1", ")")),
         ("vectors", nested("#declare A = ", "<", "1", ">")),
         ("conditions", nested("#declare A = (", "1 ? ", "1", " : 2")),
+        ("strings", nested("#declare A = ", "concat(", "\"a\"", ")")),
+        (
+            "arguments",
+            nested("#macro M(A) A #end #declare A = ", "M(", "1", ")"),
+        ),
+        ("declarations", nested("", "#declare A = <1, ", "1", ">;")),
+        ("arrays", nested("#declare A = ", "array[1] { ", "1", " }")),
+        ("open_conditions", nested("", "#if (", "", "")),
         ("long_sum", nested("#declare A = 1", " + 1e-9", ";", "")),
     ]
 }
@@ -126,6 +134,10 @@ fn endless() -> Vec<(&'static str, String)> {
         ("include_itself", rest("#include \"include_itself.pov\"")),
         ("include_a_folder", rest("#include \"/\"")),
         ("include_a_device", rest("#include \"/dev/zero\"")),
+        (
+            "ask_for_a_device",
+            rest("#if (file_exists(\"/dev/zero\")) sphere { 0, 1 } #end"),
+        ),
     ]
 }
 
@@ -140,6 +152,81 @@ fn growth() -> Vec<(&'static str, String)> {
             "union_doubles",
             rest(
                 "#declare U = sphere { 0, 1 };\n#for (I, 1, 60) #declare U = union { object { U } object { U translate x } } #end\nobject { U }",
+            ),
+        ),
+        (
+            "union_deepens",
+            rest(
+                "#declare U = sphere { 0, 1 };\n#for (I, 1, 1e6) #declare U = union { object { U } sphere { I, 1 } } #end\nobject { U }",
+            ),
+        ),
+        (
+            "clip_doubles",
+            rest(
+                "#declare U = sphere { 0, 1 };\n#for (I, 1, 60) #declare U = sphere { 0, 1 clipped_by { object { U } object { U } } } #end\nobject { U }",
+            ),
+        ),
+        (
+            "layers_double",
+            rest(
+                "#declare T = texture { pigment { rgbt 0.5 } }\n#for (I, 1, 60) #declare T = texture { T } texture { T } #end\nsphere { 0, 1 texture { T } }",
+            ),
+        ),
+        (
+            "macro_calls_double",
+            rest(
+                &(1..60).fold("#macro M0() #end\n".to_owned(), |all, i| {
+                    let below = i - 1;
+                    format!("{all}#macro M{i}() M{below}() M{below}() #end\n")
+                }) + "M59()",
+            ),
+        ),
+        (
+            "array_deepens",
+            rest(
+                "#declare A = array[1] { 1 }\n#for (I, 1, 1e6) #declare B = array[1] { A } #declare A = B; #end",
+            ),
+        ),
+        (
+            "arrays_huge",
+            rest("#declare A = array[5e7]\n#declare B = array[5e7]\n#declare C = array[5e7]"),
+        ),
+        (
+            "arrays_copied",
+            rest(
+                "#declare Q = array[1000]\n#for (I, 0, 999) #declare A = array[1e6] #declare Q[I] = A; #declare A[0] = 1; #end",
+            ),
+        ),
+        (
+            "strings_kept",
+            rest(
+                "#declare A = array[1e6]\n#declare S = str(1, 400, 0);\n#for (I, 1, 12) #declare S = concat(S, S) #end\n#for (I, 0, 1e6) #declare A[I] = concat(S, \"x\") #end",
+            ),
+        ),
+        (
+            "object_turned_often",
+            rest(
+                "#declare A = box { -1, 1 }\n#for (I, 1, 1e5) #declare A = object { A rotate y } #end\nobject { A }",
+            ),
+        ),
+        (
+            "unions_moved",
+            rest(&format!(
+                "{}{}",
+                "union { sphere { 0, 1 } ".repeat(1900),
+                "translate 0.001*x }".repeat(1900)
+            )),
+        ),
+        (
+            "infinite_numbers",
+            rest(
+                "sphere { 0, 1/0 }\nsphere { <1e999, 0, 0>, 1 }\nsphere { 0, 1 pigment { rgb 1e999 } }\nsphere { 0, 1 matrix <1/0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0> }",
+            ),
+        ),
+        (
+            "no_numbers",
+            rest(
+                "#declare A = 1/0 - 1/0;\n#for (I, A, 10) #end\n#for (I, 0, A) #end\n#for (I, 0, 9, A) #end\nsphere { A, 1 }\nsphere { 0, 1 rotate A }",
             ),
         ),
         (

@@ -1,0 +1,250 @@
+//! How much reading a scene may take: tokens read again by loops and macros, and memory.
+//!
+//! Memory is not counted but looked at, from time to time, in what the system tells of the process. Where it tells
+//! nothing, only the limits on counts hold.
+
+use super::limits;
+use super::reader::Reader;
+use crate::args::Parse;
+use crate::scene::Object;
+use crate::source::{Diagnostic, Span};
+use std::fs;
+
+/// What a run may take, and what it has taken.
+#[derive(Debug)]
+pub(super) struct Budget {
+    /// Tokens read again so far.
+    again: u64,
+    objects: u64,
+    /// Shapes and lights of the scene, each as often as it is drawn.
+    leaves: u64,
+    /// Bytes taken since memory was last looked at.
+    unseen: u64,
+    memory: Memory,
+}
+
+impl Budget {
+    /// All that the machine has now.
+    pub(super) fn new() -> Self {
+        Budget {
+            again: 0,
+            objects: 0,
+            leaves: 0,
+            unseen: 0,
+            memory: Memory::now(),
+        }
+    }
+
+    /// Whether there is memory for the tokens of a text.
+    pub(super) fn has_room_for(&self, text: &str) -> bool {
+        let bytes = text.len() as u64 * limits::FILE_BYTES;
+        bytes < limits::MEMORY_STEP || self.memory.allows(bytes, self.leaves)
+    }
+}
+
+/// What the process may still take, in bytes; `u64::MAX` where nothing is known.
+#[derive(Debug)]
+struct Memory {
+    /// What it had at the start.
+    start: Taken,
+    /// What it may add to that.
+    room: Taken,
+}
+
+/// Memory of the process, as its two limits count it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Taken {
+    address_space: u64,
+    resident: u64,
+}
+
+impl Memory {
+    fn now() -> Self {
+        let start = Taken::now().unwrap_or_default();
+        let most = address_space_limit().unwrap_or(u64::MAX);
+        Memory {
+            start,
+            room: Taken {
+                address_space: most.saturating_sub(start.address_space),
+                resident: field("/proc/meminfo", "MemAvailable:").unwrap_or(u64::MAX),
+            },
+        }
+    }
+
+    /// Whether what was taken so far, and then `more` bytes, and then compiling the scene, fit in.
+    fn allows(&self, more: u64, leaves: u64) -> bool {
+        let Some(now) = Taken::now() else {
+            return true;
+        };
+        let compiled = leaves.saturating_mul(limits::LEAF_BYTES);
+        let fits = |start: u64, now: u64, room: u64| {
+            let read = now.saturating_sub(start).saturating_add(more);
+            // Textures and matrices are made anew for rays; about half of what is read.
+            let all = (read + read / 2).saturating_add(compiled);
+            all <= room - room / 8
+        };
+        let (start, room) = (self.start, self.room);
+        fits(start.address_space, now.address_space, room.address_space)
+            && fits(start.resident, now.resident, room.resident)
+    }
+}
+
+impl Taken {
+    fn now() -> Option<Self> {
+        let status = fs::read_to_string("/proc/self/status").ok()?;
+        Some(Taken {
+            address_space: kibibytes(&status, "VmSize:")?,
+            resident: kibibytes(&status, "VmRSS:")?,
+        })
+    }
+}
+
+/// What `ulimit -v` set, in bytes.
+fn address_space_limit() -> Option<u64> {
+    let limits = fs::read_to_string("/proc/self/limits").ok()?;
+    let line = limits
+        .lines()
+        .find_map(|line| line.strip_prefix("Max address space"))?;
+    line.split_whitespace().next()?.parse().ok()
+}
+
+fn field(file: &str, name: &str) -> Option<u64> {
+    kibibytes(&fs::read_to_string(file).ok()?, name)
+}
+
+/// The value of `Name:  123 kB` among other lines, in bytes.
+fn kibibytes(text: &str, name: &str) -> Option<u64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+    let number: u64 = line.split_whitespace().next()?.parse().ok()?;
+    number.checked_mul(1024)
+}
+
+impl Reader<'_> {
+    /// Counts tokens that a loop or a macro makes the reader read again.
+    pub(super) fn count_again(&mut self, tokens: usize, at: Span) -> Parse<()> {
+        let budget = &mut self.budget;
+        // What goes round costs something beside its tokens.
+        budget.again += tokens as u64 + 8;
+        let most = limits::AGAIN + limits::AGAIN_FOR_OBJECT * budget.objects;
+        if budget.again > most {
+            let message = format!(
+                "the loops and macros of this scene do not come to an end: {} tokens were read in them",
+                budget.again
+            );
+            let error = Diagnostic::error(at, message)
+                .with_hint("Look for a condition that stays true, or for too many rounds.");
+            return Err(self.fatal(error));
+        }
+        self.take_memory(limits::ROUND_BYTES, at)
+    }
+
+    /// Counts an object.
+    pub(super) fn count_object(&mut self) -> Parse<()> {
+        self.budget.objects += 1;
+        self.take_memory(limits::OBJECT_BYTES, self.taken_span())
+    }
+
+    /// Counts what an object of the scene itself comes to.
+    pub(super) fn count_leaves(&mut self, object: &Object) -> Parse<()> {
+        self.count_object()?;
+        let leaves = u64::from(object.size().leaves);
+        self.budget.leaves += leaves;
+        if self.budget.leaves > limits::LEAVES {
+            let error = Diagnostic::error(
+                self.taken_span(),
+                format!("a scene has at most {} shapes", limits::LEAVES),
+            )
+            .with_hint("Objects that hold each other twice double their shapes each time.");
+            return Err(self.fatal(error));
+        }
+        self.take_memory(leaves * limits::LEAF_BYTES, self.taken_span())
+    }
+
+    /// Checks how deep an object's parts lie in each other, and how many they are.
+    pub(super) fn check_size(&mut self, object: &Object, at: Span) -> Parse<()> {
+        let size = object.size();
+        let message = if size.height as usize > limits::HEIGHT {
+            format!(
+                "objects lie inside each other more than {} deep",
+                limits::HEIGHT
+            )
+        } else if u64::from(size.leaves) > limits::LEAVES {
+            format!("this object comes to more than {} shapes", limits::LEAVES)
+        } else {
+            return Ok(());
+        };
+        Err(self.with_trace(Diagnostic::error(at, message)))
+    }
+
+    /// Says that about so many bytes were taken, or will be at once; an error where there are no more.
+    pub(super) fn take_memory(&mut self, bytes: u64, at: Span) -> Parse<()> {
+        let unseen = self.budget.unseen.saturating_add(bytes);
+        if unseen < limits::MEMORY_STEP {
+            self.budget.unseen = unseen;
+            return Ok(());
+        }
+        self.budget.unseen = 0;
+        let ahead = if bytes < limits::MEMORY_STEP {
+            0
+        } else {
+            bytes
+        };
+        if self.budget.memory.allows(ahead, self.budget.leaves) {
+            return Ok(());
+        }
+        let error = Diagnostic::error(at, "this scene needs more memory than there is")
+            .with_hint("Look for a loop that does not end, or draw it on a larger machine.");
+        Err(self.fatal(error))
+    }
+
+    /// Reads a part that may hold parts of its own kind, as long as they are not too deep inside each other.
+    pub(super) fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Parse<T>) -> Parse<T> {
+        if self.nesting >= limits::READING {
+            let message = format!(
+                "directives, conditions and calls are nested more than {} deep",
+                limits::READING
+            );
+            let error = Diagnostic::error(self.taken_span(), message);
+            return Err(self.fatal(error));
+        }
+        self.nesting += 1;
+        let result = read(self);
+        self.nesting -= 1;
+        result
+    }
+
+    /// The error after which nothing more is read.
+    fn fatal(&mut self, error: Diagnostic) -> Box<Diagnostic> {
+        self.is_over = true;
+        self.with_trace(error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_is_allowed_up_to_its_limit() {
+        let memory = Memory {
+            start: Taken::default(),
+            room: Taken {
+                address_space: u64::MAX,
+                resident: u64::MAX,
+            },
+        };
+        assert!(memory.allows(1 << 40, 1 << 30));
+        let none = Memory {
+            start: Taken::default(),
+            room: Taken::default(),
+        };
+        assert_eq!(none.allows(1, 0), Taken::now().is_none());
+    }
+
+    #[test]
+    fn values_of_the_system_are_in_bytes() {
+        let text = "VmPeak:\t 3892 kB\nVmSize:\t    12 kB\n";
+        assert_eq!(kibibytes(text, "VmSize:"), Some(12 << 10));
+        assert_eq!(kibibytes(text, "VmRSS:"), None);
+    }
+}
