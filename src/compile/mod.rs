@@ -4,6 +4,7 @@ mod csg;
 mod flatten;
 mod interiors;
 mod leaf;
+mod simplify;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
