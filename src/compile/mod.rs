@@ -9,7 +9,7 @@ mod world;
 
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
-pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, World};
+pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::accel::Bvh;
 use crate::options::RenderOptions;

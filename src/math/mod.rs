@@ -3,6 +3,7 @@
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+pub(crate) mod lanes;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
