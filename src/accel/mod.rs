@@ -12,8 +12,7 @@ mod node;
 use crate::math::{Bounds, Ray};
 use build::Entry;
 use glam::DVec3;
-use node::{Cell, Child, Frame, FrameRay, Node};
-use smallvec::SmallVec;
+use node::{Cell, Child, Frame, FrameRay, Node, WIDTH};
 
 /// A tree over items, which it knows by their position in the list it was built from.
 #[derive(Clone, Debug)]
@@ -23,14 +22,53 @@ pub struct Bvh {
 }
 
 /// A place still to be visited, with the earliest parameter of the ray in it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Pending {
     enter: f32,
     child: Child,
 }
 
-/// Room for the pending places of a tree of ten levels; deeper ones spill to the heap.
-type Stack = SmallVec<[Pending; 80]>;
+/// The places still to be visited, the next on top. Those of all but the deepest trees need no heap.
+struct Stack<T> {
+    len: usize,
+    places: [T; ROOM],
+    deeper: Vec<T>,
+}
+
+/// Room for the pending places of a tree of nine levels.
+const ROOM: usize = 64;
+
+impl<T: Copy + Default> Stack<T> {
+    #[inline(always)]
+    fn new() -> Self {
+        Stack {
+            len: 0,
+            places: [T::default(); ROOM],
+            deeper: Vec::new(),
+        }
+    }
+
+    #[inline(always)]
+    fn push(&mut self, place: T) {
+        if self.len < ROOM {
+            self.places[self.len] = place;
+            self.len += 1;
+        } else {
+            self.deeper.push(place);
+        }
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<T> {
+        if self.len == ROOM
+            && let Some(place) = self.deeper.pop()
+        {
+            return Some(place);
+        }
+        self.len = self.len.checked_sub(1)?;
+        Some(self.places[self.len % ROOM])
+    }
+}
 
 impl Bvh {
     /// The tree over these boxes. Items with empty bounds are left out. Infinite bounds are met by every ray that meets
@@ -64,29 +102,39 @@ impl Bvh {
     ///
     /// `visit` gets an item and the end of the search so far, and gives the new end: the same, or the parameter of a hit
     /// before it. Boxes that begin beyond the end are passed over.
+    #[inline(always)]
     pub fn nearest(&self, ray: &Ray, from: f64, to: f64, mut visit: impl FnMut(u32, f64) -> f64) {
         let ray = self.frame.ray(ray);
         let from = ray.from(from);
         let (mut end, mut frame_end) = (to, ray.to(to));
-        let mut pending = self.start();
-        while let Some(Pending { enter, child }) = pending.pop() {
-            if enter > frame_end {
-                continue;
-            }
-            if let Some(node) = child.node() {
-                let node = &self.nodes[node as usize];
-                push_met(node, &ray, from, frame_end, &mut pending);
-                continue;
-            }
-            let hit = visit(child.item(), end);
-            if hit < end {
-                (end, frame_end) = (hit, ray.to(hit));
+        let mut pending = Stack::new();
+        let mut next = self.root();
+        while let Some(child) = next {
+            next = if let Some(node) = child.node() {
+                enter_node(
+                    &self.nodes[node as usize],
+                    &ray,
+                    (from, frame_end),
+                    &mut pending,
+                )
+            } else {
+                let hit = visit(child.item(), end);
+                if hit < end {
+                    (end, frame_end) = (hit, ray.to(hit));
+                }
+                None
+            };
+            while next.is_none()
+                && let Some(place) = pending.pop()
+            {
+                next = (place.enter <= frame_end).then_some(place.child);
             }
         }
     }
 
     /// Visits the items whose boxes the ray may meet from `from` to `to`, in no order, until `visit` says to stop.
     /// Says whether it did.
+    #[inline(always)]
     pub fn any(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32) -> bool) -> bool {
         let ray = self.frame.ray(ray);
         let (from, to) = (ray.from(from), ray.to(to));
@@ -106,62 +154,67 @@ impl Bvh {
         size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()
     }
 
-    fn start(&self) -> Stack {
-        let mut pending = Stack::new();
-        if !self.nodes.is_empty() {
-            pending.push(Pending {
-                enter: f32::NEG_INFINITY,
-                child: Child::of_node(0),
-            });
-        }
-        pending
+    fn root(&self) -> Option<Child> {
+        (!self.nodes.is_empty()).then_some(Child::of_node(0))
     }
 
     /// Visits the items in the places that `choose` marks, one bit each.
+    #[inline(always)]
     fn search(&self, choose: impl Fn(&Node) -> u32, mut visit: impl FnMut(u32) -> bool) -> bool {
-        let mut pending: SmallVec<[u32; 80]> = SmallVec::new();
-        pending.extend((!self.nodes.is_empty()).then_some(0));
-        while let Some(node) = pending.pop() {
+        let mut pending = Stack::new();
+        let mut next = self.root();
+        while let Some(node) = next.and_then(Child::node) {
             let node = &self.nodes[node as usize];
             let mut chosen = choose(node);
             while chosen != 0 {
                 let child = node.child(chosen.trailing_zeros() as usize);
-                if let Some(below) = child.node() {
-                    pending.push(below);
+                if child.node().is_some() {
+                    pending.push(child);
                 } else if child != Child::NOTHING && visit(child.item()) {
                     return true;
                 }
                 chosen &= chosen - 1;
             }
+            next = pending.pop();
         }
         false
     }
 }
 
-/// Puts the children that the ray meets on the stack, the nearest on top.
-#[inline]
-fn push_met(node: &Node, ray: &FrameRay, from: f32, to: f32, pending: &mut Stack) {
+/// The nearest of the children that the ray meets. The others go on the stack, the next nearest on top.
+#[inline(always)]
+fn enter_node(
+    node: &Node,
+    ray: &FrameRay,
+    (from, to): (f32, f32),
+    pending: &mut Stack<Pending>,
+) -> Option<Child> {
     let (enter, mut met) = node.meet(ray, from, to);
-    let base = pending.len();
+    let mut found = [Pending::default(); WIDTH];
+    let mut count = 0;
     while met != 0 {
-        let place = met.trailing_zeros() as usize;
+        let place = met.trailing_zeros() as usize % WIDTH;
         met &= met - 1;
-        let child = node.child(place);
-        if child == Child::NOTHING {
-            continue;
-        }
         let next = Pending {
             enter: enter[place],
-            child,
+            child: node.child(place),
         };
-        pending.push(next);
-        let mut at = pending.len() - 1;
-        while at > base && pending[at - 1].enter < next.enter {
-            pending[at] = pending[at - 1];
+        if next.child == Child::NOTHING {
+            continue;
+        }
+        let mut at = count;
+        while at > 0 && found[at - 1].enter < next.enter {
+            found[at] = found[at - 1];
             at -= 1;
         }
-        pending[at] = next;
+        found[at] = next;
+        count = (count + 1) % (WIDTH + 1);
     }
+    let nearest = count.checked_sub(1)?;
+    for place in &found[..nearest] {
+        pending.push(*place);
+    }
+    Some(found[nearest].child)
 }
 
 #[cfg(test)]

@@ -4,7 +4,8 @@
 //! box get the error of three roundings. Whatever a box holds in double precision is never lost.
 
 use crate::math::conditioning::power_of_two;
-use crate::math::rounding::{f32_above, f32_below, nearest};
+use crate::math::lanes::Slabs;
+use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, nearest};
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -27,7 +28,7 @@ pub(super) struct Node {
 }
 
 /// What hangs below a place in a node: a node, an item, or nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Child(u32);
 
 /// A box in single precision.
@@ -137,9 +138,10 @@ impl Frame {
     }
 
     /// A ray in this frame. One that cannot be brought into it meets every box.
+    #[inline(always)]
     pub(super) fn ray(&self, ray: &Ray) -> FrameRay {
         let length = power_of_two(ray.dir.abs().max_element());
-        let dir = ray.dir / length;
+        let dir = ray.dir * (1.0 / length);
         let origin = (ray.origin - self.centre) * self.scale;
         let rate = self.scale * length;
         if !(origin.is_finite() && dir.is_finite() && rate.is_normal()) {
@@ -178,6 +180,7 @@ impl FrameRay {
         start: 0.0,
     };
 
+    #[inline(always)]
     fn new(origin: DVec3, error: f64, dir: DVec3, rate: f64, start: f64) -> Self {
         let mut ray = FrameRay {
             rate,
@@ -185,30 +188,32 @@ impl FrameRay {
             ..FrameRay::BLIND
         };
         for axis in 0..3 {
-            let low = f32_below((origin[axis] - error).next_down());
-            let high = f32_above((origin[axis] + error).next_up());
-            if dir[axis] == 0.0 {
-                ray.inverse[axis] = f32::INFINITY;
-            } else if dir[axis].abs() < FLAT {
+            let steepness = dir[axis].abs();
+            if steepness < FLAT && steepness != 0.0 {
                 continue;
-            } else {
-                ray.inverse[axis] = nearest(1.0 / dir[axis]);
             }
+            let low = loose_below(origin[axis] - error);
+            let high = loose_above(origin[axis] + error);
             let is_back = dir[axis] < 0.0;
+            let inverse = nearest(1.0 / steepness);
+            ray.inverse[axis] = if is_back { -inverse } else { inverse };
             ray.first[axis] = usize::from(is_back);
-            (ray.near[axis], ray.far[axis]) = if is_back { (low, high) } else { (high, low) };
+            ray.near[axis] = if is_back { low } else { high };
+            ray.far[axis] = if is_back { high } else { low };
         }
         ray
     }
 
+    #[inline]
     fn error(&self, t: f64) -> f64 {
         4.0 * f64::EPSILON * (t.abs() + self.start.abs())
     }
 
     /// A bound below a ray parameter in the frame.
+    #[inline(always)]
     pub(super) fn from(&self, t: f64) -> f32 {
         let t = t * self.rate;
-        let from = f32_below(t - self.start - self.error(t));
+        let from = loose_below(t - self.start - self.error(t));
         if from.is_nan() {
             f32::NEG_INFINITY
         } else {
@@ -217,23 +222,12 @@ impl FrameRay {
     }
 
     /// A bound above a ray parameter in the frame.
+    #[inline(always)]
     pub(super) fn to(&self, t: f64) -> f32 {
         let t = t * self.rate;
-        let to = f32_above(t - self.start + self.error(t));
+        let to = loose_above(t - self.start + self.error(t));
         if to.is_nan() { f32::INFINITY } else { to }
     }
-}
-
-/// The larger; the second where the first is not a number (zero times infinity in a plane along the ray).
-#[inline]
-fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-/// The smaller; the second where the first is not a number.
-#[inline]
-fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
 }
 
 impl Node {
@@ -267,30 +261,21 @@ impl Node {
     }
 
     /// Where the ray enters each box at the earliest, and which boxes it may meet between `from` and `to`, one bit each.
-    // Not inlined: where only the bits are used the compiler gives up its lanes, and `any` takes a third longer.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn meet(&self, ray: &FrameRay, from: f32, to: f32) -> ([f32; WIDTH], u32) {
-        let near = [0, 1, 2].map(|axis| &self.planes[axis][ray.first[axis] & 1]);
-        let far = [0, 1, 2].map(|axis| &self.planes[axis][(ray.first[axis] & 1) ^ 1]);
-        let mut enter = [from; WIDTH];
-        let mut leave = [to; WIDTH];
-        for axis in 0..3 {
-            for i in 0..WIDTH {
-                enter[i] = larger(
-                    (near[axis][i] - ray.near[axis]) * ray.inverse[axis],
-                    enter[i],
-                );
-                leave[i] = smaller((far[axis][i] - ray.far[axis]) * ray.inverse[axis], leave[i]);
-            }
-        }
-        let mut met = 0;
-        for i in 0..WIDTH {
-            enter[i] -= enter[i].abs() * ERROR + f32::MIN_POSITIVE;
-            leave[i] += leave[i].abs() * ERROR + f32::MIN_POSITIVE;
-            // False for NaN: infinitely far beside a plane that the ray runs along.
-            met |= u32::from(enter[i] <= leave[i]) << i;
-        }
-        (enter, met)
+        let [x, y, z] = &self.planes;
+        let [i, j, k] = [ray.first[0] & 1, ray.first[1] & 1, ray.first[2] & 1];
+        let slabs = Slabs {
+            first: [&x[i], &y[j], &z[k]],
+            last: [&x[i ^ 1], &y[j ^ 1], &z[k ^ 1]],
+            near: ray.near,
+            far: ray.far,
+            inverse: ray.inverse,
+            from,
+            to,
+            error: ERROR,
+        };
+        slabs.meet()
     }
 
     /// Which boxes share a point with a box, one bit each.

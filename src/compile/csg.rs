@@ -1,7 +1,7 @@
 //! CSG along a ray: all roots of all leaves in order, and a count of what the ray is inside of.
 //!
 //! A combination is a tree of n-ary nodes over leaves, kept as a flat list. For a ray every leaf gives its roots on
-//! the whole line (spans, see `shape`), they are sorted by `t`, and a sweep toggles one leaf at a time; each toggle
+//! the whole line (spans, see `shape`; leaves that cannot matter are left out), they are sorted by `t`, and a sweep toggles one leaf at a time; each toggle
 //! climbs only as far as something changes. No point is ever tested for being inside, so there is nothing to be
 //! rounded to the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18; here n-ary, with one sort).
 //!
@@ -10,6 +10,7 @@
 //! are taken together, and one is shown if the node as a whole is entered or left there: no skin, no hole.
 
 use super::leaf::Leaf;
+use super::simplify::Order;
 use super::world::Departure;
 use crate::math::Ray;
 use crate::shape::{Crossing, Root, Start};
@@ -65,6 +66,27 @@ pub(super) struct Program {
     pub(super) first: u32,
     /// What `bounded_by` says.
     pub(super) gates: Vec<Gate>,
+    /// What a ray is inside of where it is outside of all leaves.
+    pub(super) rest: State,
+    /// The order in which operands are asked.
+    pub(super) order: Order,
+}
+
+/// What a ray is inside of at a place.
+#[derive(Clone, Debug, Default)]
+pub(super) struct State {
+    /// For each operand, whether the ray is inside of what it stands for.
+    pub(super) leaf_in: Vec<bool>,
+    /// For each node, how many children hold the ray.
+    pub(super) counts: Vec<u32>,
+}
+
+/// A ray on its way through a program.
+#[derive(Clone, Copy)]
+struct Passing<'a> {
+    leaves: &'a [Leaf],
+    ray: &'a Ray,
+    departure: Option<&'a Departure>,
 }
 
 /// A stretch of operands that a ray meets only if it meets a bounding object first.
@@ -89,10 +111,7 @@ struct Event {
 pub(super) struct Sweep {
     roots: Vec<Root>,
     events: Vec<Event>,
-    /// For each operand, whether the ray is inside of what it stands for.
-    leaf_in: Vec<bool>,
-    /// For each node, how many children hold the ray.
-    counts: Vec<u32>,
+    state: State,
     before: Vec<u32>,
     kept: Vec<bool>,
     /// Operands whose bounding object is missed.
@@ -121,8 +140,13 @@ impl Program {
         sweep: &mut Sweep,
         mut wanted: impl FnMut(&Found) -> bool,
     ) -> Option<Found> {
-        let (from, to) = span;
-        self.collect(leaves, ray, departure, sweep);
+        let from = span.0;
+        let passing = Passing {
+            leaves,
+            ray,
+            departure,
+        };
+        let to = self.collect(passing, span, sweep)?;
         sweep
             .events
             .sort_by(|a, b| a.root.t.total_cmp(&b.root.t).then(a.leaf.cmp(&b.leaf)));
@@ -157,42 +181,72 @@ impl Program {
         None
     }
 
-    /// Gathers the roots of all leaves and the state at the far start of the line.
-    fn collect(
-        &self,
-        leaves: &[Leaf],
-        ray: &Ray,
-        departure: Option<&Departure>,
-        sweep: &mut Sweep,
-    ) {
+    /// Gathers the roots of the leaves and the state before the first of them. Gives where to stop looking, or `None`
+    /// if nothing is shown in the stretch from `from` to `to`. Outside of that stretch neither need be right.
+    fn collect(&self, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) -> Option<f64> {
         sweep.events.clear();
-        sweep.leaf_in.clear();
-        sweep.counts.clear();
-        sweep.counts.resize(self.nodes.len(), 0);
-        sweep.leaf_in.resize(self.operands.len(), false);
-        self.try_gates(leaves, ray, sweep);
-        self.count_from_below(&mut sweep.counts);
-        for (index, operand) in self.operands.iter().enumerate() {
-            let number = self.first + u32::try_from(index).expect("leaves are numbered in 32 bits");
-            let leaf = number - self.first;
-            sweep.roots.clear();
-            let is_missed = sweep.missed.iter().any(|operands| operands.contains(&leaf));
-            let start = if is_missed {
-                Start::Outside
-            } else {
-                leaves[number as usize].roots(ray, &mut sweep.roots)
-            };
-            if let Some(left) = departure.filter(|departure| departure.leaf == number) {
-                hide_departure(&mut sweep.roots, left, ray.dir);
+        sweep.state.leaf_in.clone_from(&self.rest.leaf_in);
+        sweep.state.counts.clone_from(&self.rest.counts);
+        self.try_gates(passing.leaves, passing.ray, sweep);
+        let (mut from, mut to) = (from, to);
+        for &number in &self.order.required {
+            self.ask(number, passing, (f64::NEG_INFINITY, f64::INFINITY), sweep);
+            let (before, after) = sides(&sweep.roots, sweep.state.leaf_in[number as usize]);
+            if !before {
+                from = from.max(sweep.roots.first()?.t);
             }
-            sweep
-                .events
-                .extend(sweep.roots.iter().map(|&root| Event { root, leaf }));
-            if (start == Start::Inside) != operand.is_inverse {
-                sweep.leaf_in[index] = true;
-                self.climb(operand.parent, true, &mut sweep.counts);
+            if !after {
+                to = to.min(sweep.roots.last()?.t);
+            }
+            if from > to {
+                return None;
             }
         }
+        for &number in &self.order.others {
+            self.ask(number, passing, (from, to), sweep);
+        }
+        if let Some(tree) = &self.order.tree {
+            // Where the ray is in no box, it is outside.
+            tree.any(passing.ray, from, to, |place| {
+                let number = self.order.bounded[place as usize];
+                self.ask(number, passing, (from, to), sweep);
+                false
+            });
+        }
+        Some(to)
+    }
+
+    /// Adds the roots of a leaf, unless none of them matters from `from` to `to`, and its state at the start.
+    fn ask(&self, number: u32, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) {
+        let leaf = self.first + number;
+        sweep.roots.clear();
+        let is_missed = sweep
+            .missed
+            .iter()
+            .any(|operands| operands.contains(&number));
+        let start = if is_missed {
+            Start::Outside
+        } else {
+            passing.leaves[leaf as usize].roots(passing.ray, &mut sweep.roots)
+        };
+        if start == Start::Inside {
+            let operand = &self.operands[number as usize];
+            let is_in = !operand.is_inverse;
+            sweep.state.leaf_in[number as usize] = is_in;
+            self.climb(operand.parent, is_in, &mut sweep.state.counts);
+        }
+        let (Some(first), Some(last)) = (sweep.roots.first(), sweep.roots.last()) else {
+            return;
+        };
+        let is_over = last.t < from && start == Start::Outside && last.crossing != Crossing::Enter;
+        if is_over || first.t > to {
+            return;
+        }
+        if let Some(left) = passing.departure.filter(|departure| departure.leaf == leaf) {
+            hide_departure(&mut sweep.roots, left, passing.ray.dir);
+        }
+        let event = |&root: &Root| Event { root, leaf: number };
+        sweep.events.extend(sweep.roots.iter().map(event));
     }
 
     /// Notes which operands the ray cannot meet because it misses what bounds them.
@@ -216,7 +270,7 @@ impl Program {
     }
 
     /// Completes the counts of nodes from those of their leaves: each node that holds the ray counts in its parent.
-    fn count_from_below(&self, counts: &mut [u32]) {
+    pub(super) fn count_from_below(&self, counts: &mut [u32]) {
         for node in (0..self.nodes.len()).rev() {
             let parent = self.nodes[node].parent;
             if parent != NONE && self.node_in(node, counts) {
@@ -259,7 +313,7 @@ impl Program {
         }
     }
 
-    fn toggle(&self, event: &Event, sweep_in: &mut [bool], counts: &mut [u32]) {
+    fn toggle(&self, event: &Event, state: &mut State) {
         let enters = match event.root.crossing {
             Crossing::Touch => return,
             Crossing::Enter => true,
@@ -267,23 +321,23 @@ impl Program {
         };
         let operand = &self.operands[event.leaf as usize];
         let is_in = enters != operand.is_inverse;
-        let state = &mut sweep_in[event.leaf as usize];
-        if *state != is_in {
-            *state = is_in;
-            self.climb(operand.parent, is_in, counts);
+        let leaf_in = &mut state.leaf_in[event.leaf as usize];
+        if *leaf_in != is_in {
+            *leaf_in = is_in;
+            self.climb(operand.parent, is_in, &mut state.counts);
         }
     }
 
     /// One root alone at its `t`: it is shown if every node above lets it through.
     fn step(&self, at: usize, sweep: &mut Sweep) {
         let event = sweep.events[at];
-        self.toggle(&event, &mut sweep.leaf_in, &mut sweep.counts);
-        let mut child_in = sweep.leaf_in[event.leaf as usize];
+        self.toggle(&event, &mut sweep.state);
+        let mut child_in = sweep.state.leaf_in[event.leaf as usize];
         let mut node = self.operands[event.leaf as usize].parent;
         let mut is_kept = true;
         while node != NONE && is_kept {
-            is_kept = self.others_agree(node as usize, child_in, &sweep.counts);
-            child_in = self.node_in(node as usize, &sweep.counts);
+            is_kept = self.others_agree(node as usize, child_in, &sweep.state.counts);
+            child_in = self.node_in(node as usize, &sweep.state.counts);
             node = self.nodes[node as usize].parent;
         }
         sweep.kept.clear();
@@ -304,29 +358,29 @@ impl Program {
     /// as a whole is entered or left, and then only the last one of them.
     fn step_together(&self, at: usize, end: usize, sweep: &mut Sweep) {
         sweep.before.clear();
-        sweep.before.extend_from_slice(&sweep.counts);
+        sweep.before.extend_from_slice(&sweep.state.counts);
         let was_in: Vec<bool> = sweep.events[at..end]
             .iter()
-            .map(|event| sweep.leaf_in[event.leaf as usize])
+            .map(|event| sweep.state.leaf_in[event.leaf as usize])
             .collect();
         for index in at..end {
             let event = sweep.events[index];
-            self.toggle(&event, &mut sweep.leaf_in, &mut sweep.counts);
+            self.toggle(&event, &mut sweep.state);
         }
         sweep.kept.clear();
         for index in at..end {
             let event = sweep.events[index];
             let leaf = event.leaf as usize;
             let mut in_before = was_in[index - at];
-            let mut in_after = sweep.leaf_in[leaf];
+            let mut in_after = sweep.state.leaf_in[leaf];
             let mut node = self.operands[leaf].parent;
             let mut is_kept = true;
             while node != NONE && is_kept {
                 let n = node as usize;
                 let before = self.others_agree(n, in_before, &sweep.before);
-                let after = self.others_agree(n, in_after, &sweep.counts);
+                let after = self.others_agree(n, in_after, &sweep.state.counts);
                 in_before = self.node_in(n, &sweep.before);
-                in_after = self.node_in(n, &sweep.counts);
+                in_after = self.node_in(n, &sweep.state.counts);
                 is_kept = if before == after {
                     before
                 } else {
@@ -350,6 +404,16 @@ impl Program {
         self.count_from_below(&mut counts);
         self.node_in(0, &counts)
     }
+}
+
+/// Whether a leaf holds the ray before the first of its roots, as given, and after the last.
+fn sides(roots: &[Root], before: bool) -> (bool, bool) {
+    let after = roots
+        .iter()
+        .rev()
+        .find(|root| root.crossing != Crossing::Touch)
+        .map_or(before, |root| root.crossing == Crossing::Enter);
+    (before, after)
 }
 
 /// Hides the root that a ray has just left: of the piece of surface it stands on, the one nearest to its start that

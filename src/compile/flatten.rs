@@ -39,6 +39,8 @@ pub(super) struct Flat {
     last_surface: Option<u32>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
+    /// Bounds of the operands of the combination being built.
+    operand_bounds: Vec<Bounds>,
 }
 
 /// What an object hands down to its children.
@@ -125,8 +127,11 @@ impl Flat {
             first: index(self.leaves.len()),
             ..Program::default()
         };
+        let outer_bounds = std::mem::take(&mut self.operand_bounds);
         let outer_gates = std::mem::take(&mut self.gates);
         let bounds = self.add_node(object, above, &mut program, 0, false);
+        let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
+        program.prepare(&self.leaves, &of_operands);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&object, &around);
             program.gates.push(Gate { operands, bound });
@@ -212,6 +217,7 @@ impl Flat {
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
                 self.leaves.push(leaf);
+                self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;
                 program.operands.push(Operand {
                     parent,

@@ -64,6 +64,7 @@ impl Leaf {
         )
     }
 
+    #[inline(always)]
     fn to_object(&self, ray: &Ray) -> Ray {
         self.object_from_world
             .as_ref()
@@ -83,8 +84,15 @@ impl Leaf {
 
     /// The first visible root of a world ray with `from < t < to`.
     #[must_use]
+    #[inline(always)]
     pub fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         self.shape.nearest(&self.to_object(ray), from, to)
+    }
+
+    /// Whether all that the line of a world ray enters lies before its start; what is not known is false.
+    #[must_use]
+    pub fn is_left_behind(&self, ray: &Ray) -> bool {
+        self.shape.is_left_behind(&self.to_object(ray))
     }
 
     /// Whether a world point lies in the solid.

@@ -4,11 +4,12 @@ mod csg;
 mod flatten;
 mod interiors;
 mod leaf;
+mod simplify;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
-pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, World};
+pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::accel::Bvh;
 use crate::options::RenderOptions;

@@ -8,6 +8,7 @@ use crate::accel::Bvh;
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::light::Light;
+use crate::math::lanes::with_widest;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
@@ -131,6 +132,19 @@ pub struct Query {
 pub struct Scratch {
     sweep: Sweep,
     roots: Vec<Root>,
+    /// For each light, the item that stood last in its way.
+    blockers: SmallVec<[u32; 8]>,
+}
+
+/// What lies between a point and a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Nothing.
+    Free,
+    /// Only surfaces that may let light through.
+    Filtered,
+    /// Something opaque.
+    Blocked,
 }
 
 /// The settings of shading.
@@ -182,6 +196,10 @@ pub struct World {
     unbounded: Vec<u32>,
     ties_by_box: bool,
     is_opaque: bool,
+    /// For each surface, whether nothing can be seen through it.
+    opaque: Vec<bool>,
+    /// Whether some surface cannot be seen by some rays.
+    hides_some: bool,
     least_distance: LeastDistance,
 }
 
@@ -212,6 +230,11 @@ impl World {
             ties_by_box: flat.items.len() + flat.lights.len() >= TREE_FROM,
             least_distance: options.least_distance,
             is_opaque: flat.surfaces.iter().all(Surface::is_opaque),
+            opaque: flat.surfaces.iter().map(Surface::is_opaque).collect(),
+            hides_some: flat.surfaces.iter().any(|surface| {
+                let flags = &surface.flags;
+                flags.no_image || flags.no_reflection || flags.no_shadow
+            }),
             boxes: flat.bounds.iter().map(single_precision).collect(),
             lights: flat.lights,
             surfaces: flat.surfaces,
@@ -228,21 +251,31 @@ impl World {
     /// The nearest visible surface on a ray.
     #[must_use]
     pub fn nearest(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
+        let best = with_widest(
+            #[inline(always)]
+            || self.nearest_found(query, scratch),
+        );
+        best.map(|best| self.hit(query, &best.found))
+    }
+
+    #[inline(always)]
+    fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
         for &item in &self.unbounded {
             far = self.try_item(item, query, far, &mut best, scratch);
         }
-        self.tree.nearest(&query.ray, 0.0, far, |number, far| {
-            self.try_item(
-                self.bounded[number as usize],
-                query,
-                far,
-                &mut best,
-                scratch,
-            )
-        });
-        best.map(|best| self.hit(query, &best.found))
+        self.tree.nearest(
+            &query.ray,
+            0.0,
+            far,
+            #[inline(always)]
+            |number, far| {
+                let item = self.bounded[number as usize];
+                self.try_item(item, query, far, &mut best, scratch)
+            },
+        );
+        best
     }
 
     /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
@@ -254,18 +287,67 @@ impl World {
         }
     }
 
-    /// Whether an opaque surface lies on a ray.
+    /// What lies on a ray to the light of this number.
     #[must_use]
-    pub fn is_blocked(&self, query: &Query, scratch: &mut Scratch) -> bool {
-        let blocks = |item: u32, scratch: &mut Scratch| {
-            let wanted = |found: &Found| self.surface_of(found).is_opaque();
-            self.find(item, query, query.far, scratch, wanted)
-                .is_some_and(|found| found.root.t < query.far)
-        };
-        self.unbounded.iter().any(|&item| blocks(item, scratch))
-            || self.tree.any(&query.ray, 0.0, query.far, |number| {
-                blocks(self.bounded[number as usize], scratch)
-            })
+    pub fn way(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+        with_widest(
+            #[inline(always)]
+            || self.way_found(query, light, scratch),
+        )
+    }
+
+    #[inline(always)]
+    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+        if scratch.blockers.len() <= light {
+            scratch.blockers.resize(light + 1, 0);
+        }
+        let mut way = Way::Free;
+        // Neighbouring points are often in the shadow of the same object.
+        let last = scratch.blockers[light];
+        if (last as usize) < self.items.len() && self.blocks(last, query, &mut way, scratch) {
+            return Way::Blocked;
+        }
+        for &item in &self.unbounded {
+            if self.blocks(item, query, &mut way, scratch) {
+                scratch.blockers[light] = item;
+                return Way::Blocked;
+            }
+        }
+        let is_blocked = self.tree.any(
+            &query.ray,
+            0.0,
+            query.far,
+            #[inline(always)]
+            |number| {
+                let item = self.bounded[number as usize];
+                let blocks = self.blocks(item, query, &mut way, scratch);
+                if blocks {
+                    scratch.blockers[light] = item;
+                }
+                blocks
+            },
+        );
+        if is_blocked { Way::Blocked } else { way }
+    }
+
+    /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
+    #[inline(always)]
+    fn blocks(&self, item: u32, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+        let found = self.find(
+            item,
+            query,
+            query.far,
+            scratch,
+            #[inline(always)]
+            |found: &Found| {
+                let is_opaque = self.is_opaque || self.opaque[self.surface_number(found)];
+                if !is_opaque && found.root.t < query.far {
+                    *way = Way::Filtered;
+                }
+                is_opaque
+            },
+        );
+        found.is_some_and(|found| found.root.t < query.far)
     }
 
     /// Whether nothing in the scene lets light through.
@@ -309,11 +391,18 @@ impl World {
         &self.leaves
     }
 
-    fn surface_of(&self, found: &Found) -> &Surface {
-        &self.surfaces[self.leaves[found.leaf as usize].surface as usize]
+    #[inline(always)]
+    fn surface_number(&self, found: &Found) -> usize {
+        self.leaves[found.leaf as usize].surface as usize
+    }
+
+    #[inline(always)]
+    fn is_seen(&self, found: &Found, seen: Seen) -> bool {
+        !self.hides_some || is_seen(&self.surfaces[self.surface_number(found)].flags, seen)
     }
 
     /// Tries one item; gives the new far limit.
+    #[inline(always)]
     fn try_item(
         &self,
         item: u32,
@@ -353,6 +442,7 @@ impl World {
     }
 
     /// The first surface of an item up to and including `far` that the asker can see and wants.
+    #[inline(always)]
     fn find(
         &self,
         item: u32,
@@ -362,18 +452,18 @@ impl World {
         mut wanted: impl FnMut(&Found) -> bool,
     ) -> Option<Found> {
         let from = self.least_distance(query);
-        let mut wanted =
-            |found: &Found| is_seen(&self.surface_of(found).flags, query.seen) && wanted(found);
+        let mut wanted = |found: &Found| self.is_seen(found, query.seen) && wanted(found);
         match self.items[item as usize] {
             Item::Program(number) => {
-                let departure = query.from.as_ref();
                 let program = &self.programs[number as usize];
+                let departure = query.from.as_ref();
+                let sweep = &mut scratch.sweep;
                 program.nearest(
                     &self.leaves,
                     &query.ray,
                     (from, far),
                     departure,
-                    &mut scratch.sweep,
+                    sweep,
                     wanted,
                 )
             }
@@ -393,6 +483,7 @@ impl World {
 
     /// Which of two items at exactly the same distance is drawn: unbounded ones come first, then the one whose box
     /// the ray enters first, then the one that stands first in the file (facts 11.2).
+    #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
             let entry = |item: u32| {
@@ -446,6 +537,7 @@ fn is_seen(flags: &Flags, seen: Seen) -> bool {
 }
 
 /// The first visible root beyond `from`, on the leaf that the ray has just left.
+#[inline(never)]
 fn nearest_but(
     leaf: &Leaf,
     left: &Departure,
@@ -453,6 +545,10 @@ fn nearest_but(
     from: f64,
     roots: &mut Vec<Root>,
 ) -> Option<Root> {
+    // From a convex solid outward: the one place where the line leaves it is the one just left.
+    if left.normal.dot(query.ray.dir) > 0.0 && leaf.is_left_behind(&query.ray) {
+        return None;
+    }
     roots.clear();
     leaf.roots(&query.ray, roots);
     hide_departure(roots, left, query.ray.dir);

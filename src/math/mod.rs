@@ -4,6 +4,7 @@ mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
 pub mod hash;
+pub(crate) mod lanes;
 pub(crate) mod polynomial;
 #[cfg(test)]
 pub(crate) mod random;

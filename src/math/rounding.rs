@@ -22,6 +22,20 @@ pub(crate) fn f32_above(x: f64) -> f32 {
     }
 }
 
+/// A single precision number a little below `x`, without the care of [`f32_below`]; NaN for infinity too.
+#[inline]
+pub(crate) fn loose_below(x: f64) -> f32 {
+    let near = nearest(x);
+    near - near.abs() * f32::EPSILON - f32::MIN_POSITIVE
+}
+
+/// A single precision number a little above `x`, without the care of [`f32_above`].
+#[inline]
+pub(crate) fn loose_above(x: f64) -> f32 {
+    let near = nearest(x);
+    near + near.abs() * f32::EPSILON + f32::MIN_POSITIVE
+}
+
 /// The nearest single precision number.
 #[inline]
 #[allow(
@@ -35,6 +49,17 @@ pub(crate) fn nearest(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn loose_bounds_are_strict_and_close() {
+        for x in [0.0, 0.1, -0.1, 1e-50, -1e-50, 1e-40, -7.9, 16_777_217.0] {
+            let (low, high) = (f64::from(loose_below(x)), f64::from(loose_above(x)));
+            assert!(low < x && x < high);
+            assert!(high - low <= 5e-7 * x.abs() + 3e-38);
+        }
+        assert_eq!(loose_above(f64::INFINITY), f32::INFINITY);
+        assert_eq!(loose_below(f64::NEG_INFINITY), f32::NEG_INFINITY);
+    }
 
     #[test]
     fn the_bounds_hold_the_number_and_are_next_to_each_other() {

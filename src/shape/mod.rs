@@ -85,6 +85,12 @@ pub trait Geometry {
         first_visible(&roots, from, to)
     }
 
+    /// Whether all that the line enters lies before the start of the ray: the solid is convex, and the ray, where it is
+    /// near, goes away from it. What is not known is false.
+    fn is_left_behind(&self, _ray: &Ray) -> bool {
+        false
+    }
+
     /// The outward normal, not normalised, at a point of the surface piece `face`.
     fn normal(&self, point: DVec3, face: u16) -> DVec3;
 
@@ -157,8 +163,12 @@ macro_rules! shapes {
             fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
                 match self { $(Shape::$name(shape) => shape.roots(ray, roots)),+ }
             }
+            #[inline(always)]
             fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest(ray, from, to)),+ }
+            }
+            fn is_left_behind(&self, ray: &Ray) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_left_behind(ray)),+ }
             }
             fn normal(&self, point: DVec3, face: u16) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
@@ -210,6 +220,7 @@ shapes! {
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
+#[inline]
 fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
     roots
         .iter()
@@ -218,6 +229,7 @@ fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
 }
 
 /// A visible span of a bounded solid, `None` if an end is not a finite number.
+#[inline]
 fn span(enter: (f64, u16), leave: (f64, u16)) -> Option<[Root; 2]> {
     let root = |(t, face), crossing| Root {
         t,
@@ -240,7 +252,9 @@ fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
 
 /// Appends the span of a convex bounded solid.
 fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
-    roots.extend(span.into_iter().flatten());
+    if let Some(span) = span {
+        roots.extend_from_slice(&span);
+    }
     Start::Outside
 }
 

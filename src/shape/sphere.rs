@@ -32,7 +32,7 @@ impl Sphere {
         Ok(Sphere { centre, radius })
     }
 
-    #[inline]
+    #[inline(always)]
     fn chord(&self, ray: &Ray) -> Option<(f64, f64)> {
         let p = ray.origin - self.centre;
         if is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) {
@@ -49,6 +49,18 @@ impl Sphere {
         Some((eased.t(enter), eased.t(leave)))
     }
 
+    /// Whether the ray begins outside and goes away: what it would meet lies behind.
+    #[inline(always)]
+    fn is_behind(&self, ray: &Ray) -> bool {
+        let p = ray.origin - self.centre;
+        let from_centre_sq = p.dot(p);
+        // Not within a few roundings of the surface, where the chord decides.
+        is_comfortable(self.radius, ray.dir.dot(ray.dir), from_centre_sq)
+            && p.dot(ray.dir) > 0.0
+            && from_centre_sq * (1.0 - 8.0 * f64::EPSILON) > self.radius * self.radius
+    }
+
+    #[inline(always)]
     fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let (enter, leave) = self.chord(ray)?;
         span((enter, 0), (leave, 0))
@@ -60,8 +72,17 @@ impl Geometry for Sphere {
         push_span(self.span(ray), roots)
     }
 
+    #[inline(always)]
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        if from >= 0.0 && self.is_behind(ray) {
+            return None;
+        }
         first_visible(&self.span(ray)?, from, to)
+    }
+
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        let p = ray.origin - self.centre;
+        is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) && p.dot(ray.dir) > 0.0
     }
 
     fn normal(&self, point: DVec3, _: u16) -> DVec3 {
@@ -146,6 +167,20 @@ mod tests {
             4.0
         );
         assert!(unit_sphere().nearest(&ray, 2.0, 4.0).is_none());
+    }
+
+    #[test]
+    fn only_what_lies_behind_is_left_out() {
+        let mut rng = check::Random::new(3);
+        let sphere = unit_sphere();
+        for i in 0..20_000 {
+            let off = 1.0 + f64::from(i % 9 - 4) * f64::EPSILON;
+            let ray = Ray::new(rng.vector(1.0).normalize() * off, rng.vector(1.0));
+            let mut roots = Vec::new();
+            sphere.roots(&ray, &mut roots);
+            let first = first_visible(&roots, 0.0, f64::INFINITY);
+            assert_eq!(sphere.nearest(&ray, 0.0, f64::INFINITY), first);
+        }
     }
 
     #[test]

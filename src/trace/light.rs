@@ -2,8 +2,7 @@
 
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen};
-use crate::light::Light;
+use crate::compile::{Departure, Hit, Query, Scratch, Seen, Way};
 use crate::math::Ray;
 use crate::texture::Finish;
 use glam::DVec3;
@@ -40,13 +39,15 @@ impl Tracer<'_> {
     /// What all lights give to a layer.
     pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let mut sum = Rgb::BLACK;
-        for light in &self.world.lights {
+        for light in 0..self.world.lights.len() {
             sum += self.light_up(light, lit, coat, scratch);
         }
         sum
     }
 
-    fn light_up(&self, light: &Light, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+    /// What the light of this number gives to a layer.
+    fn light_up(&self, number: usize, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+        let light = &self.world.lights[number];
         let finish = coat.finish;
         let offset = light.centre - lit.point;
         let distance = offset.length();
@@ -64,13 +65,9 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         }
         if self.quality.has_shadows && !light.is_shadowless {
-            arriving = self.through_shadows(
-                arriving,
-                lit,
-                Ray::new(lit.point, to_light),
-                distance,
-                scratch,
-            );
+            let ray = Ray::new(lit.point, to_light);
+            let way = (ray, distance);
+            arriving = self.through_shadows(arriving, lit, number, way, scratch);
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }
@@ -96,8 +93,8 @@ impl Tracer<'_> {
         &self,
         mut arriving: Rgb,
         lit: &Lit,
-        ray: Ray,
-        distance: f64,
+        light: usize,
+        (ray, distance): (Ray, f64),
         scratch: &mut Scratch,
     ) -> Rgb {
         let mut query = Query {
@@ -106,13 +103,12 @@ impl Tracer<'_> {
             far: self.world.reach(ray.at(distance), distance),
             seen: Seen::Shadow,
         };
-        if self.world.is_blocked(&query, scratch) {
-            return Rgb::BLACK;
+        match self.world.way(&query, light, scratch) {
+            Way::Free => return arriving,
+            Way::Filtered => {}
+            Way::Blocked => return Rgb::BLACK,
         }
-        if self.is_all_opaque {
-            return arriving;
-        }
-        let mut inside = lit.path.inside.clone();
+        let mut inside = Inside::from_slice(&lit.path.inside);
         for _ in 0..super::MOST_PASSED {
             let Some(hit) = self.world.nearest(&query, scratch) else {
                 return arriving;

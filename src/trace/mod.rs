@@ -77,8 +77,6 @@ struct Passed {
 pub struct Tracer<'w> {
     world: &'w World,
     quality: Quality,
-    /// Whether any surface lets light through: otherwise shadows are a yes or no.
-    is_all_opaque: bool,
     /// Whether it matters in which interiors a ray is.
     minds_interiors: bool,
     /// The interiors around the camera, if all rays start in one point.
@@ -108,7 +106,6 @@ impl<'w> Tracer<'w> {
                 has_transparency: quality >= 6,
                 has_reflection: quality >= 8,
             },
-            is_all_opaque,
             minds_interiors,
             around_camera,
             background,
@@ -130,7 +127,7 @@ impl<'w> Tracer<'w> {
         let inside = if self.minds_interiors && !camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
-            self.around_camera.clone()
+            Inside::from_slice(&self.around_camera)
         };
         let path = Path {
             ray,

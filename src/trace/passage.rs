@@ -74,7 +74,7 @@ impl Tracer<'_> {
         let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
         let is_innermost = path.inside.last() == Some(&id);
         let before = outermost(&path.inside);
-        let mut inside = path.inside.clone();
+        let mut inside = Inside::from_slice(&path.inside);
         let was_inside = cross(&mut inside, id);
         let ratio = match (was_inside, is_innermost) {
             (false, _) => before / ior(id),

@@ -176,7 +176,7 @@ impl Tracer<'_> {
                     seen: Seen::Reflection,
                     level: path.level + 1,
                     weight: path.weight * weight,
-                    inside: path.inside.clone(),
+                    inside: Inside::from_slice(&path.inside),
                 };
                 // All light comes back, whatever the layers would filter.
                 let factor = fade * interior.refraction;
@@ -224,7 +224,7 @@ impl Tracer<'_> {
             seen: Seen::Reflection,
             level: path.level + 1,
             weight: path.weight * mirror.weight,
-            inside: path.inside.clone(),
+            inside: Inside::from_slice(&path.inside),
         };
         let Sample { rgb, .. } = self.trace(onward, scratch);
         let exponent = mirror.finish.reflection.exponent;
