@@ -138,7 +138,11 @@ impl Bvh {
     pub fn any(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32) -> bool) -> bool {
         let ray = self.frame.ray(ray);
         let (from, to) = (ray.from(from), ray.to(to));
-        self.search(|node| node.meet(&ray, from, to).1, visit)
+        self.search(
+            #[inline(always)]
+            |node| node.meet(&ray, from, to).1,
+            visit,
+        )
     }
 
     /// Visits the items whose boxes hold a point, in no order, until `visit` says to stop. Says whether it did.
