@@ -65,6 +65,9 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
         if i > 0 {
             args.comma()?;
         }
+        if !args.at_expression()? {
+            return Err(args.expected("twelve numbers after `matrix`"));
+        }
         *entry = args.float()?;
     }
     if !args.accept_mark('>')? {

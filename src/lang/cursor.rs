@@ -165,11 +165,23 @@ impl Reader<'_> {
         }
     }
 
+    /// Takes the mark that closes what was opened at `open`, or says what should have stood there.
+    pub(super) fn expect_end(&mut self, mark: char, what: &str, open: Span) -> Parse<()> {
+        self.expect_mark(mark, what).map_err(|error| {
+            let opened = self.source_text(open).to_owned();
+            Box::new(error.with_label(open, format!("this `{opened}` is still open")))
+        })
+    }
+
     /// Takes the `{` of an element and remembers it for messages.
     pub(super) fn open_block(&mut self) -> Parse<()> {
         if !self.take_mark('{')? {
-            let after = self.source_text(self.taken_span()).to_owned();
-            return Err(self.expected_here(&format!("`{{` after `{after}`")));
+            let element = self.taken_span();
+            let after = self.source_text(element).to_owned();
+            let error = self.expected_here(&format!("`{{` after `{after}`"));
+            // Its `}` is to be passed over as well.
+            self.blocks.push(element);
+            return Err(error);
         }
         if self.blocks.len() >= limits::NESTING {
             let message = format!("blocks are nested more than {} deep", limits::NESTING);
@@ -194,18 +206,24 @@ impl Reader<'_> {
             return earlier;
         }
         let token = self.raw();
+        if self.is_poison(token) || self.is_known_as_undeclared(token) {
+            return self.consequence();
+        }
         let found = self.describe(token);
         let mut diagnostic =
             Diagnostic::error(self.here_span(), format!("expected {what}, found {found}"));
-        if token.kind == Kind::Name
-            && let Some(near) = self.similar_name(Symbol(token.value))
-        {
-            diagnostic = diagnostic.with_hint(format!("Did you mean `{near}`?"));
+        if let Some(remedy) = self.remedy(token, what) {
+            diagnostic = diagnostic.with_hint(remedy);
         }
-        if let Some(open) = self.blocks.last()
-            && (token.kind == Kind::End || what.contains('}'))
+        if let Some(&open) = self.blocks.last()
+            && (token.kind == Kind::End || what.contains("`}`"))
         {
-            diagnostic = diagnostic.with_label(*open, "this `{` is still open");
+            diagnostic = diagnostic.with_label(open, "this `{` is still open");
+            if let Some((start, end)) = self.swallowed_end(open) {
+                diagnostic = diagnostic
+                    .with_label(start, "the `}` of this `{` may be the one that is missing")
+                    .with_label(end, "it ends here");
+            }
         }
         self.with_trace(diagnostic)
     }
@@ -265,21 +283,6 @@ impl Reader<'_> {
         let text = self.sources.text(span.file);
         text.get(span.start as usize..span.end as usize)
             .unwrap_or("")
-    }
-
-    /// A declared name that differs from this one by a letter or two.
-    fn similar_name(&self, symbol: Symbol) -> Option<String> {
-        let wanted = self.names.spelling(symbol).to_owned();
-        if self.scopes.get(symbol).is_some() {
-            return None;
-        }
-        let mut candidates: Vec<&str> = Word::all().map(Word::spelling).collect();
-        candidates.extend(
-            self.scopes
-                .defined()
-                .map(|known| self.names.spelling(known)),
-        );
-        super::similar::nearest(&wanted, candidates.into_iter()).map(str::to_owned)
     }
 
     /// At the end of a file: goes back to the `#include` that entered it. False in the scene's own file.

@@ -39,6 +39,7 @@ impl Reader<'_> {
             is_complete: false,
         };
         let outer = self.declaring.replace(place);
+        self.without_semicolon = None;
         let value = self.value("a value");
         self.declaring = outer;
         match value {
@@ -103,21 +104,68 @@ impl Reader<'_> {
         token.kind == Kind::Mark && token.value == mark as u32
     }
 
+    /// Whether no macro or file has been entered, and nothing left, since so many frames were open.
+    pub(super) fn is_within(&self, frames: usize) -> bool {
+        let is_macro_or_file =
+            |frame: &Frame| matches!(frame.kind, Entered::Macro { .. } | Entered::Include { .. });
+        self.frames
+            .get(frames..)
+            .is_some_and(|entered| !entered.iter().any(is_macro_or_file))
+    }
+
+    /// Behind a part of a number that is being declared: if a directive follows, a `;` is probably missing. The directive
+    /// runs before the name has its value, and must not find the name undeclared.
+    pub(super) fn look_for_semicolon(&mut self) {
+        if self.raw().kind != Kind::Directive || self.version < 3.5 {
+            return;
+        }
+        let place = (self.depth, self.blocks.len());
+        let Some(open) = self
+            .declaring
+            .filter(|open| (open.depth, open.blocks) == place)
+        else {
+            return;
+        };
+        self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
+        if self.scopes.get(open.symbol).is_none() {
+            self.assign(open.symbol, Value::Poison, open.is_local);
+        }
+    }
+
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
     pub(super) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
         if self.take_mark(';')? || !is_number {
+            self.without_semicolon = None;
             return Ok(());
         }
-        let behind = self.taken_span();
+        let next = self.raw();
+        let is_operator = |mark| next.is_mark(mark);
+        if self.version >= 3.5
+            && self.without_semicolon.is_none()
+            && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
+        {
+            return Err(self.expected_here("an operator or `;` behind the value"));
+        }
+        let last = match self.without_semicolon.take() {
+            Some((last, place, frames)) => {
+                // The directive has run without the value; from here on it is there.
+                if self.is_within(frames) {
+                    self.frames.truncate(frames);
+                    self.here = place;
+                }
+                last
+            }
+            None => self.taken_span(),
+        };
+        let behind = crate::source::Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.version >= 3.5 {
-            Err(self.with_trace(
-                Diagnostic::error(behind, message).with_hint("Put `;` behind the value."),
-            ))
+            let error = Diagnostic::error(behind, message).with_hint("Write `;` behind this.");
+            self.record(*self.with_trace(error));
         } else {
             self.warning(Diagnostic::warning(behind, message));
-            Ok(())
         }
+        Ok(())
     }
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
@@ -182,6 +230,7 @@ impl Reader<'_> {
         let file = match self.sources.find_include(&name, from.file) {
             Ok(file) => file,
             Err(mut error) => {
+                self.lacks_file = true;
                 error.span = Some(from);
                 return Err(self.with_trace(*error));
             }

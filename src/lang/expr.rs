@@ -220,8 +220,9 @@ impl Reader<'_> {
             }
             Kind::Mark if token.value == '(' as u32 => {
                 self.pass();
+                let open = self.taken_span();
                 let value = self.full()?;
-                self.expect_mark(')', "`)`")?;
+                self.expect_end(')', "an operator or `)`", open)?;
                 Ok(value)
             }
             Kind::Mark if token.value == '<' as u32 => self.vector_literal(),
@@ -271,6 +272,10 @@ impl Reader<'_> {
         };
         loop {
             let start = self.start_span();
+            if number.len > 0 && !self.begins_number()? {
+                let error = self.expected_here("`>` or a further component of the vector");
+                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+            }
             let component = self.sum()?;
             number.v[usize::from(number.len)] = self.only_float(component, start)?;
             number.len += 1;
@@ -343,6 +348,7 @@ impl Reader<'_> {
 
     /// `.x`, `.red` and the like behind a value.
     fn members(&mut self, mut value: Number) -> Parse<Number> {
+        self.look_for_semicolon();
         while self.take_mark('.')? {
             let token = self.peek()?;
             let at = match token.word() {

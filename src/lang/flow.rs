@@ -1,11 +1,12 @@
 //! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
 
-use super::cursor::{Entered, Frame};
+use super::cursor::{Entered, Frame, Place};
+use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::source::{Diagnostic, Span};
-use crate::syntax::{Symbol, Token, Tokens};
+use crate::syntax::{Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
 /// How far two floats may differ and still be equal to the language.
@@ -40,13 +41,76 @@ impl Reader<'_> {
         let Some(word) = self.here.tokens.directives[token.value as usize].word else {
             let found = self.source_text(span).to_owned();
             self.here.at += 1;
-            return Err(self.with_trace(
-                Diagnostic::error(span, format!("`{found}` is no directive"))
-                    .with_hint("Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."),
-            ));
+            let hint = match Self::similar_directive(found.trim_start_matches(['#', ' '])) {
+                Some(near) => format!("Did you mean `#{near}`?"),
+                None => {
+                    "Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."
+                        .to_owned()
+                }
+            };
+            let error = Diagnostic::error(span, format!("`{found}` is no directive"));
+            return Err(self.with_trace(error.with_hint(hint)));
         };
         self.pass();
-        self.nested(|reader| reader.run_known(word, index, span))
+        let frames = self.frames.len();
+        let home = Rc::clone(&self.here.tokens);
+        match self.nested(|reader| reader.run_known(word, index, span)) {
+            Err(error) if super::hints::opens_group(word) && !self.is_over => self.go_on_in_group(
+                error,
+                &Place {
+                    tokens: home,
+                    at: index,
+                },
+                frames,
+            ),
+            result => result,
+        }
+    }
+
+    /// After an error in the head of a directive that opens a group: tells it and goes on in the first part of an
+    /// `#if`, behind the `#end` of anything else, so that the `#end` is not taken for one too many.
+    fn go_on_in_group(
+        &mut self,
+        error: Box<Diagnostic>,
+        opener: &Place,
+        frames: usize,
+    ) -> Parse<()> {
+        let directives = &opener.tokens.directives;
+        let directive = &directives[opener.tokens.tokens[opener.at].value as usize];
+        let (word, end) = (directive.word, directive.end);
+        if end == u32::MAX || !self.is_within(frames) {
+            return Err(error);
+        }
+        self.frames.truncate(frames);
+        self.record(*error);
+        if self.errors >= limits::ERRORS {
+            return Err(self.consequence());
+        }
+        self.here = opener.clone();
+        self.pass();
+        if matches!(word, Some(Word::If | Word::Ifdef | Word::Ifndef)) {
+            self.pass_parentheses();
+            self.enter(opener.at, Entered::If);
+        } else {
+            self.here.at = end as usize + 1;
+        }
+        Ok(())
+    }
+
+    /// Goes behind the parentheses at hand, but not past a directive.
+    fn pass_parentheses(&mut self) {
+        let mut depth = 0;
+        loop {
+            let token = self.raw();
+            if matches!(token.kind, Kind::End | Kind::Directive) {
+                return;
+            }
+            depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
+            self.pass();
+            if depth <= 0 {
+                return;
+            }
+        }
     }
 
     fn run_known(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
@@ -112,7 +176,7 @@ impl Reader<'_> {
         if to == u32::MAX {
             return Err(self.with_trace(
                 Diagnostic::error(span, "this directive has no matching `#end`")
-                    .with_hint("Close it with `#end`."),
+                    .with_hint("Write `#end` where it is to end."),
             ));
         }
         self.here.at = to as usize;
@@ -177,9 +241,10 @@ impl Reader<'_> {
     /// `#else` reached from a chosen part: everything to the `#end` is left out.
     fn run_else(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
         if !matches!(self.innermost(), Some(Entered::If | Entered::Switch)) {
-            return Err(
-                self.with_trace(Diagnostic::error(span, format!("`#{word}` without `#if`")))
-            );
+            let error = Diagnostic::error(span, format!("`#{word}` without an open `#if`"));
+            return Err(self.with_trace(
+                error.with_hint("Remove it, or look for an `#end` above that closes too early."),
+            ));
         }
         let (_, end) = self.group(index);
         self.jump(end, span)?;
@@ -207,6 +272,9 @@ impl Reader<'_> {
         self.expect_mark('(', "`(` after `#for`")?;
         let variable = self.identifier("a variable after `#for (`")?;
         self.take_mark(',')?;
+        if !self.begins_number()? {
+            return Err(self.expected_here("`,` and the start of `#for`"));
+        }
         let start = self.number_at_sum()?;
         self.take_mark(',')?;
         let end = self.number_at_sum()?;
@@ -392,8 +460,9 @@ impl Reader<'_> {
 
     fn number_in_parentheses(&mut self) -> Parse<f64> {
         self.expect_mark('(', "`(`")?;
+        let open = self.taken_span();
         let value = self.condition_value()?;
-        self.expect_mark(')', "`)`")?;
+        self.expect_end(')', "an operator or `)`", open)?;
         Ok(value)
     }
 

@@ -5,7 +5,7 @@ use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::math::{axis_rotation, rotation};
-use crate::source::Diagnostic;
+use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
 
@@ -18,6 +18,7 @@ impl Reader<'_> {
         self.pass();
         let name = self.taken_span();
         self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let open = self.taken_span();
         let value = match word {
             Word::Defined => {
                 let is_defined = self.names_a_value()?;
@@ -67,14 +68,29 @@ impl Reader<'_> {
             }
             _ => self.float_function(word, name)?,
         };
-        self.expect_mark(')', &format!("`)` at the end of `{word}(...)`"))?;
+        self.end_of_call(word, open)?;
         Ok(value)
+    }
+
+    /// The `)` of a call; a comma there means too many arguments.
+    pub(super) fn end_of_call(&mut self, word: Word, open: Span) -> Parse<()> {
+        if self.peek()?.is_mark(',') {
+            return Err(self.error_here(format!("`{word}` takes no further argument here")));
+        }
+        self.expect_end(
+            ')',
+            &format!("an operator or `)` at the end of `{word}(...)`"),
+            open,
+        )
     }
 
     fn float_function(&mut self, word: Word, name: crate::source::Span) -> Parse<Number> {
         if is_of_two(word) {
             let a = self.number_at_sum()?;
             self.take_mark(',')?;
+            if self.peek()?.is_mark(')') {
+                return Err(self.error_here(format!("`{word}` takes two arguments, found one")));
+            }
             let b = self.number_at_sum()?;
             return two(word, a, b).map(Number::float).map_err(|message| {
                 self.with_trace(Diagnostic::error(name.to(self.taken_span()), message))

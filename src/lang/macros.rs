@@ -31,9 +31,11 @@ impl Reader<'_> {
         let token = self.here.tokens.tokens[index];
         let end = self.here.tokens.directives[token.value as usize].end;
         if end == u32::MAX {
+            // All that follows is the macro's.
+            self.here.at = self.here.tokens.tokens.len() - 1;
             return Err(self.with_trace(
                 Diagnostic::error(span, "this `#macro` has no matching `#end`")
-                    .with_hint("Close it with `#end`."),
+                    .with_hint("Write `#end` behind the macro."),
             ));
         }
         let name = self.identifier("a name after `#macro`")?;
@@ -126,8 +128,9 @@ impl Reader<'_> {
         let wanted = called.parameters.len();
         while !self.take_mark(')')? {
             if arguments.len() == wanted {
-                let error = self.expected_here(&format!(
-                    "`)`: the macro `{spelling}` takes {wanted} arguments"
+                let error = self.error_here(format!(
+                    "the macro `{spelling}` takes {wanted} {}, found a further one",
+                    arguments_word(wanted)
                 ));
                 return Err(Box::new(error.with_label(called.defined, "defined here")));
             }
@@ -139,7 +142,10 @@ impl Reader<'_> {
             return Err(self.with_trace(
                 Diagnostic::error(
                     call,
-                    format!("the macro `{spelling}` takes {wanted} arguments, found {found}"),
+                    format!(
+                        "the macro `{spelling}` takes {wanted} {}, found {found}",
+                        arguments_word(wanted)
+                    ),
                 )
                 .with_label(called.defined, "defined here"),
             ));
@@ -195,6 +201,10 @@ impl Reader<'_> {
             _ => Err(self.expected_here(what)),
         }
     }
+}
+
+fn arguments_word(count: usize) -> &'static str {
+    if count == 1 { "argument" } else { "arguments" }
 }
 
 fn capitalised(word: &str) -> String {

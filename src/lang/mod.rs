@@ -9,6 +9,9 @@ mod declare;
 mod expr;
 mod flow;
 mod functions;
+#[cfg(test)]
+mod fuzz;
+mod hints;
 mod limits;
 mod macros;
 mod object;

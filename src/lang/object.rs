@@ -76,7 +76,11 @@ impl Reader<'_> {
 
     fn light(&mut self) -> Parse<Object> {
         self.pass();
-        Ok(Object::new(Kind::Light(Arc::new(Light::read(self)?))))
+        let depth = self.blocks.len() + 1;
+        match Light::read(self) {
+            Ok(light) => Ok(Object::new(Kind::Light(Arc::new(light)))),
+            Err(error) => Err(self.with_usage(error, Word::LightSource, depth)),
+        }
     }
 
     /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
@@ -97,19 +101,34 @@ impl Reader<'_> {
 
     fn shape(&mut self, word: Word) -> Parse<Object> {
         self.pass();
+        let start = self.taken_span();
         self.open_block()?;
+        let depth = self.blocks.len();
         let mut object = match self.object_of_name()? {
             Some(object) => (*object).clone(),
             None => match Shape::read(word, self) {
-                Some(shape) => Object::new(Kind::Shape(Arc::new(shape?))),
+                Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
+                Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
                 None => {
-                    self.blocks.pop();
-                    return Err(self.not_built(word));
+                    let message = format!("`{word}` is not built yet");
+                    return Err(self.with_trace(Diagnostic::error(start, message)));
                 }
             },
         };
         self.modifiers(&mut object, word.spelling())?;
         Ok(object)
+    }
+
+    /// The error with how the object is written, if its parameters are what is wrong.
+    fn with_usage(&mut self, error: Box<Diagnostic>, word: Word, depth: usize) -> Box<Diagnostic> {
+        let is_ours = self.blocks.len() == depth
+            && error.message.starts_with("expected")
+            && error.hints.is_empty()
+            && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+        match Self::usage(word) {
+            Some(usage) if is_ours => Box::new(error.with_hint(format!("Write {usage}."))),
+            _ => error,
+        }
     }
 
     fn csg(&mut self, operation: Operation) -> Parse<Object> {
@@ -127,16 +146,17 @@ impl Reader<'_> {
             children.push(child);
             self.count_object()?;
         }
-        if children.len() < 2 {
-            let text = format!("`{word}` should have at least two objects");
-            self.warning(Diagnostic::warning(start, text));
-        }
+        let is_lone = children.len() < 2;
         let mut object = Object::new(Kind::Csg {
             operation,
             children,
         });
         self.check_size(&object, start)?;
         self.modifiers(&mut object, &word)?;
+        if is_lone {
+            let text = format!("`{word}` should have at least two objects");
+            self.warning(Diagnostic::warning(start, text));
+        }
         Ok(object)
     }
 

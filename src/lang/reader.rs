@@ -11,9 +11,9 @@ use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
 use crate::source::{Diagnostic, FileId, Severity, Sources};
-use crate::syntax::{Names, Tokens, tokenize};
+use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -40,9 +40,16 @@ pub(super) struct Reader<'a> {
     pub(super) nesting: usize,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
+    /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
+    /// of the directive and how many frames were open.
+    pub(super) without_semicolon: Option<(crate::source::Span, Place, usize)>,
     pub(super) budget: Budget,
     /// Whether a limit was met behind which nothing more is read.
     pub(super) is_over: bool,
+    /// Names already told to be undeclared.
+    pub(super) undeclared: FxHashSet<Symbol>,
+    /// Whether an include file was not found, so that any name may be one of its.
+    pub(super) lacks_file: bool,
     pub(super) streams: Vec<u32>,
     pub(super) version: f64,
     pub(super) has_version: bool,
@@ -108,8 +115,11 @@ impl<'a> Reader<'a> {
             depth: 0,
             nesting: 0,
             declaring: None,
+            without_semicolon: None,
             budget,
             is_over: false,
+            undeclared: FxHashSet::default(),
+            lacks_file: false,
             streams: Vec::new(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),

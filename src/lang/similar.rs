@@ -1,17 +1,33 @@
 //! Finding the word that was meant.
 
-/// The candidate nearest to a misspelt word, if one is near enough: one change for short words, two for long ones.
+/// The candidate nearest to a misspelt word, if one is near enough: one change in words of three to five
+/// letters, two in longer ones.
 pub(super) fn nearest<'a>(
     word: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    let limit = if word.len() < 5 { 1 } else { 2 };
+    let limit = match word.len() {
+        0..=2 => return None,
+        3..=5 => 1,
+        _ => 2,
+    };
     candidates
         .filter(|candidate| candidate.len().abs_diff(word.len()) <= limit)
+        .filter(|candidate| word.len() > 4 || begins_alike(word, candidate))
         .map(|candidate| (distance(word, candidate), candidate))
         .filter(|&(d, _)| d <= limit)
         .min()
         .map(|(_, candidate)| candidate)
+}
+
+/// Short words that begin differently are different words.
+fn begins_alike(a: &str, b: &str) -> bool {
+    let first = |word: &str| {
+        word.chars()
+            .next()
+            .map(|letter| letter.to_ascii_lowercase())
+    };
+    first(a) == first(b)
 }
 
 /// The number of letters to insert, delete, replace or swap with a neighbour (Damerau 1964, restricted).

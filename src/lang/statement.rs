@@ -3,6 +3,7 @@
 use super::cursor::Entered;
 use super::limits;
 use super::reader::Reader;
+use super::value::Value;
 use crate::args::{Args, Parse, Word};
 use crate::camera::Camera;
 use crate::color::Gamma;
@@ -84,6 +85,10 @@ impl Reader<'_> {
         let token = self.raw();
         match token.word() {
             Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
+            _ if token.is_mark('}') => Err(self.with_trace(
+                Diagnostic::error(self.here_span(), "this `}` closes nothing")
+                    .with_hint("Remove it, or look for a missing `{` above."),
+            )),
             _ => Err(self.expected_here("an object or a statement")),
         }
     }
@@ -120,10 +125,14 @@ impl Reader<'_> {
             Entered::Switch => "`#switch`",
             _ => "`#if`",
         };
+        let start = Self::unclosed_directive(&open.home);
         self.frames.clear();
-        Err(self.error_here(format!(
-            "the scene ends inside {name}: its `#end` is missing"
-        )))
+        let message = format!("the scene ends inside {name}: its `#end` is missing");
+        let error = match start {
+            Some(start) => Diagnostic::error(start, message),
+            None => *self.error_here(message),
+        };
+        Err(self.with_trace(error.with_hint("Write `#end` where it is to end.")))
     }
 
     /// `default { texture | pigment | normal | finish | camera ... }`, also as `#default`.
@@ -272,6 +281,7 @@ impl Reader<'_> {
             let token = self.raw();
             match token.kind {
                 Kind::End => return,
+                Kind::Directive if depth == 0 => return,
                 Kind::Directive => {
                     self.skip_directive();
                     continue;
@@ -310,7 +320,9 @@ impl Reader<'_> {
                 | Word::Material,
             ) => false,
             Some(word) => matches!(word.class(), Class::Shape | Class::Statement | Class::Csg),
-            None => false,
+            None => token
+                .symbol()
+                .is_some_and(|symbol| matches!(self.scopes.get(symbol), Some(Value::Macro(_)))),
         };
         let text = self.sources.text(self.here.tokens.file);
         let before = &text.as_bytes()[..token.start as usize];

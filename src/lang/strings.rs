@@ -62,6 +62,7 @@ impl Reader<'_> {
         self.pass();
         let name = self.taken_span();
         self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let open = self.taken_span();
         let text = match word {
             Word::Concat => {
                 let mut text = self.string()?;
@@ -103,7 +104,7 @@ impl Reader<'_> {
                 )));
             }
         };
-        self.expect_mark(')', &format!("`)` at the end of `{word}(...)`"))?;
+        self.end_of_call(word, open)?;
         Ok(text)
     }
 

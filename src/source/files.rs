@@ -17,6 +17,9 @@ pub const MAX_FILE_BYTES: u64 = 1 << 31;
 /// What comes out of a pipe or a device is refused if it has more bytes: `/dev/zero` has no end.
 const MAX_STREAM_BYTES: u64 = 1 << 28;
 
+/// Include files of more bytes hold data and are not searched for names.
+const SMALL_FILE_BYTES: u64 = 1 << 20;
+
 /// What POV-Ray appends to the name of an include file that it does not find.
 const EXTENSIONS: [&str; 3] = ["", ".inc", ".INC"];
 
@@ -117,6 +120,30 @@ impl Sources {
         first_file(name, &self.folders(including_file)).is_some()
     }
 
+    /// The name of an include file of the library that declares a name, if one of the first `most` files does.
+    #[must_use]
+    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<String> {
+        let entries = self
+            .library_paths
+            .iter()
+            .filter_map(|folder| fs::read_dir(folder).ok());
+        let mut files: Vec<PathBuf> = entries
+            .flatten()
+            .flatten()
+            .map(|entry| entry.path())
+            .filter(|path| path.extension().is_some_and(|ending| ending == "inc"))
+            .filter(|path| fs::metadata(path).is_ok_and(|about| about.len() < SMALL_FILE_BYTES))
+            .collect();
+        files.sort();
+        files.truncate(most);
+        let declares = |path: &PathBuf| {
+            let bytes = read_limited(path).ok().flatten().unwrap_or_default();
+            declares(&String::from_utf8_lossy(&bytes), name)
+        };
+        let found = files.into_iter().find(declares)?;
+        Some(found.file_name()?.to_string_lossy().into_owned())
+    }
+
     /// Where include files are searched; an empty path is the current folder.
     fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
         let including = self.path(including_file).and_then(Path::parent);
@@ -191,6 +218,19 @@ impl Sources {
     }
 }
 
+/// Whether a text has a line `#declare name` or `#macro name`.
+fn declares(text: &str, name: &str) -> bool {
+    text.lines().any(|line| {
+        let Some(line) = line.trim_start().strip_prefix('#') else {
+            return false;
+        };
+        let (word, rest) = line.split_once([' ', '\t']).unwrap_or((line, ""));
+        let is_whole = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+        matches!(word, "declare" | "macro")
+            && rest.trim_start().strip_prefix(name).is_some_and(is_whole)
+    })
+}
+
 fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let paths = folders
         .iter()
@@ -258,6 +298,10 @@ fn not_found(name: &str, folders: &[PathBuf]) -> Diagnostic {
     }
     if name.contains('\\') {
         error = error.with_hint("write `/` between folders, not `\\`");
+    }
+    if error.hints.is_empty() && !Path::new(name).is_absolute() {
+        error =
+            error.with_hint("put the file into one of these folders, or name its folder with `+L`");
     }
     error
 }

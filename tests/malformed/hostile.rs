@@ -175,10 +175,10 @@ fn growth() -> Vec<(&'static str, String)> {
         (
             "macro_calls_double",
             rest(
-                &(1..60).fold("#macro M0() #end\n".to_owned(), |all, i| {
+                &((1..60).fold("#macro M0() #end\n".to_owned(), |all, i| {
                     let below = i - 1;
                     format!("{all}#macro M{i}() M{below}() M{below}() #end\n")
-                }) + "M59()",
+                }) + "M59()"),
             ),
         ),
         (

@@ -1,0 +1,6 @@
+#macro Ball(P, R)
+  sphere { P, R }
+#end
+Ball(1, 2, 3)
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
