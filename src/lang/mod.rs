@@ -1,6 +1,7 @@
 //! The scene language: runs a file's directives, macros and loops, and gives the scene it describes.
 
 mod args;
+mod bulk;
 mod color;
 mod cursor;
 mod declare;

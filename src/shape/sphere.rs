@@ -64,7 +64,7 @@ impl Geometry for Sphere {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    fn normal(&self, point: DVec3, _: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         point - self.centre
     }
 
