@@ -39,6 +39,12 @@ pub trait Args {
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
     /// A string.
     fn string(&mut self) -> Parse<String>;
+    /// Takes vectors of `len` components that are written as literal numbers, each with an optional comma before it, as
+    /// long as `take` wants them; the first it does not want is left where it is. May stop early, or take none at
+    /// all: whoever calls this for speed reads on with [`Args::vector`].
+    fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
+        let _ = (len, take);
+    }
     /// Passes a comma if one is next, and says whether.
     fn comma(&mut self) -> Parse<bool>;
     /// The next token if it is a reserved word; it is not taken.

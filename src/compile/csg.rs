@@ -13,7 +13,7 @@ use super::leaf::Leaf;
 use super::simplify::Order;
 use super::world::Departure;
 use crate::math::Ray;
-use crate::shape::{Crossing, Root, Start};
+use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -243,7 +243,12 @@ impl Program {
             return;
         }
         if let Some(left) = passing.departure.filter(|departure| departure.leaf == leaf) {
-            hide_departure(&mut sweep.roots, left, passing.ray.dir);
+            hide_departure(
+                &mut sweep.roots,
+                left,
+                &passing.leaves[leaf as usize],
+                passing.ray.dir,
+            );
         }
         let event = |&root: &Root| Event { root, leaf: number };
         sweep.events.extend(sweep.roots.iter().map(event));
@@ -417,8 +422,9 @@ fn sides(roots: &[Root], before: bool) -> (bool, bool) {
 }
 
 /// Hides the root that a ray has just left: of the piece of surface it stands on, the one nearest to its start that
-/// it crosses in the right sense.
-pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, dir: DVec3) {
+/// it crosses in the right sense. A flat piece has no other, and its normal need not point out.
+pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, leaf: &Leaf, dir: DVec3) {
+    let is_faceted = leaf.shape.is_faceted();
     let expected = match left.crossing {
         Crossing::Touch => Crossing::Touch,
         _ if left.normal.dot(dir) > 0.0 => Crossing::Leave,
@@ -426,7 +432,7 @@ pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, dir: DVec3) {
     };
     let own = roots
         .iter_mut()
-        .filter(|root| root.face == left.face && root.crossing == expected);
+        .filter(|root| root.face == left.face && (is_faceted || root.crossing == expected));
     if let Some(root) = own.min_by(|a, b| a.t.abs().total_cmp(&b.t.abs())) {
         root.is_visible = false;
     }

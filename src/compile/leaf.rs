@@ -95,6 +95,13 @@ impl Leaf {
         self.shape.is_left_behind(&self.to_object(ray))
     }
 
+    /// The first visible root of a world ray with `from < t < to` on any piece of a faceted shape but `face`.
+    #[must_use]
+    pub fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
+        let ray = self.to_object(ray);
+        self.shape.nearest_beside(&ray, from, to, face)
+    }
+
     /// Whether a world point lies in the solid.
     #[must_use]
     pub fn contains(&self, point: DVec3) -> bool {
@@ -103,7 +110,7 @@ impl Leaf {
 
     /// The unit outward normals at a world point of a piece of the surface: the geometric one, and that for shading.
     #[must_use]
-    pub fn normals(&self, point: DVec3, face: u16) -> (DVec3, DVec3) {
+    pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.point_to_object(point);
         let (geometric, shading) = (
             self.shape.normal(local, face),

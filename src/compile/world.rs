@@ -12,7 +12,7 @@ use crate::math::lanes::with_widest;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
-use crate::shape::{Crossing, Root};
+use crate::shape::{Crossing, Geometry, Root};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -77,7 +77,7 @@ pub struct Departure {
     /// The leaf.
     pub leaf: u32,
     /// The piece of its surface.
-    pub face: u16,
+    pub face: u32,
     /// The outward geometric normal there, in the world.
     pub normal: DVec3,
     /// What the old ray did there.
@@ -470,6 +470,9 @@ impl World {
             Item::Leaf(number) => {
                 let leaf = &self.leaves[number as usize];
                 let root = match &query.from {
+                    Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
+                        leaf.nearest_beside(&query.ray, from, next_after(far), left.face)?
+                    }
                     Some(left) if left.leaf == number => {
                         nearest_but(leaf, left, query, from, &mut scratch.roots)?
                     }
@@ -551,7 +554,7 @@ fn nearest_but(
     }
     roots.clear();
     leaf.roots(&query.ray, roots);
-    hide_departure(roots, left, query.ray.dir);
+    hide_departure(roots, left, leaf, query.ray.dir);
     roots
         .iter()
         .find(|root| root.is_visible && root.t > from)

@@ -53,6 +53,10 @@ impl Args for Reader<'_> {
         Reader::string(self)
     }
 
+    fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
+        self.take_literal_vectors(len, take);
+    }
+
     fn comma(&mut self) -> Parse<bool> {
         self.take_mark(',')
     }

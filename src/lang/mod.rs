@@ -3,6 +3,7 @@
 mod args;
 mod array;
 mod budget;
+mod bulk;
 mod color;
 mod cursor;
 mod declare;

@@ -6,9 +6,9 @@ use crate::math::{Bounds, Ray, Step, rotation};
 use glam::DVec3;
 
 /// The face numbers.
-pub(super) const SIDE: u16 = 0;
-pub(super) const BASE: u16 = 1;
-pub(super) const APEX: u16 = 2;
+pub(super) const SIDE: u32 = 0;
+pub(super) const BASE: u32 = 1;
+pub(super) const APEX: u32 = 2;
 
 /// An axis from the middle of one cap to the middle of the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +22,8 @@ pub(super) struct Axis {
 /// Where a ray is between the planes of the caps, with the faces through which it comes and goes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slab {
-    pub(super) enter: (f64, u16),
-    pub(super) leave: (f64, u16),
+    pub(super) enter: (f64, u32),
+    pub(super) leave: (f64, u32),
 }
 
 impl Axis {

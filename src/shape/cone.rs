@@ -219,7 +219,7 @@ impl Geometry for Cone {
         first_visible(&self.crossings(ray), from, to)
     }
 
-    fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match face {
             BASE => -self.axis.unit,
             APEX => self.axis.unit,

@@ -90,8 +90,8 @@ fn squarest(all: DVec3, one: f64, dir: DVec3) -> usize {
 
 /// The number of the lower or the upper face across an axis.
 #[inline]
-fn face(axis: usize, is_upper: bool) -> u16 {
-    [0, 2, 4][axis] + u16::from(is_upper)
+fn face(axis: usize, is_upper: bool) -> u32 {
+    [0, 2, 4][axis] + u32::from(is_upper)
 }
 
 impl Geometry for Cuboid {
@@ -103,9 +103,9 @@ impl Geometry for Cuboid {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    fn normal(&self, _: DVec3, face: u16) -> DVec3 {
+    fn normal(&self, _: DVec3, face: u32) -> DVec3 {
         let mut normal = DVec3::ZERO;
-        normal[usize::from(face / 2).min(2)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
+        normal[(face as usize / 2).min(2)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
         normal
     }
 

@@ -116,7 +116,7 @@ impl Geometry for Cylinder {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match face {
             BASE => -self.axis.unit,
             APEX => self.axis.unit,

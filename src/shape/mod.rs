@@ -13,6 +13,9 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod mesh;
+mod mesh2;
+mod mesh_build;
 #[cfg(test)]
 mod oracle;
 mod plane;
@@ -26,6 +29,7 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use mesh::Mesh;
 pub use plane::Plane;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
@@ -56,8 +60,8 @@ pub struct Root {
     pub t: f64,
     /// What happens to the inside there.
     pub crossing: Crossing,
-    /// Which smooth piece of the shape: a face of a box, side or cap of a cylinder.
-    pub face: u16,
+    /// Which smooth piece of the shape: a face of a box, side or cap of a cylinder, a triangle of a mesh.
+    pub face: u32,
     /// Whether the surface is there to be seen.
     pub is_visible: bool,
 }
@@ -92,7 +96,7 @@ pub trait Geometry {
     }
 
     /// The outward normal, not normalised, at a point of the surface piece `face`.
-    fn normal(&self, point: DVec3, face: u16) -> DVec3;
+    fn normal(&self, point: DVec3, face: u32) -> DVec3;
 
     /// Whether a point lies in the solid, by POV-Ray's rule for points on the surface. Never for shapes without volume.
     fn contains(&self, point: DVec3) -> bool;
@@ -117,8 +121,22 @@ pub trait Geometry {
     }
 
     /// The shading normal where it differs from the geometric one (smooth triangles); not normalised.
-    fn shading_normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
         self.normal(point, face)
+    }
+
+    /// Whether it is made of flat pieces, each with a `face` of its own, which a line meets at most once.
+    fn is_faceted(&self) -> bool {
+        false
+    }
+
+    /// The same as [`Geometry::nearest`] without the piece `face`, which the ray has just left. Only faceted shapes are
+    /// asked.
+    fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
+        let mut roots = Vec::new();
+        self.roots(ray, &mut roots);
+        roots.retain(|root| root.face != face);
+        first_visible(&roots, from, to)
     }
 
     /// Whether [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
@@ -127,9 +145,10 @@ pub trait Geometry {
     }
 }
 
-/// The list of shapes: variant, description, word. A new shape is its file and one line here.
+/// The list of shapes: variant, description, word, and for a shape with two words the other one and its reader.
+/// A new shape is its file and one line here.
 macro_rules! shapes {
-    ($($(#[$doc:meta])* $name:ident from $word:ident),+ $(,)?) => {
+    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)?),+ $(,)?) => {
         /// Any shape.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Shape {
@@ -138,7 +157,7 @@ macro_rules! shapes {
 
         impl Shape {
             /// The words that begin the shapes, in the order of the list.
-            pub const WORDS: &[Word] = &[$(Word::$word),+];
+            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)?),+];
 
             /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
             /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
@@ -147,12 +166,15 @@ macro_rules! shapes {
             /// Malformed, non-finite or meaningless parameters.
             pub fn read(word: Word, args: &mut dyn Args) -> Option<Parse<Shape>> {
                 match word {
-                    $(Word::$word => Some($name::read(args).map(Shape::$name)),)+
+                    $(
+                        Word::$word => Some($name::read(args).map(Shape::$name)),
+                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)?
+                    )+
                     _ => None,
                 }
             }
 
-            /// The word that begins this shape in a scene.
+            /// The word that begins this shape in a scene, the first of two.
             #[must_use]
             pub fn word(&self) -> Word {
                 match self { $(Shape::$name(_) => Word::$word),+ }
@@ -170,7 +192,7 @@ macro_rules! shapes {
             fn is_left_behind(&self, ray: &Ray) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_left_behind(ray)),+ }
             }
-            fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+            fn normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
             }
             fn contains(&self, point: DVec3) -> bool {
@@ -188,8 +210,14 @@ macro_rules! shapes {
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
             }
-            fn shading_normal(&self, point: DVec3, face: u16) -> DVec3 {
+            fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
+            }
+            fn is_faceted(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_faceted()),+ }
+            }
+            fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
+                match self { $(Shape::$name(shape) => shape.nearest_beside(ray, from, to, face)),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }
@@ -217,6 +245,8 @@ shapes! {
     Triangle from Triangle,
     /// `smooth_triangle`
     SmoothTriangle from SmoothTriangle,
+    /// `mesh` and `mesh2`
+    Mesh from Mesh or Mesh2 by read_mesh2,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
@@ -230,7 +260,7 @@ fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {
 
 /// A visible span of a bounded solid, `None` if an end is not a finite number.
 #[inline]
-fn span(enter: (f64, u16), leave: (f64, u16)) -> Option<[Root; 2]> {
+fn span(enter: (f64, u32), leave: (f64, u32)) -> Option<[Root; 2]> {
     let root = |(t, face), crossing| Root {
         t,
         crossing,

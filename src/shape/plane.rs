@@ -86,7 +86,7 @@ impl Geometry for Plane {
         first_visible(self.cross(ray).1.as_slice(), from, to)
     }
 
-    fn normal(&self, _: DVec3, _: u16) -> DVec3 {
+    fn normal(&self, _: DVec3, _: u32) -> DVec3 {
         self.normal
     }
 

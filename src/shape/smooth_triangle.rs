@@ -61,7 +61,7 @@ fn are_on_one_side(face: DVec3, normals: &[DVec3; 3]) -> bool {
 }
 
 /// The weights of the corners at a point of the triangle, from areas seen along the longest axis of its normal.
-fn weights(corners: &[DVec3; 3], normal: DVec3, point: DVec3) -> [f64; 3] {
+pub(super) fn weights(corners: &[DVec3; 3], normal: DVec3, point: DVec3) -> [f64; 3] {
     let steep = normal.abs();
     let flatten = |v: DVec3| {
         if steep.x >= steep.y && steep.x >= steep.z {
@@ -89,7 +89,7 @@ impl Geometry for SmoothTriangle {
         self.flat.nearest(ray, from, to)
     }
 
-    fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         self.flat.normal(point, face)
     }
 
@@ -111,7 +111,7 @@ impl Geometry for SmoothTriangle {
         self.flat.absorb(step)
     }
 
-    fn shading_normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
         let normal = self.flat.normal(point, face);
         let [a, b, c] = weights(&self.flat.corners, normal, point);
         let mean = a * self.normals[0] + b * self.normals[1] + c * self.normals[2];

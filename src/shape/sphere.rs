@@ -85,7 +85,7 @@ impl Geometry for Sphere {
         is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) && p.dot(ray.dir) > 0.0
     }
 
-    fn normal(&self, point: DVec3, _: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         point - self.centre
     }
 

@@ -32,8 +32,8 @@ const SPHERE: f64 = 1e-7;
 /// Refinement moves a root by less than this share of its stretch, or leaves it.
 const REFINEMENT: f64 = 1e-6;
 
-const TUBE: u16 = 0;
-const LEMON: u16 = 1;
+const TUBE: u32 = 0;
+const LEMON: u32 = 1;
 
 /// A torus about a line parallel to the y axis. Face 0 is the tube, 1 the inner lemon of a spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -279,7 +279,7 @@ fn flat(v: DVec3) -> DVec3 {
     DVec3::new(v.x, 0.0, v.z)
 }
 
-fn root(t: f64, crossing: Crossing, face: u16) -> Root {
+fn root(t: f64, crossing: Crossing, face: u32) -> Root {
     Root {
         t,
         crossing,
@@ -298,7 +298,7 @@ impl Geometry for Torus {
         first_visible(&self.crossings(ray), from, to)
     }
 
-    fn normal(&self, point: DVec3, face: u16) -> DVec3 {
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         let p = point - self.centre;
         let outward = flat(p).normalize_or_zero();
         let major = if face == LEMON {

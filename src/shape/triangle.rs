@@ -83,10 +83,11 @@ impl Geometry for Triangle {
         first_visible(self.touch(ray).as_slice(), from, to)
     }
 
-    fn normal(&self, _: DVec3, _: u16) -> DVec3 {
+    fn normal(&self, _: DVec3, _: u32) -> DVec3 {
         let [a, b, c] = self.corners;
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
-        ((b - a) / size).cross((c - a) / size)
+        // This way round `interior_texture` shows on the side where POV-Ray shows it.
+        ((c - a) / size).cross((b - a) / size)
     }
 
     fn contains(&self, _: DVec3) -> bool {

@@ -263,10 +263,10 @@ impl Tracer<'_> {
     }
 }
 
-/// The texture of the side that a ray meets.
+/// The texture of the side that a ray meets; the normals of a smooth triangle decide, not the order of its corners.
 fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s PreparedTexture {
     match &surface.inside_texture {
-        Some(inside) if hit.normal.dot(dir) > 0.0 => inside,
+        Some(inside) if hit.shading_normal.dot(dir) > 0.0 => inside,
         _ => &surface.texture,
     }
 }

@@ -1,0 +1,122 @@
+//! Long lists of literal vectors, straight from the tokens: the lists of a mesh hold millions of them.
+//!
+//! Only what can mean nothing else is taken: numbers with a sign, commas between them, and behind the vector something
+//! that cannot go on with an expression. Everything else (a name, an operator, a directive) is left to the reader of
+//! expressions.
+
+use super::reader::Reader;
+use crate::syntax::{Kind, Tokens};
+use std::rc::Rc;
+
+/// The most components of a vector.
+const MOST: usize = 5;
+
+impl Reader<'_> {
+    /// Takes literal vectors of `len` components, each with an optional comma before it, as long as `take` wants them.
+    pub(super) fn take_literal_vectors(
+        &mut self,
+        len: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) {
+        let tokens = Rc::clone(&self.here.tokens);
+        let start = self.here.at;
+        while let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
+            if !take(&vector[..len]) {
+                break;
+            }
+            self.here.at = after;
+        }
+        if self.here.at > start {
+            self.last = (tokens.file, self.here.at - 1);
+            self.last_tokens = tokens;
+        }
+    }
+}
+
+/// The vector at a token and the token behind it.
+fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; MOST], usize)> {
+    let token = |at: usize| tokens.tokens.get(at).copied();
+    if token(at)?.is_mark(',') {
+        at += 1;
+    }
+    if !token(at)?.is_mark('<') {
+        return None;
+    }
+    let mut vector = [0.0; MOST];
+    for (i, component) in vector.get_mut(..len)?.iter_mut().enumerate() {
+        at += 1;
+        let is_negative = token(at)?.is_mark('-');
+        at += usize::from(is_negative);
+        let number = token(at)?;
+        if number.kind != Kind::Number {
+            return None;
+        }
+        let value = *tokens.numbers.get(number.value as usize)?;
+        *component = if is_negative { -value } else { value };
+        at += 1;
+        let separator = if i + 1 == len { '>' } else { ',' };
+        if !token(at)?.is_mark(separator) {
+            return None;
+        }
+    }
+    let behind = token(at + 1)?;
+    let is_ended = [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark));
+    is_ended.then_some((vector, at + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lang::evaluate;
+    use crate::options::ReadOptions;
+    use crate::scene::{Kind, Scene};
+    use crate::shape::Shape;
+    use crate::source::Sources;
+
+    fn scene(text: &str) -> Scene {
+        let mut sources = Sources::new(Vec::new());
+        let file = sources.add_text("test.pov".to_owned(), text);
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        reading
+            .scene
+            .unwrap_or_else(|| panic!("{:?}", reading.findings))
+    }
+
+    fn mesh(vectors: &str) -> Shape {
+        let text = format!(
+            "mesh2 {{ vertex_vectors {{ 3, {vectors} }} face_indices {{ 1, <0, 1, 2> }} }}"
+        );
+        match &scene(&text).objects[0].kind {
+            Kind::Shape(shape) => (**shape).clone(),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn vectors_mean_the_same_however_they_are_written() {
+        let plain = mesh("<0, 0, -1.5>, <1, 0, 0>, <0, 1e0, .0>");
+        for other in [
+            "<0, 0, -1.5> <1, 0, 0> <0, 1, 0>",
+            "-1.5*z, x, y",
+            "<0, 0, -1.5>, <1, 0, 0>, <0, 1, 0>*1",
+            "<0 0, -1.5>, <1 0 0> + 0*x, <0, 1, 0>",
+            "<0, 0, - -1 - 2.5>, <1, 0, 0>, <0, 1, 0>",
+            "<0, 0, -1.5>, #if (1) <1, 0, 0>, #end <0, 1, 0>",
+            "<0, 0, -1.5>, #for (I, 0, 1) <1 - I, I, 0>, #end",
+            "<0, /* nothing */ 0, -1.5>, <1, 0, 0>, <0, 1, 0>",
+        ] {
+            assert_eq!(mesh(other), plain, "{other}");
+        }
+    }
+
+    #[test]
+    fn an_operator_behind_a_macro_call_is_not_lost() {
+        let text = "#macro Twice() *2 #end
+            mesh { triangle { <0, 0, 0>, <1, 0, 0> Twice(), <0, 1, 0> Twice() } }";
+        let plain = "mesh { triangle { <0, 0, 0>, <2, 0, 0>, <0, 2, 0> } }";
+        let (one, other) = (scene(text), scene(plain));
+        match (&one.objects[0].kind, &other.objects[0].kind) {
+            (Kind::Shape(one), Kind::Shape(other)) => assert_eq!(one, other),
+            kinds => panic!("{kinds:?}"),
+        }
+    }
+}

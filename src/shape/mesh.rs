@@ -1,0 +1,382 @@
+//! `mesh` and `mesh2`: many triangles as one shape, with a tree of their own.
+//!
+//! Corners and normals are kept in single precision, as POV-Ray keeps them; what is computed from them is not. Copies
+//! of an object share the triangles, and a transform never moves them.
+//!
+//! Without `inside_vector` a mesh is a patch. With it a point is inside if a ray from it along the vector crosses an
+//! odd number of triangles. If every edge belongs to an even number of triangles this is so along any line, and so
+//! enter and leave alternate along a ray ([`RayFrame::crossing`] counts without fault). If not, the state between two
+//! roots is that of the point midway, and outside beyond them.
+//!
+//! Textures of single triangles and texture coordinates are not kept.
+
+use super::mesh_build::Draft;
+use super::smooth_triangle::weights;
+use super::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::accel::Bvh;
+use crate::args::{Args, Parse, Word};
+use crate::math::conditioning::power_of_two;
+use crate::math::watertight::{RayFrame, TriangleHit};
+use crate::math::{Bounds, Ray, Step};
+use crate::source::Diagnostic;
+use glam::{DVec3, Vec3};
+use std::sync::Arc;
+
+/// Triangles that share corners. Copies share all of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh(Arc<Triangles>);
+
+/// What a mesh is made of.
+#[derive(Clone, Debug)]
+pub(super) struct Triangles {
+    pub(super) vertices: Vec<Vec3>,
+    /// For each triangle its corners in [`Triangles::vertices`].
+    pub(super) corners: Vec<[u32; 3]>,
+    /// Unit vectors, or zero.
+    pub(super) normals: Vec<Vec3>,
+    /// For each triangle the normals at its corners, or [`FLAT`]; empty if all triangles are flat.
+    pub(super) smooth: Vec<[u32; 3]>,
+    pub(super) inside: Option<Inside>,
+    pub(super) bounds: Bounds,
+    pub(super) tree: Bvh,
+}
+
+/// In [`Triangles::smooth`]: the normals of the triangle are that of its plane.
+pub(super) const FLAT: [u32; 3] = [u32::MAX; 3];
+
+/// No triangle.
+const NONE: u32 = u32::MAX;
+
+/// How a mesh has an inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Inside {
+    /// The `inside_vector`.
+    pub(super) dir: DVec3,
+    /// Whether every edge belongs to an even number of triangles.
+    pub(super) is_closed: bool,
+}
+
+impl PartialEq for Triangles {
+    /// The tree follows from the rest.
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices == other.vertices
+            && self.corners == other.corners
+            && self.normals == other.normals
+            && self.smooth == other.smooth
+            && self.inside == other.inside
+    }
+}
+
+impl Mesh {
+    pub(super) fn new(triangles: Triangles) -> Self {
+        Mesh(Arc::new(triangles))
+    }
+
+    /// Reads the triangles of `mesh` and its `inside_vector`. Degenerate triangles are left out without a word.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, no triangle at all, or a texture of a single triangle.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let start = args.span();
+        let mut draft = Draft::default();
+        loop {
+            if args.accept(Word::Triangle)? {
+                read_triangle(args, &mut draft, Looks::Flat)?;
+            } else if args.accept(Word::SmoothTriangle)? {
+                read_triangle(args, &mut draft, Looks::Smooth)?;
+            } else {
+                break;
+            }
+        }
+        if draft.corners.is_empty() {
+            return Err(args.expected("`triangle` or `smooth_triangle` in `mesh`"));
+        }
+        read_inside_vector(args, &mut draft)?;
+        let mesh = draft.build();
+        if mesh.corners.is_empty() {
+            return Err(Box::new(Diagnostic::error(
+                start.to(args.last_span()),
+                "all triangles of this mesh are degenerate: none is left to draw",
+            )));
+        }
+        Ok(Mesh::new(mesh))
+    }
+
+    /// How many triangles it has, degenerate ones not counted.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.corners.len()
+    }
+
+    /// Whether it has no triangles.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.corners.is_empty()
+    }
+
+    /// The memory it takes, shared by all copies.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let lists = self.0.vertices.capacity() + self.0.normals.capacity();
+        let triples = self.0.corners.capacity() + self.0.smooth.capacity();
+        size_of::<Triangles>()
+            + lists * size_of::<Vec3>()
+            + triples * size_of::<[u32; 3]>()
+            + self.0.tree.bytes()
+    }
+}
+
+/// Whether a triangle of a `mesh` has normals at its corners.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Looks {
+    Flat,
+    Smooth,
+}
+
+/// `{ corners and normals [uv_vectors] }` behind the word of a triangle.
+fn read_triangle(args: &mut dyn Args, draft: &mut Draft, looks: Looks) -> Parse<()> {
+    args.open()?;
+    let at = args.span();
+    let count = if looks == Looks::Smooth { 6 } else { 3 };
+    let mut given = [DVec3::ZERO; 6];
+    let mut taken = 0;
+    args.literal_vectors(3, &mut |vector| {
+        let is_wanted = taken < count && vector.iter().all(|c| c.is_finite());
+        if is_wanted {
+            given[taken] = DVec3::from_slice(vector);
+            taken += 1;
+        }
+        is_wanted
+    });
+    for vector in &mut given[taken..count] {
+        let what = "the corners and normals of a triangle";
+        *vector = read::vector(args, what)?;
+    }
+    let added = match looks {
+        Looks::Flat => draft.triangle([given[0], given[1], given[2]], None),
+        Looks::Smooth => draft.triangle(
+            [given[0], given[2], given[4]],
+            Some([given[1], given[3], given[5]]),
+        ),
+    };
+    if let Err(fault) = added {
+        let place = at.to(args.last_span());
+        return Err(Box::new(Diagnostic::error(place, fault)));
+    }
+    if args.accept(Word::UvVectors)? {
+        for _ in 0..3 {
+            args.comma()?;
+            args.vector2()?;
+        }
+    }
+    for word in [Word::Texture, Word::TextureList] {
+        if args.word()? == Some(word) {
+            return Err(single_texture(args, word));
+        }
+    }
+    args.close()
+}
+
+fn single_texture(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
+    Box::new(
+        Diagnostic::error(
+            args.span(),
+            format!("`{word}` of a single triangle is not built yet"),
+        )
+        .with_hint(
+            "give the whole mesh one texture, or make a mesh of the triangles of each texture",
+        ),
+    )
+}
+
+/// `inside_vector` if it stands here; the zero vector takes the inside away again.
+pub(super) fn read_inside_vector(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+    while args.accept(Word::InsideVector)? {
+        let dir = read::vector(args, "the `inside_vector` of the mesh")?;
+        draft.inside = (dir != DVec3::ZERO).then_some(dir);
+    }
+    Ok(())
+}
+
+impl Triangles {
+    fn corners(&self, face: u32) -> [DVec3; 3] {
+        self.corners[face as usize].map(|corner| self.vertices[corner as usize].as_dvec3())
+    }
+
+    #[inline]
+    fn meet(&self, frame: &RayFrame, face: u32) -> Option<TriangleHit> {
+        match self.inside {
+            Some(_) => frame.crossing(&self.corners(face)),
+            None => frame.hit(&self.corners(face)),
+        }
+    }
+
+    /// The first hit with `from < t < to` on any triangle but `but`; of several at the same `t` the first in the list.
+    fn first(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
+        let frame = RayFrame::new(ray);
+        let mut best = None;
+        self.tree.nearest(ray, from, to, |face, end| {
+            let Some(TriangleHit { t, .. }) = self.meet(&frame, face) else {
+                return end;
+            };
+            let is_first = match best {
+                None => true,
+                Some((best_t, best_face)) => t < best_t || (t == best_t && face < best_face),
+            };
+            if face != but && from < t && t < to && is_first {
+                best = Some((t, face));
+                return t;
+            }
+            end
+        });
+        best
+    }
+
+    /// How many triangles a ray crosses at `from <= t <= to`.
+    fn count(&self, ray: &Ray, from: f64, to: f64) -> usize {
+        let frame = RayFrame::new(ray);
+        let mut count = 0;
+        self.tree.any(ray, from, to, |face| {
+            let hit = self.meet(&frame, face);
+            count += usize::from(hit.is_some_and(|hit| from <= hit.t && hit.t <= to));
+            false
+        });
+        count
+    }
+
+    /// What the first root of a closed mesh beyond `from` does, on any triangle but `left`, which lies behind even if
+    /// it rounds to the other side.
+    fn crossing_after(&self, ray: &Ray, from: f64, left: u32) -> Crossing {
+        let mut passed = self.count(ray, f64::NEG_INFINITY, from);
+        if left != NONE {
+            let hit = self.meet(&RayFrame::new(ray), left);
+            passed += usize::from(hit.is_some_and(|hit| hit.t > from));
+        }
+        if passed.is_multiple_of(2) {
+            Crossing::Enter
+        } else {
+            Crossing::Leave
+        }
+    }
+
+    fn contains(&self, point: DVec3, inside: &Inside) -> bool {
+        let Bounds { min, max } = self.bounds;
+        let is_near = point.cmpge(min).all() && point.cmple(max).all();
+        is_near && self.count(&Ray::new(point, inside.dir), 0.0, f64::INFINITY) % 2 == 1
+    }
+
+    /// Says for each root of a line what happens there.
+    fn label(&self, ray: &Ray, inside: &Inside, roots: &mut [Root]) {
+        let mut is_inside = false;
+        for i in 0..roots.len() {
+            let is_last = i + 1 == roots.len();
+            let goes_in = if is_last {
+                false
+            } else if inside.is_closed {
+                !is_inside
+            } else {
+                let middle = 0.5 * roots[i].t + 0.5 * roots[i + 1].t;
+                self.contains(ray.at(middle), inside)
+            };
+            roots[i].crossing = match (is_inside, goes_in) {
+                (false, true) => Crossing::Enter,
+                (true, false) => Crossing::Leave,
+                _ => Crossing::Touch,
+            };
+            is_inside = goes_in;
+        }
+    }
+}
+
+fn root(t: f64, face: u32, crossing: Crossing) -> Root {
+    Root {
+        t,
+        crossing,
+        face,
+        is_visible: true,
+    }
+}
+
+impl Geometry for Mesh {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        let mesh = &*self.0;
+        let frame = RayFrame::new(ray);
+        let first = roots.len();
+        let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
+        mesh.tree.any(ray, from, to, |face| {
+            let hit = mesh.meet(&frame, face);
+            roots.extend(hit.map(|hit| root(hit.t, face, Crossing::Touch)));
+            false
+        });
+        let found = &mut roots[first..];
+        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
+        if let Some(inside) = &mesh.inside {
+            mesh.label(ray, inside, found);
+        }
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        self.nearest_beside(ray, from, to, NONE)
+    }
+
+    fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
+        let inside = self.0.inside.as_ref();
+        if inside.is_some_and(|inside| !inside.is_closed) {
+            let mut roots = Vec::new();
+            self.roots(ray, &mut roots);
+            roots.retain(|root| root.face != face);
+            return first_visible(&roots, from, to);
+        }
+        let (t, hit) = self.0.first(ray, from, to, face)?;
+        let crossing = inside.map_or(Crossing::Touch, |_| self.0.crossing_after(ray, from, face));
+        Some(root(t, hit, crossing))
+    }
+
+    fn normal(&self, _: DVec3, face: u32) -> DVec3 {
+        let [a, b, c] = self.0.corners(face);
+        let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
+        // This way round `interior_texture` shows on the side where POV-Ray shows it.
+        ((c - a) / size).cross((b - a) / size)
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        let inside = self.0.inside.as_ref();
+        inside.is_some_and(|inside| self.0.contains(point, inside))
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.0.bounds
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+
+    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
+        let flat = self.normal(point, face);
+        let smooth = self.0.smooth.get(face as usize).copied();
+        let Some(smooth) = smooth.filter(|smooth| *smooth != FLAT) else {
+            return flat;
+        };
+        let shares = weights(&self.0.corners(face), flat, point);
+        let normals = smooth.map(|normal| self.0.normals[normal as usize].as_dvec3());
+        let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * normals[i]);
+        if mean.is_finite() && mean != DVec3::ZERO {
+            mean
+        } else {
+            flat
+        }
+    }
+
+    fn is_faceted(&self) -> bool {
+        true
+    }
+
+    fn is_solid(&self) -> bool {
+        self.0.inside.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests;
