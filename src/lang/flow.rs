@@ -4,7 +4,7 @@ use super::cursor::{Entered, Frame, Place};
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
+use crate::args::{Args, Parse, Word};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
@@ -275,11 +275,11 @@ impl Reader<'_> {
         if !self.begins_number()? {
             return Err(self.expected_here("`,` and the start of `#for`"));
         }
-        let start = self.number_at_sum()?;
+        let start = self.float()?;
         self.take_mark(',')?;
-        let end = self.number_at_sum()?;
+        let end = self.float()?;
         let step = if self.take_mark(',')? {
-            self.number_at_sum()?
+            self.float()?
         } else {
             1.0
         };

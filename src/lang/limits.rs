@@ -32,8 +32,6 @@ pub(super) const QUOTED: usize = 60;
 pub(super) const LEAVES: u64 = 200_000_000;
 /// Layers of one texture.
 pub(super) const LAYERS: usize = 100_000;
-/// Transforms kept one by one of one object.
-pub(super) const STEPS: usize = 1_000;
 /// Bytes that `#debug` and the like write in a run.
 pub(super) const MESSAGES: usize = 16 << 20;
 /// After so many bytes that may have been taken, memory is looked at, which takes as long as reading a hundred tokens.

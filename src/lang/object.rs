@@ -1,12 +1,11 @@
 //! Objects, CSG and what they carry.
 
-use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Value};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::interior::Interior;
 use crate::light::Light;
-use crate::math::{Step, Transform};
+use crate::math::shorten;
 use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::Shape;
 use crate::source::Diagnostic;
@@ -347,8 +346,7 @@ impl Reader<'_> {
     }
 }
 
-/// Makes one step of very many. A loop that turns an object a little further in each round copies all its steps each
-/// time, which takes a time that grows with the square of their number.
+/// Makes one step of very many, from the last one on before which the object was given something.
 fn fold_steps(object: &mut Object) {
     let textures = [&object.texture, &object.interior_texture];
     let textures = textures.into_iter().flatten().map(|texture| texture.after);
@@ -357,14 +355,7 @@ fn fold_steps(object: &mut Object) {
         .chain(around.map(|attached| attached.after))
         .max()
         .unwrap_or(0);
-    if object.steps.len() - start < limits::STEPS {
-        return;
-    }
-    let sum = object
-        .steps
-        .drain(start..)
-        .fold(Transform::IDENTITY, |sum, step| sum.then(&step.transform()));
-    object.steps.push(Step::General(sum));
+    shorten(&mut object.steps, start);
 }
 
 /// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.

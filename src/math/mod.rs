@@ -15,4 +15,4 @@ pub(crate) mod watertight;
 
 pub use bounds::Bounds;
 pub use ray::Ray;
-pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation};
+pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

@@ -29,6 +29,21 @@ pub enum Step {
     General(Transform),
 }
 
+/// Transforms kept one by one of one object or texture.
+const KEPT_STEPS: usize = 1_000;
+
+/// Makes one step of those from `start` on, if they are very many. A loop that turns a thing a little further in each
+/// round copies all its steps each time, which takes a time that grows with the square of their number.
+pub fn shorten(steps: &mut Vec<Step>, start: usize) {
+    if steps.len() - start < KEPT_STEPS {
+        return;
+    }
+    let sum = steps
+        .drain(start..)
+        .fold(Transform::IDENTITY, |sum, step| sum.then(&step.transform()));
+    steps.push(Step::General(sum));
+}
+
 impl Transform {
     /// The transform that moves nothing.
     pub const IDENTITY: Transform = Transform {
@@ -173,6 +188,20 @@ mod tests {
 
     fn close(a: DVec3, b: DVec3) -> bool {
         (a - b).length() < 1e-12
+    }
+
+    #[test]
+    fn very_many_steps_become_one_that_moves_alike() {
+        let step = Step::Rotate(DVec3::new(0.0, 0.0, 0.36));
+        let mut few = vec![step; KEPT_STEPS - 1];
+        shorten(&mut few, 0);
+        assert_eq!(few.len(), KEPT_STEPS - 1);
+        let mut many = vec![Step::Scale(DVec3::splat(2.0))];
+        many.extend(vec![step; KEPT_STEPS]);
+        shorten(&mut many, 1);
+        assert_eq!(many.len(), 2);
+        let turned = many[1].transform().world_from_object;
+        assert!(close(turned.transform_point3(DVec3::X), DVec3::X));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{Finish, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
-use crate::math::Step;
+use crate::math::{Step, shorten};
 use crate::syntax::Class;
 
 /// The last language version in which upper layers do not filter but only transmit.
@@ -56,6 +56,7 @@ impl Layer {
     /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
     pub fn transform(&mut self, step: &Step) {
         self.pigment.steps.push(*step);
+        shorten(&mut self.pigment.steps, 0);
     }
 }
 

@@ -210,6 +210,12 @@ fn growth() -> Vec<(&'static str, String)> {
             ),
         ),
         (
+            "texture_moved_often",
+            rest(
+                "#declare T = texture { pigment { checker rgb 1 rgb 0 } }\n#for (I, 1, 1e5) #declare T = texture { T translate x } #end\nsphere { 0, 1 texture { T } }",
+            ),
+        ),
+        (
             "unions_moved",
             rest(&format!(
                 "{}{}",
