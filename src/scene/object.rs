@@ -204,6 +204,35 @@ impl Size {
     }
 }
 
+/// The box around a primitive that is moved: the steps it can take in itself leave no slack.
+fn moved(shape: &Shape, steps: &[Step]) -> Bounds {
+    let mut shape = shape.clone();
+    let taken_in = steps.iter().take_while(|step| shape.absorb(step)).count();
+    shape
+        .bounds()
+        .transformed(&Transform::from_steps(&steps[taken_in..]).world_from_object)
+}
+
+/// A box after each step in turn.
+fn turned(bounds: Bounds, steps: &[Step]) -> Bounds {
+    steps.iter().fold(bounds, |bounds, step| {
+        bounds.transformed(&step.transform().world_from_object)
+    })
+}
+
+fn combined(operation: Operation, children: &[Arc<Object>]) -> Bounds {
+    let mut bounds = children.iter().map(|child| child.bounds());
+    match operation {
+        Operation::Union | Operation::Merge => {
+            bounds.fold(Bounds::EMPTY, |sum, child| sum.union(&child))
+        }
+        Operation::Intersection => {
+            bounds.fold(Bounds::EVERYTHING, |sum, child| sum.intersection(&child))
+        }
+        Operation::Difference => bounds.next().unwrap_or(Bounds::EMPTY),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -266,34 +295,5 @@ mod tests {
         };
         let small = std::thread::Builder::new().stack_size(1 << 17);
         assert!(small.spawn(drop_it).unwrap().join().is_ok());
-    }
-}
-
-/// The box around a primitive that is moved: the steps it can take in itself leave no slack.
-fn moved(shape: &Shape, steps: &[Step]) -> Bounds {
-    let mut shape = shape.clone();
-    let taken_in = steps.iter().take_while(|step| shape.absorb(step)).count();
-    shape
-        .bounds()
-        .transformed(&Transform::from_steps(&steps[taken_in..]).world_from_object)
-}
-
-/// A box after each step in turn.
-fn turned(bounds: Bounds, steps: &[Step]) -> Bounds {
-    steps.iter().fold(bounds, |bounds, step| {
-        bounds.transformed(&step.transform().world_from_object)
-    })
-}
-
-fn combined(operation: Operation, children: &[Arc<Object>]) -> Bounds {
-    let mut bounds = children.iter().map(|child| child.bounds());
-    match operation {
-        Operation::Union | Operation::Merge => {
-            bounds.fold(Bounds::EMPTY, |sum, child| sum.union(&child))
-        }
-        Operation::Intersection => {
-            bounds.fold(Bounds::EVERYTHING, |sum, child| sum.intersection(&child))
-        }
-        Operation::Difference => bounds.next().unwrap_or(Bounds::EMPTY),
     }
 }
