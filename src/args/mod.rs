@@ -1,7 +1,5 @@
 //! How an element reads its parameters, whoever holds them: the language's cursor over tokens, a test, a caller in Rust.
 
-#[cfg(test)]
-pub(crate) mod fake;
 mod steps;
 #[cfg(test)]
 pub(crate) mod text;

@@ -1,6 +1,7 @@
 //! The statements of a scene file, and going on after a faulty one.
 
 use super::cursor::Entered;
+use super::hints::opens_group;
 use super::limits;
 use super::reader::Reader;
 use super::value::Value;
@@ -377,15 +378,7 @@ impl Reader<'_> {
                 self.frames
                     .pop_if(|frame| !matches!(frame.kind, Entered::Include { .. }));
             }
-            Some(
-                Word::If
-                | Word::Ifdef
-                | Word::Ifndef
-                | Word::While
-                | Word::For
-                | Word::Switch
-                | Word::Macro,
-            ) if end != u32::MAX => self.here.at = end as usize,
+            Some(word) if opens_group(word) && end != u32::MAX => self.here.at = end as usize,
             Some(Word::Else | Word::Elseif | Word::Case | Word::Range) if end != u32::MAX => {
                 self.here.at = end as usize;
                 return;

@@ -262,12 +262,12 @@ impl Geometry for Cone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::{Cylinder, check};
 
     fn cone(text: &str) -> Cone {
-        Cone::read(&mut FakeArgs::new(text)).unwrap()
+        Cone::read(&mut TextArgs::new(text)).unwrap()
     }
 
     #[test]

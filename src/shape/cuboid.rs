@@ -155,7 +155,7 @@ impl Geometry for Cuboid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::shape::check;
 
     fn cube() -> Cuboid {
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn corners_come_in_any_order() {
-        let cuboid = Cuboid::read(&mut FakeArgs::new("<1,-1,1>, <-1,1,-1>")).unwrap();
+        let cuboid = Cuboid::read(&mut TextArgs::new("<1,-1,1>, <-1,1,-1>")).unwrap();
         assert_eq!(cuboid, cube());
     }
 

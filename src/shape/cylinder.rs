@@ -152,12 +152,12 @@ impl Geometry for Cylinder {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::{Crossing, check};
 
     fn cylinder(text: &str) -> Cylinder {
-        Cylinder::read(&mut FakeArgs::new(text)).unwrap()
+        Cylinder::read(&mut TextArgs::new(text)).unwrap()
     }
 
     #[test]
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn coinciding_ends_are_an_error() {
-        let error = Cylinder::read(&mut FakeArgs::new("<1,2,3>, <1,2,3>, 1")).unwrap_err();
+        let error = Cylinder::read(&mut TextArgs::new("<1,2,3>, <1,2,3>, 1")).unwrap_err();
         assert_eq!(
             error.message,
             "degenerate cylinder: base point = apex point"

@@ -138,12 +138,12 @@ impl Geometry for Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::{Crossing, check};
 
     fn disc(text: &str) -> Disc {
-        Disc::read(&mut FakeArgs::new(text)).unwrap()
+        Disc::read(&mut TextArgs::new(text)).unwrap()
     }
 
     fn see(disc: &Disc, x: f64) -> bool {
@@ -193,9 +193,9 @@ mod tests {
 
     #[test]
     fn a_disc_without_a_normal_is_warned_of_and_empty() {
-        let mut args = FakeArgs::new("<0,0,0>, <0,0,0>, 1");
+        let mut args = TextArgs::new("<0,0,0>, <0,0,0>, 1");
         assert!(Disc::read(&mut args).unwrap().bounds().is_empty());
-        assert_eq!(args.warnings.len(), 1);
+        assert_eq!(args.warnings().len(), 1);
     }
 
     #[test]

@@ -297,11 +297,11 @@ fn even_scale(by: DVec3) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::syntax::Class;
 
-    fn read(word: Word, text: &str) -> (Shape, FakeArgs) {
-        let mut args = FakeArgs::new(text);
+    fn read(word: Word, text: &str) -> (Shape, TextArgs) {
+        let mut args = TextArgs::new(text);
         let shape = Shape::read(word, &mut args).unwrap().unwrap();
         (shape, args)
     }
@@ -337,7 +337,7 @@ mod tests {
             let (shape, args) = read(word, text);
             assert_eq!(shape.word(), word);
             assert!(args.is_done(), "{text}");
-            assert!(args.warnings.is_empty());
+            assert!(args.warnings().is_empty());
             assert!(!shape.bounds().is_empty());
             let (_, mut args) = read(word, &format!("{text} rotate"));
             assert!(args.accept(Word::Rotate).unwrap());
@@ -346,13 +346,13 @@ mod tests {
 
     #[test]
     fn a_word_that_begins_no_shape_reads_nothing() {
-        assert!(Shape::read(Word::Union, &mut FakeArgs::new("")).is_none());
+        assert!(Shape::read(Word::Union, &mut TextArgs::new("")).is_none());
     }
 
     #[test]
     fn a_missing_parameter_is_an_error() {
         for word in Shape::WORDS {
-            let result = Shape::read(*word, &mut FakeArgs::new("<0,0,0>, <0,1,0>")).unwrap();
+            let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
             assert_eq!(result.is_ok(), *word == Word::Box);
         }
     }

@@ -121,12 +121,12 @@ impl Geometry for Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::check;
 
     fn plane(text: &str) -> Plane {
-        Plane::read(&mut FakeArgs::new(text)).unwrap()
+        Plane::read(&mut TextArgs::new(text)).unwrap()
     }
 
     #[test]
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn a_zero_normal_is_an_error() {
-        let error = Plane::read(&mut FakeArgs::new("<0,0,0>, 1")).unwrap_err();
+        let error = Plane::read(&mut TextArgs::new("<0,0,0>, 1")).unwrap_err();
         assert_eq!(
             error.message,
             "degenerate plane normal: it has no direction"

@@ -126,13 +126,13 @@ impl Geometry for SmoothTriangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::shape::check;
 
     const TEXT: &str = "<-1,-1,0>, <-1,0,-2>, <1,-1,0>, <1,0,-2>, <0,1,0>, <0,1,-1>";
 
     fn smooth(text: &str) -> SmoothTriangle {
-        SmoothTriangle::read(&mut FakeArgs::new(text)).unwrap()
+        SmoothTriangle::read(&mut TextArgs::new(text)).unwrap()
     }
 
     #[test]
@@ -157,10 +157,10 @@ mod tests {
         // POV-Ray 3.7 leaves out a triangle with a normal in its plane, too.
         for third in ["<0,1,1>", "<0,1,0>"] {
             let text = format!("<-1,-1,0>, <-1,0,-2>, <1,-1,0>, <1,0,-2>, <0,1,0>, {third}");
-            let mut args = FakeArgs::new(&text);
+            let mut args = TextArgs::new(&text);
             assert!(SmoothTriangle::read(&mut args).unwrap().bounds().is_empty());
             assert_eq!(
-                args.warnings[0].message,
+                args.warnings()[0],
                 "degenerate triangle: its normals do not all lie on one side of it; it is left out"
             );
         }

@@ -134,7 +134,7 @@ impl Geometry for Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::shape::check;
 
     fn unit_sphere() -> Sphere {
@@ -209,9 +209,9 @@ mod tests {
 
     #[test]
     fn a_negative_radius_is_its_absolute_value_and_zero_is_nothing() {
-        let sphere = Sphere::read(&mut FakeArgs::new("<1,2,3>, -2")).unwrap();
+        let sphere = Sphere::read(&mut TextArgs::new("<1,2,3>, -2")).unwrap();
         assert_eq!(sphere.radius, 2.0);
-        let nothing = Sphere::read(&mut FakeArgs::new("<1 2 3> 0")).unwrap();
+        let nothing = Sphere::read(&mut TextArgs::new("<1 2 3> 0")).unwrap();
         assert!(nothing.bounds().is_empty());
         let through = Ray::new(DVec3::new(1.0, 2.0, 0.0), DVec3::Z);
         assert!(nothing.span(&through).is_none());
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_radius_that_is_not_finite_is_named() {
-        let error = Sphere::read(&mut FakeArgs::new("<1,2,3>, nan")).unwrap_err();
+        let error = Sphere::read(&mut TextArgs::new("<1,2,3>, nan")).unwrap_err();
         assert_eq!(
             error.message,
             "the radius of the sphere must be finite, found NaN"

@@ -360,7 +360,7 @@ impl Geometry for Torus {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::check;
 
@@ -452,7 +452,7 @@ mod tests {
     #[test]
     fn sturm_is_read_with_and_without_a_value() {
         for text in ["1, .3 sturm", "1 .3 sturm 0", "1, .3"] {
-            let mut args = FakeArgs::new(text);
+            let mut args = TextArgs::new(text);
             assert_eq!(Torus::read(&mut args).unwrap(), torus(1.0, 0.3));
             assert!(args.is_done());
         }

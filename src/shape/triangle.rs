@@ -116,11 +116,11 @@ impl Geometry for Triangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::fake::FakeArgs;
+    use crate::args::text::TextArgs;
     use crate::shape::check;
 
     fn triangle(text: &str) -> Triangle {
-        Triangle::read(&mut FakeArgs::new(text)).unwrap()
+        Triangle::read(&mut TextArgs::new(text)).unwrap()
     }
 
     #[test]
@@ -194,10 +194,10 @@ mod tests {
 
     #[test]
     fn corners_on_a_line_are_warned_of_and_never_hit() {
-        let mut args = FakeArgs::new("<0,0,0>, <.1,.1,.1>, <.3,.3,.3>");
+        let mut args = TextArgs::new("<0,0,0>, <.1,.1,.1>, <.3,.3,.3>");
         let nothing = Triangle::read(&mut args).unwrap();
         assert_eq!(
-            args.warnings[0].message,
+            args.warnings()[0],
             "degenerate triangle: its corners lie on one line; it is left out"
         );
         assert!(nothing.bounds().is_empty());

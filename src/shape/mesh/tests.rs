@@ -1,28 +1,28 @@
 use super::*;
-use crate::args::fake::FakeArgs;
+use crate::args::text::TextArgs;
 use crate::shape::check;
 
 fn mesh(text: &str) -> Mesh {
-    let mut args = FakeArgs::new(text);
+    let mut args = TextArgs::new(text);
     let mesh = Mesh::read(&mut args).unwrap();
-    assert!(args.is_done() && args.warnings.is_empty());
+    assert!(args.is_done() && args.warnings().is_empty());
     mesh
 }
 
 fn mesh2(text: &str) -> Mesh {
-    let mut args = FakeArgs::new(text);
+    let mut args = TextArgs::new(text);
     let mesh = Mesh::read_mesh2(&mut args).unwrap();
     assert!(args.is_done());
     mesh
 }
 
 fn fault(text: &str) -> String {
-    Mesh::read(&mut FakeArgs::new(text)).unwrap_err().message
+    Mesh::read(&mut TextArgs::new(text)).unwrap_err().message
 }
 
 /// What is wrong with a `mesh2`, and the text that is pointed at.
 fn fault2(text: &str) -> (String, &str) {
-    let error = Mesh::read_mesh2(&mut FakeArgs::new(text)).unwrap_err();
+    let error = Mesh::read_mesh2(&mut TextArgs::new(text)).unwrap_err();
     let span = error.span.unwrap();
     (error.message, &text[span.start as usize..span.end as usize])
 }
@@ -225,9 +225,9 @@ fn a_normal_without_direction_is_warned_of() {
     let text = format!(
         "{FOUR} normal_vectors {{ 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0> }} face_indices {{ 1, <0,1,2> }}"
     );
-    let mut args = FakeArgs::new(&text);
+    let mut args = TextArgs::new(&text);
     Mesh::read_mesh2(&mut args).unwrap();
-    let messages: Vec<_> = args.warnings.iter().map(|w| w.message.as_str()).collect();
+    let messages = args.warnings();
     assert_eq!(
         messages,
         ["a normal of a mesh has no direction; it is taken as <1, 0, 0>"]
