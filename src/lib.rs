@@ -46,10 +46,12 @@ pub mod texture;
 pub mod trace;
 
 use compile::World;
+use glam::DVec3;
 use options::{Failure, Input, Picture, ReadOptions, RenderOptions};
-use scene::Scene;
+use scene::{Object, Scene};
 use source::print::{Styling, annotated, pov_line};
 use source::{Diagnostic, Severity, Sources};
+use std::sync::Arc;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
@@ -120,6 +122,20 @@ fn failure(error: String) -> Failure {
     }
 }
 
+/// The drawing wing as the reading wing sees it.
+#[derive(Default)]
+struct OwnObjects(compile::Probed);
+
+impl lang::Probe for OwnObjects {
+    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir)
+    }
+
+    fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
+        self.0.is_inside(object, point)
+    }
+}
+
 /// A scene read and compiled.
 struct Prepared {
     world: World,
@@ -141,7 +157,7 @@ fn prepare(
         },
         Input::Text { name, text } => sources.add_text(name.clone(), text),
     };
-    let reading = lang::evaluate(file, &mut sources, options);
+    let reading = lang::evaluate_with(file, &mut sources, options, &mut OwnObjects::default());
     let of = |severity: Severity| {
         reading
             .findings

@@ -4,11 +4,13 @@ mod csg;
 mod flatten;
 mod interiors;
 mod leaf;
+mod probe;
 mod simplify;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
+pub use probe::Probed;
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::accel::Bvh;

@@ -385,6 +385,20 @@ impl World {
         interiors
     }
 
+    /// Whether a point lies in any object.
+    #[must_use]
+    pub fn holds(&self, point: DVec3) -> bool {
+        let holds = |number: u32| match self.items[number as usize] {
+            Item::Leaf(leaf) => self.leaves[leaf as usize].contains(point),
+            Item::Program(program) => {
+                self.programs[program as usize].contains(&self.leaves, point)
+            }
+        };
+        let mut unbounded = self.unbounded.iter();
+        unbounded.any(|&number| holds(number))
+            || self.tree.around(point, |number| holds(self.bounded[number as usize]))
+    }
+
     /// The primitives of the world.
     #[must_use]
     pub fn leaves(&self) -> &[Leaf] {

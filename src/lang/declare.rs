@@ -170,6 +170,10 @@ impl Reader<'_> {
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
         let symbol = self.identifier("a name after `#undef`")?;
+        if let Some(&Value::File(handle)) = self.scopes.get(symbol) {
+            self.scopes.undefine(symbol);
+            return self.close_file(handle, self.taken_span());
+        }
         if !self.scopes.undefine(symbol) {
             let name = self.names.spelling(symbol).to_owned();
             self.warning(Diagnostic::warning(
@@ -202,14 +206,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn run_include(&mut self) -> Parse<()> {
-        let token = self.peek()?;
-        let name = if token.kind == Kind::String {
-            self.pass();
-            self.last_tokens.string_raw(token.value).into_owned()
-        } else {
-            self.string()?
-        };
+        let name = self.file_name()?;
         let from = self.taken_span();
+        self.publish_files(from)?;
         let depth = self
             .frames
             .iter()
@@ -347,6 +346,7 @@ impl Reader<'_> {
                 }
             }
             Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::File(_)) => Err(self.expected_here(what)),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
                 Element::new("texture", self.texture_layers()?),
             ))),
