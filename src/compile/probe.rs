@@ -6,6 +6,7 @@ use crate::camera::Camera;
 use crate::math::Ray;
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::{Background, Globals, Object, Scene};
+use crate::shape::Shape;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ pub struct Probed {
 
 impl Probed {
     /// The first surface of an object on a ray: the point, and the unit normal there before any `normal` pattern,
-    /// which points out of the object. What hides from some rays (`no_image`) is met.
+    /// which points out of the solid. What hides from some rays (`no_image`) is met.
     ///
     /// POV-Ray's least distance holds, 1/10000 of a unit, for scenes that trace on from where they were.
     pub fn trace(
@@ -44,7 +45,12 @@ impl Probed {
             seen: Seen::Image,
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
-        Some((hit.point, hit.shading_normal))
+        let leaf = hit.departure.leaf;
+        // POV-Ray gives those of single triangles as they are.
+        let is_triangle = matches!(world.shape(leaf), Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let is_turned = world.is_inverse(leaf) && !is_triangle;
+        let normal = hit.shading_normal;
+        Some((hit.point, if is_turned { -normal } else { normal }))
     }
 
     /// Whether a point lies in an object.

@@ -12,7 +12,7 @@ use crate::math::lanes::with_widest;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
-use crate::shape::{Crossing, Geometry, Root};
+use crate::shape::{Crossing, Geometry, Root, Shape};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -383,6 +383,19 @@ impl World {
             }
         }
         interiors
+    }
+
+    /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
+    /// away.
+    pub(super) fn is_inverse(&self, leaf: u32) -> bool {
+        let behind = self.programs.partition_point(|program| program.first <= leaf);
+        let program = behind.checked_sub(1).map(|at| &self.programs[at]);
+        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+    }
+
+    /// The shape of a primitive.
+    pub(super) fn shape(&self, leaf: u32) -> &Shape {
+        &self.leaves[leaf as usize].shape
     }
 
     /// Whether a point lies in any object.
