@@ -23,6 +23,14 @@ pub type Parse<T> = Result<T, Box<Diagnostic>>;
 pub trait Args {
     /// A number.
     fn float(&mut self) -> Parse<f64>;
+    /// A number in single precision, where POV-Ray keeps one so.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the caller asks for single precision"
+    )]
+    fn single(&mut self) -> Parse<f32> {
+        self.float().map(|number| number as f32)
+    }
     /// A number if one begins here, otherwise `default`: `metallic`, `no_shadow off`.
     fn float_or(&mut self, default: f64) -> Parse<f64>;
     /// A vector of two; a number stands for both components.

@@ -7,6 +7,7 @@ use super::leaf::{Extent, Leaf};
 use super::world::{Flags, Surface};
 use crate::light::Light;
 use crate::math::{Bounds, Step};
+use crate::pattern::Settings;
 use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::Geometry;
 use crate::texture::{Layer, PreparedTexture, Texture};
@@ -34,6 +35,8 @@ pub(super) struct Flat {
     pub(super) surfaces: Vec<Surface>,
     pub(super) interiors: Interiors,
     pub(super) lights: Vec<Light>,
+    /// What patterns take from the whole scene.
+    settings: Settings,
     /// By address.
     prepared: FxHashMap<usize, Arc<PreparedTexture>>,
     last_surface: Option<u32>,
@@ -62,6 +65,14 @@ struct Placed {
 }
 
 impl Flat {
+    /// Nothing yet; `settings` are what patterns take from the whole scene.
+    pub(super) fn new(settings: Settings) -> Self {
+        Flat {
+            settings,
+            ..Flat::default()
+        }
+    }
+
     /// Takes in one object of the scene's top level.
     pub(super) fn add(&mut self, object: &Object) {
         let nothing = Heritage {
@@ -340,7 +351,7 @@ impl Flat {
     fn surface(&mut self, looks: &Heritage) -> u32 {
         let texture = match &looks.texture {
             Some(placed) => self.prepare(placed),
-            None => Arc::new(Texture::from(Layer::default()).prepare(&[])),
+            None => Arc::new(Texture::from(Layer::default()).prepare(&[], &self.settings)),
         };
         let inside_texture = looks
             .inside_texture
@@ -369,10 +380,10 @@ impl Flat {
     fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
         if !placed.texture.depends_on_place() {
             let key = Arc::as_ptr(&placed.texture).addr();
-            let fresh = || Arc::new(placed.texture.prepare(&[]));
+            let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
             return Arc::clone(self.prepared.entry(key).or_insert_with(fresh));
         }
-        Arc::new(placed.texture.prepare(&placed.steps))
+        Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
     }
 }
 

@@ -22,7 +22,7 @@ use flatten::Flat;
 /// combinations, and builds the tree.
 #[must_use]
 pub fn compile(scene: &Scene, options: &RenderOptions) -> World {
-    let mut flat = Flat::default();
+    let mut flat = Flat::new(scene.pattern_settings());
     for object in &scene.objects {
         flat.add(object);
     }

@@ -8,6 +8,7 @@ use crate::args::{Args, Parse, Word, transform_step};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
+use crate::pattern::Map;
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
@@ -371,6 +372,16 @@ impl Reader<'_> {
                 let default = self.default_layer.pigment.clone();
                 let pigment = Pigment::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("pigment", pigment))))
+            }
+            Word::ColorMap | Word::ColourMap => {
+                self.pass();
+                let map = Map::read_colors(self)?;
+                Ok(Some(Value::Element(Element::new("color_map", map))))
+            }
+            Word::PigmentMap => {
+                self.pass();
+                let map = Pigment::read_map(self)?;
+                Ok(Some(Value::Element(Element::new("pigment_map", map))))
             }
             Word::Finish => {
                 self.pass();

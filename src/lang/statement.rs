@@ -8,12 +8,15 @@ use super::value::Value;
 use crate::args::{Args, Parse, Word};
 use crate::camera::Camera;
 use crate::color::Gamma;
+use crate::pattern::read_noise_generator;
 use crate::scene::Object;
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
 use std::sync::Arc;
 
+/// How many waves there may be: each costs time at each point.
+const WAVES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// POV-Ray's bounds of `max_trace_level`.
 const TRACE_LEVELS: std::ops::RangeInclusive<f64> = 1.0..=256.0;
 
@@ -227,12 +230,16 @@ impl Reader<'_> {
                 self.pass();
                 self.globals.ambient_light = self.color_value()?.rgb;
             }
+            Word::NoiseGenerator => {
+                self.pass();
+                self.globals.noise_generator = read_noise_generator(self)?;
+            }
+            Word::NumberOfWaves => {
+                self.pass();
+                self.globals.number_of_waves = self.number_of_waves()?;
+            }
             // These matter only to features that are refused by name where they are used.
-            Word::NumberOfWaves
-            | Word::MaxIntersections
-            | Word::HfGray16
-            | Word::MmPerUnit
-            | Word::NoiseGenerator => {
+            Word::MaxIntersections | Word::HfGray16 | Word::MmPerUnit => {
                 self.pass();
                 self.float_or(1.0)?;
             }
@@ -252,6 +259,21 @@ impl Reader<'_> {
             _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
         }
         Ok(())
+    }
+
+    fn number_of_waves(&mut self) -> Parse<u32> {
+        let number = self.float()?.trunc();
+        if !WAVES.contains(&number) {
+            let text = format!("`number_of_waves` runs from 1 to {}", WAVES.end());
+            self.warning(Diagnostic::warning(self.taken_span(), text));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let number = number.clamp(*WAVES.start(), *WAVES.end()) as u32;
+        Ok(number)
     }
 
     fn gamma(&mut self) -> Parse<Gamma> {

@@ -7,6 +7,7 @@ use crate::color::{Color, Rgb};
 use crate::compile::{Hit, Scratch, Seen, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
+use crate::pattern::Spot;
 use crate::texture::{Finish, PreparedLayer, PreparedTexture};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -65,7 +66,7 @@ impl Tracer<'_> {
         };
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                view.rgb = self.color(lowest, hit.point).rgb;
+                view.rgb = self.color(lowest, &spot(hit, path.ray.dir)).rgb;
             }
             return view;
         }
@@ -80,7 +81,7 @@ impl Tracer<'_> {
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         for layer in texture.layers() {
-            let color = self.color(layer, hit.point);
+            let color = self.color(layer, &spot(hit, path.ray.dir));
             view.rgb += self.layer(&lit, layer, color, scratch) * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let mirror = self.mirror(&lit, hit, &layer.finish, color.rgb);
@@ -241,15 +242,15 @@ impl Tracer<'_> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let layers = facing_texture(surface, hit, ray.dir).layers();
         layers.iter().fold(Rgb::WHITE, |light, layer| {
-            light * self.color(layer, hit.point).transmission()
+            light * self.color(layer, &spot(hit, ray.dir)).transmission()
         })
     }
 
     /// The colour of a layer, in previews its quick colour.
-    fn color(&self, layer: &PreparedLayer, point: DVec3) -> Color {
+    fn color(&self, layer: &PreparedLayer, spot: &Spot) -> Color {
         match layer.quick_color {
             Some(quick) if !self.quality.has_transparency => quick,
-            _ => layer.pigment.color(point),
+            _ => layer.pigment.color(spot),
         }
     }
 
@@ -268,6 +269,15 @@ fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s Prepar
     match &surface.inside_texture {
         Some(inside) if hit.shading_normal.dot(dir) > 0.0 => inside,
         _ => &surface.texture,
+    }
+}
+
+/// The place that patterns are asked about.
+fn spot(hit: &Hit, dir: DVec3) -> Spot {
+    Spot {
+        point: hit.point,
+        normal: facing_normal(hit, dir),
+        dir,
     }
 }
 
