@@ -1,14 +1,19 @@
-//! Where a polynomial changes sign, by the chain of its derivatives (Yuksel 2022, "High-performance polynomial root
-//! finding for graphics"): between the zeros of its derivative it is monotone, so a bracketed Newton iteration cannot
-//! miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
+//! Where a polynomial changes sign, up to degree four by the chain of its derivatives (Yuksel 2022, "High-performance
+//! polynomial root finding for graphics"): between the zeros of its derivative it is monotone, so a bracketed Newton
+//! iteration cannot miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
+//! Chains of higher degree cost more than halving ([`bernstein`]).
 //!
 //! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 < x < 1` is searched; whoever asks has
 //! centred and scaled the polynomial so that its coefficients are of one size there.
 
+use super::bernstein;
 use smallvec::SmallVec;
 
 /// Places on a line, in order.
 pub(crate) type Places = SmallVec<[f64; 8]>;
+
+/// Polynomials of up to so many coefficients are searched by the chain of their derivatives.
+const CHAIN: usize = 5;
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
@@ -22,7 +27,8 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
         [c0, c1, c2] => quadratic(c0, c1, c2),
         [c0, c1] => within(&[-c0 / c1]),
         [] | [_] => Places::new(),
-        _ => between_turns(c),
+        _ if c.len() <= CHAIN => between_turns(c),
+        _ => bernstein::sign_changes(c),
     }
 }
 
@@ -58,7 +64,7 @@ fn between_turns(c: &[f64]) -> Places {
 }
 
 /// Newton's iteration for the one root between `low` and `high`, halving where a step would leave the bracket.
-fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool) -> f64 {
+pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool) -> f64 {
     let mut x = 0.5 * (low + high);
     for _ in 0..MAX_STEPS {
         let (value, slope) = value_and_slope(c, x);
@@ -119,6 +125,9 @@ fn within(all: &[f64]) -> Places {
     }
     places
 }
+
+#[cfg(test)]
+mod exact;
 
 #[cfg(test)]
 mod tests {

@@ -19,6 +19,7 @@ mod mesh_build;
 #[cfg(test)]
 mod oracle;
 mod plane;
+mod quadric;
 mod read;
 mod smooth_triangle;
 mod sphere;
@@ -31,6 +32,7 @@ pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use mesh::Mesh;
 pub use plane::Plane;
+pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
 pub use torus::Torus;
@@ -245,6 +247,8 @@ shapes! {
     Triangle from Triangle,
     /// `smooth_triangle`
     SmoothTriangle from SmoothTriangle,
+    /// `quadric`
+    Quadric from Quadric,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
 }
