@@ -18,6 +18,9 @@ const CHAIN: usize = 5;
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
 
+/// How near to an end a change may come from rounding.
+const ROUNDED_END: f64 = 1e-7;
+
 /// More halvings than a double has digits.
 const MAX_STEPS: u32 = 80;
 
@@ -30,6 +33,30 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
         _ if c.len() <= CHAIN => between_turns(c),
         _ => bernstein::sign_changes(c),
     }
+}
+
+/// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
+/// they share: a change that only rounding makes or hides at an end is taken away or put there.
+pub(crate) fn sign_changes_between(c: &[f64], starts_negative: bool, ends_negative: bool) -> Places {
+    let mut places = sign_changes(c);
+    if (value(c, -1.0) < 0.0) != starts_negative {
+        match places.first() {
+            Some(first) if first + 1.0 < ROUNDED_END => {
+                places.remove(0);
+            }
+            _ => places.insert(0, -1.0),
+        }
+    }
+    let is_odd = places.len() % 2 == 1;
+    if is_odd != (starts_negative != ends_negative) {
+        match places.last() {
+            Some(last) if 1.0 - last < ROUNDED_END => {
+                places.pop();
+            }
+            _ => places.push(1.0),
+        }
+    }
+    places
 }
 
 /// Whether the quartic is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.

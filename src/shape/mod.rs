@@ -7,6 +7,7 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
+mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
@@ -26,6 +27,7 @@ mod sphere;
 mod torus;
 mod triangle;
 
+pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
@@ -249,6 +251,8 @@ shapes! {
     SmoothTriangle from SmoothTriangle,
     /// `quadric`
     Quadric from Quadric,
+    /// `blob`
+    Blob from Blob,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
 }
