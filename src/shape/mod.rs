@@ -7,6 +7,7 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
+mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
@@ -19,18 +20,21 @@ mod mesh_build;
 #[cfg(test)]
 mod oracle;
 mod plane;
+mod quadric;
 mod read;
 mod smooth_triangle;
 mod sphere;
 mod torus;
 mod triangle;
 
+pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use mesh::Mesh;
 pub use plane::Plane;
+pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
 pub use torus::Torus;
@@ -245,6 +249,10 @@ shapes! {
     Triangle from Triangle,
     /// `smooth_triangle`
     SmoothTriangle from SmoothTriangle,
+    /// `quadric`
+    Quadric from Quadric,
+    /// `blob`
+    Blob from Blob,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
 }
