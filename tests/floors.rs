@@ -25,6 +25,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("texture", "interior"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
+    // The triangles of a mesh have textures of their own.
+    ("shape", "texture"),
 ];
 
 fn floor_of(room: &str) -> Option<usize> {

@@ -9,7 +9,7 @@ use crate::light::Light;
 use crate::math::{Bounds, Step};
 use crate::pattern::Settings;
 use crate::scene::{Attached, Kind, Object, Operation};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -99,7 +99,7 @@ impl Flat {
                 }
             }
             Kind::Shape(shape) if is_plain && !object.is_inverse => {
-                let surface = self.surface(&below);
+                let surface = self.surface(&below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Surface);
                 if !bounds.is_empty() {
@@ -224,7 +224,7 @@ impl Flat {
                 Bounds::EMPTY
             }
             Kind::Shape(shape) => {
-                let surface = self.surface(below);
+                let surface = self.surface(below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
                 self.leaves.push(leaf);
@@ -348,7 +348,7 @@ impl Flat {
     }
 
     /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    fn surface(&mut self, looks: &Heritage) -> u32 {
+    fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
         let texture = match &looks.texture {
             Some(placed) => self.prepare(placed),
             None => Arc::new(Texture::from(Layer::default()).prepare(&[], &self.settings)),
@@ -357,10 +357,18 @@ impl Flat {
             .inside_texture
             .as_ref()
             .map(|placed| self.prepare(placed));
+        let skin = |skin: &Skin| {
+            self.prepare(&Placed {
+                texture: Arc::clone(&skin.0),
+                steps: Arc::clone(&looks.steps),
+            })
+        };
+        let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
         let surface = Surface {
             texture,
             inside_texture,
+            skins,
             interior,
             flags: looks.flags,
         };

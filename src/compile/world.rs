@@ -12,7 +12,7 @@ use crate::math::lanes::with_widest;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
-use crate::shape::{Crossing, Geometry, Root, Shape};
+use crate::shape::{Crossing, Geometry, Root, Shape, Shares};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -40,6 +40,8 @@ pub struct Surface {
     pub texture: Arc<PreparedTexture>,
     /// The texture seen from inside, if the scene gives one.
     pub inside_texture: Option<Arc<PreparedTexture>>,
+    /// The textures that pieces of the shape have of their own, moved like the layers.
+    pub skins: Vec<Arc<PreparedTexture>>,
     /// The interior of the object.
     pub interior: InteriorId,
     /// Its switches.
@@ -54,7 +56,9 @@ impl Surface {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             _ => false,
         };
+        let same_skins = self.skins.is_empty() && other.skins.is_empty();
         same_inside
+            && same_skins
             && Arc::ptr_eq(&self.texture, &other.texture)
             && self.interior == other.interior
             && self.flags == other.flags
@@ -68,6 +72,7 @@ impl Surface {
                 .inside_texture
                 .as_ref()
                 .is_none_or(|texture| texture.is_opaque())
+            && self.skins.iter().all(|texture| texture.is_opaque())
     }
 }
 
@@ -410,6 +415,13 @@ impl World {
         let mut unbounded = self.unbounded.iter();
         unbounded.any(|&number| holds(number))
             || self.tree.around(point, |number| holds(self.bounded[number as usize]))
+    }
+
+    /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
+    #[must_use]
+    pub fn shares(&self, hit: &Hit) -> Shares {
+        let Departure { leaf, face, .. } = hit.departure;
+        self.leaves[leaf as usize].shares(hit.point, face)
     }
 
     /// The primitives of the world.
