@@ -4,11 +4,13 @@ mod csg;
 mod flatten;
 mod interiors;
 mod leaf;
+mod lights;
 mod simplify;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
+pub use lights::{LightList, Lights};
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::accel::Bvh;
@@ -24,6 +26,7 @@ pub fn compile(scene: &Scene, options: &RenderOptions) -> World {
     for object in &scene.objects {
         flat.add(object);
     }
+    flat.lights.finish();
     World::new(scene, flat, options)
 }
 

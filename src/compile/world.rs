@@ -4,11 +4,12 @@ use super::csg::{Found, Program, Sweep, hide_departure};
 use super::flatten::{Flat, Item};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
+use super::lights::{LightList, Lights};
 use crate::accel::Bvh;
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
-use crate::light::Light;
 use crate::math::lanes::with_widest;
+use crate::math::mersenne::Stream;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
@@ -42,6 +43,8 @@ pub struct Surface {
     pub inside_texture: Option<Arc<PreparedTexture>>,
     /// The interior of the object.
     pub interior: InteriorId,
+    /// The lights that shine on it.
+    pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
 }
@@ -57,6 +60,7 @@ impl Surface {
         same_inside
             && Arc::ptr_eq(&self.texture, &other.texture)
             && self.interior == other.interior
+            && self.lights == other.lights
             && self.flags == other.flags
     }
 
@@ -130,7 +134,13 @@ pub struct Query {
 /// Buffers that a thread keeps between questions.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    sweep: Sweep,
+    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    pub lamps: Vec<Option<Rgb>>,
+    /// The random numbers of the sample at hand.
+    pub stream: Stream,
+    /// The state of the generator that `crand` draws from.
+    pub crand: u32,
+    pub(super) sweep: Sweep,
     roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
@@ -177,7 +187,7 @@ pub struct World {
     /// The camera.
     pub camera: Camera,
     /// The lights, in the order of the scene.
-    pub lights: Vec<Light>,
+    pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
@@ -287,9 +297,16 @@ impl World {
         }
     }
 
+    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
+    /// the ray, since it misses what the light is projected through.
+    #[must_use]
+    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+        self.lights.reach(light, &self.leaves, query, scratch)
+    }
+
     /// What lies on a ray to the light of this number.
     #[must_use]
-    pub fn way(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -297,7 +314,8 @@ impl World {
     }
 
     #[inline(always)]
-    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        let light = light as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }

@@ -401,7 +401,7 @@ impl Reader<'_> {
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
             Word::Array => self.array_value().map(Some),
-            Word::LightSource => self.light_value().map(Some),
+            Word::LightSource => Ok(self.object()?.map(Value::Object)),
             _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
             _ => match word.class() {
                 Class::Shape | Class::Csg => Ok(self.object()?.map(Value::Object)),

@@ -5,14 +5,17 @@ pub(crate) mod chord;
 pub(crate) mod conditioning;
 pub mod hash;
 pub(crate) mod lanes;
+pub mod mersenne;
 pub(crate) mod polynomial;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
+mod smooth;
 mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
 pub use ray::Ray;
+pub use smooth::smooth_step;
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

@@ -3,7 +3,7 @@
 
 mod object;
 
-pub use object::{Attached, Flags, Kind, Object, Operation, Size};
+pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
 
 use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};

@@ -4,6 +4,7 @@
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
 //! at most `max_trace_level` deep. Missing: fog, media, radiosity, photons, normals, blended textures.
 
+mod area;
 mod light;
 mod passage;
 mod surface;
@@ -13,6 +14,7 @@ mod tests;
 use crate::color::Rgb;
 use crate::compile::{Departure, InteriorId, Query, Scratch, Seen, World};
 use crate::math::Ray;
+use crate::math::mersenne::{Stream, seed_of_sample};
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -46,6 +48,8 @@ struct Quality {
     has_light: bool,
     /// From 4 on: shadows.
     has_shadows: bool,
+    /// From 5 on: area lights.
+    has_area_lights: bool,
     /// From 6 on: the real pigments rather than `quick_color`, and what shines through.
     has_transparency: bool,
     /// From 8 on: mirror images.
@@ -103,6 +107,7 @@ impl<'w> Tracer<'w> {
             quality: Quality {
                 has_light: quality >= 2,
                 has_shadows: quality >= 4,
+                has_area_lights: quality >= 5,
                 has_transparency: quality >= 6,
                 has_reflection: quality >= 8,
             },
@@ -129,6 +134,8 @@ impl<'w> Tracer<'w> {
         } else {
             Inside::from_slice(&self.around_camera)
         };
+        scratch.stream = Stream::of_sample(x, y);
+        scratch.crand = seed_of_sample(x, y);
         let path = Path {
             ray,
             from: None,
