@@ -6,6 +6,7 @@ pub(crate) mod conditioning;
 pub mod hash;
 pub(crate) mod lanes;
 pub mod mersenne;
+pub mod noise;
 pub(crate) mod polynomial;
 #[cfg(test)]
 pub(crate) mod random;
