@@ -375,6 +375,8 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         let own = &object.flags;
+        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
+        self.interiors.set_hollow(interior, is_hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
             Some(above.global_lights.unwrap_or(group.global_lights))
         });
@@ -392,7 +394,7 @@ impl Flat {
                 no_shadow: own.no_shadow || above.flags.no_shadow,
                 no_image: own.no_image || above.flags.no_image,
                 no_reflection: own.no_reflection || above.flags.no_reflection,
-                hollow: own.hollow.unwrap_or(above.flags.hollow),
+                hollow: is_hollow,
                 double_illuminate: own.double_illuminate || above.flags.double_illuminate,
             },
             steps: joined(&object.steps, &above.steps),

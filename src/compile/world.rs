@@ -6,10 +6,12 @@ use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use crate::accel::Bvh;
+use crate::atmosphere::{Fog, PreparedSky};
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::math::lanes::with_widest;
 use crate::math::mersenne::Stream;
+use crate::math::noise::NoiseGenerator;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
@@ -160,6 +162,8 @@ pub enum Way {
 /// The settings of shading.
 #[derive(Clone, Debug)]
 pub struct Globals {
+    /// The noise of what is uneven.
+    pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
     /// `max_trace_level`.
@@ -194,6 +198,10 @@ pub struct World {
     pub interiors: Interiors,
     /// The colour of rays that hit nothing.
     pub background: Color,
+    /// The sky in front of it.
+    pub sky: Option<PreparedSky>,
+    /// The fogs, none that does nothing.
+    pub fogs: Vec<Fog>,
     /// The settings of shading.
     pub globals: Globals,
     leaves: Vec<Leaf>,
@@ -230,7 +238,20 @@ impl World {
         World {
             camera: scene.camera.clone(),
             background: scene.background.color.unwrap_or(transparent),
+            sky: scene
+                .atmosphere
+                .sky_sphere
+                .as_ref()
+                .map(|sky| sky.prepare(scene.version >= 3.7)),
+            fogs: scene
+                .atmosphere
+                .fogs
+                .iter()
+                .filter(|fog| fog.exists())
+                .cloned()
+                .collect(),
             globals: Globals {
+                noise: NoiseGenerator::default(),
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,

@@ -5,6 +5,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
@@ -390,6 +391,16 @@ impl Reader<'_> {
                 let default = self.default_layer.clone();
                 let material = Material::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("material", material))))
+            }
+            Word::Fog => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::SkySphere => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                Ok(Some(Value::Element(Element::new("sky_sphere", sky))))
             }
             Word::Camera => {
                 self.pass();

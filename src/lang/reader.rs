@@ -6,6 +6,7 @@ use super::limits;
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
@@ -59,6 +60,7 @@ pub(super) struct Reader<'a> {
     pub(super) default_camera: Camera,
     pub(super) camera: Option<Camera>,
     pub(super) background: Option<Color>,
+    pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
     pub(super) messages: String,
@@ -129,6 +131,7 @@ impl<'a> Reader<'a> {
             default_camera: Camera::default(),
             camera: None,
             background: None,
+            atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
@@ -231,6 +234,7 @@ impl<'a> Reader<'a> {
             background: Background {
                 color: self.background,
             },
+            atmosphere: self.atmosphere,
             globals: self.globals,
             version,
         });

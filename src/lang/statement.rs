@@ -6,6 +6,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::scene::Object;
@@ -61,6 +62,21 @@ impl Reader<'_> {
                 self.open_block()?;
                 self.background = Some(self.color_value()?);
                 Args::close(self)?;
+            }
+            Some(Word::Fog) => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::SkySphere) => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                if self.atmosphere.sky_sphere.replace(Arc::new(sky)).is_some() {
+                    self.warning(Diagnostic::warning(
+                        self.taken_span(),
+                        "more than one `sky_sphere`; the last one counts",
+                    ));
+                }
             }
             Some(Word::GlobalSettings) => self.global_settings()?,
             Some(Word::Default) => {

@@ -18,7 +18,8 @@ pub use spotlight::Spotlight;
 
 use crate::args::{Args, Parse, Word};
 use crate::color::Rgb;
-use crate::math::{Step, smooth_step};
+use crate::math::Step;
+use crate::math::noise::smooth;
 use crate::source::{Diagnostic, Span};
 use glam::DVec3;
 
@@ -266,7 +267,7 @@ impl Light {
 
 /// How a beam ends: nothing at its outer edge, all at its inner edge.
 fn edge(at: f64, outer: f64, inner: f64) -> f64 {
-    smooth_step(((at - outer) / (inner - outer)).clamp(0.0, 1.0))
+    smooth(((at - outer) / (inner - outer)).clamp(0.0, 1.0))
 }
 
 fn lacks_beam(word: Word, at: Span, kinds: &str) -> Box<Diagnostic> {

@@ -12,11 +12,9 @@ pub(crate) mod polynomial;
 pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
-mod smooth;
 mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
 pub use ray::Ray;
-pub use smooth::smooth_step;
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

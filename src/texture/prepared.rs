@@ -93,7 +93,7 @@ impl PreparedTexture {
 }
 
 impl PreparedPigment {
-    fn new(pigment: &Pigment, after: &[Step]) -> Self {
+    pub(crate) fn new(pigment: &Pigment, after: &[Step]) -> Self {
         match &pigment.kind {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
             PigmentKind::List(pattern, colors) => {
