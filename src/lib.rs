@@ -9,7 +9,7 @@
 //! without any file. The reading wing ([`source`], [`syntax`], [`lang`]) fills it; the drawing wing ([`accel`],
 //! [`compile`], [`trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
 //!
-//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`]) live below both wings: one file
+//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`]) live below both wings: one file
 //! each, with its mathematics, what it reads through [`args::Args`], and what it answers to rays.
 //!
 //! Decisions that the code rests on:
@@ -24,6 +24,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod atmosphere;
 pub mod camera;
 pub mod cli;
 pub mod color;

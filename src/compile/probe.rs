@@ -2,6 +2,7 @@
 
 use super::flatten::Flat;
 use super::world::{Query, Scratch, Seen, World};
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::Ray;
 use crate::options::{LeastDistance, RenderOptions};
@@ -87,6 +88,7 @@ fn compiled(object: &Arc<Object>) -> World {
         camera: Camera::default(),
         objects: Vec::new(),
         background: Background { color: None },
+        atmosphere: Atmosphere::default(),
         globals: Globals::default(),
         version: 3.7,
     };

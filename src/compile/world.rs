@@ -4,11 +4,14 @@ use super::csg::{Found, Program, Sweep, hide_departure};
 use super::flatten::{Flat, Item};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
+use super::lights::{LightList, Lights};
 use crate::accel::Bvh;
+use crate::atmosphere::{Fog, PreparedSky};
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
-use crate::light::Light;
 use crate::math::lanes::with_widest;
+use crate::math::mersenne::Stream;
+use crate::math::noise::NoiseGenerator;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
@@ -44,6 +47,8 @@ pub struct Surface {
     pub skins: Vec<Arc<PreparedTexture>>,
     /// The interior of the object.
     pub interior: InteriorId,
+    /// The lights that shine on it.
+    pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
 }
@@ -61,6 +66,7 @@ impl Surface {
             && same_skins
             && Arc::ptr_eq(&self.texture, &other.texture)
             && self.interior == other.interior
+            && self.lights == other.lights
             && self.flags == other.flags
     }
 
@@ -135,7 +141,13 @@ pub struct Query {
 /// Buffers that a thread keeps between questions.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    sweep: Sweep,
+    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    pub lamps: Vec<Option<Rgb>>,
+    /// The random numbers of the sample at hand.
+    pub stream: Stream,
+    /// The state of the generator that `crand` draws from.
+    pub crand: u32,
+    pub(super) sweep: Sweep,
     roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
@@ -155,6 +167,8 @@ pub enum Way {
 /// The settings of shading.
 #[derive(Clone, Debug)]
 pub struct Globals {
+    /// The noise of what is uneven.
+    pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
     /// `max_trace_level`.
@@ -182,13 +196,17 @@ pub struct World {
     /// The camera.
     pub camera: Camera,
     /// The lights, in the order of the scene.
-    pub lights: Vec<Light>,
+    pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
     pub interiors: Interiors,
     /// The colour of rays that hit nothing.
     pub background: Color,
+    /// The sky in front of it.
+    pub sky: Option<PreparedSky>,
+    /// The fogs, none that does nothing.
+    pub fogs: Vec<Fog>,
     /// The settings of shading.
     pub globals: Globals,
     leaves: Vec<Leaf>,
@@ -225,7 +243,20 @@ impl World {
         World {
             camera: scene.camera.clone(),
             background: scene.background.color.unwrap_or(transparent),
+            sky: scene
+                .atmosphere
+                .sky_sphere
+                .as_ref()
+                .map(|sky| sky.prepare(&scene.pattern_settings(), scene.version >= 3.7)),
+            fogs: scene
+                .atmosphere
+                .fogs
+                .iter()
+                .filter(|fog| fog.exists())
+                .cloned()
+                .collect(),
             globals: Globals {
+                noise: NoiseGenerator::default(),
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
@@ -292,9 +323,16 @@ impl World {
         }
     }
 
+    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
+    /// the ray, since it misses what the light is projected through.
+    #[must_use]
+    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+        self.lights.reach(light, &self.leaves, query, scratch)
+    }
+
     /// What lies on a ray to the light of this number.
     #[must_use]
-    pub fn way(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -302,7 +340,8 @@ impl World {
     }
 
     #[inline(always)]
-    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        let light = light as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }

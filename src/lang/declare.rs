@@ -5,6 +5,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
@@ -402,6 +403,16 @@ impl Reader<'_> {
                 let material = Material::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("material", material))))
             }
+            Word::Fog => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::SkySphere => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                Ok(Some(Value::Element(Element::new("sky_sphere", sky))))
+            }
             Word::Camera => {
                 self.pass();
                 let camera = Camera::read(self, &Camera::default())?;
@@ -412,7 +423,7 @@ impl Reader<'_> {
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
             Word::Array => self.array_value().map(Some),
-            Word::LightSource => self.light_value().map(Some),
+            Word::LightSource => Ok(self.object()?.map(Value::Object)),
             _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
             _ => match word.class() {
                 Class::Shape | Class::Csg => Ok(self.object()?.map(Value::Object)),

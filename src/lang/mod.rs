@@ -15,6 +15,7 @@ mod functions;
 #[cfg(test)]
 mod fuzz;
 mod hints;
+mod light;
 mod limits;
 mod macros;
 mod object;

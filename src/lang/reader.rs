@@ -8,6 +8,7 @@ use super::probe::Probe;
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
@@ -64,6 +65,7 @@ pub(super) struct Reader<'a> {
     pub(super) default_camera: Camera,
     pub(super) camera: Option<Camera>,
     pub(super) background: Option<Color>,
+    pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
     pub(super) messages: String,
@@ -139,6 +141,7 @@ impl<'a> Reader<'a> {
             default_camera: Camera::default(),
             camera: None,
             background: None,
+            atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
@@ -244,6 +247,7 @@ impl<'a> Reader<'a> {
             background: Background {
                 color: self.background,
             },
+            atmosphere: self.atmosphere,
             globals: self.globals,
             version,
         });

@@ -160,6 +160,7 @@ impl Tracer<'_> {
             departure: &hit.departure,
             path,
             is_double_illuminated: surface.flags.double_illuminate,
+            lights: self.world.lights.of(surface.lights),
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
