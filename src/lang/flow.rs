@@ -5,7 +5,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use crate::syntax::{Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
@@ -143,10 +143,10 @@ impl Reader<'_> {
             Word::Debug | Word::Warning | Word::Error | Word::Render | Word::Statistics => {
                 self.run_message(word, span)
             }
-            _ => Err(self.with_trace(Diagnostic::error(
-                span,
-                format!("`#{word}` is not built yet"),
-            ))),
+            _ => Err(self.with_trace(
+                Diagnostic::error(span, format!("`#{word}` is not built yet"))
+                    .with_code(Code::NotBuilt),
+            )),
         }
     }
 

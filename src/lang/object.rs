@@ -8,7 +8,7 @@ use crate::light::Light;
 use crate::math::shorten;
 use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::Shape;
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind as Tok, Symbol};
 use crate::texture::{Layer, Material, Texture};
 use std::sync::Arc;
@@ -109,8 +109,8 @@ impl Reader<'_> {
                 Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
                 Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
                 None => {
-                    let message = format!("`{word}` is not built yet");
-                    return Err(self.with_trace(Diagnostic::error(start, message)));
+                    let error = Diagnostic::error(start, format!("`{word}` is not built yet"));
+                    return Err(self.with_trace(error.with_code(Code::NotBuilt)));
                 }
             },
         };
@@ -342,7 +342,9 @@ impl Reader<'_> {
 
     /// "`word` is not built yet" at the token at hand.
     pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
-        self.error_here(format!("`{word}` is not built yet"))
+        let message = format!("`{word}` is not built yet");
+        let error = Diagnostic::error(self.here_span(), message);
+        self.with_trace(error.with_code(Code::NotBuilt))
     }
 }
 

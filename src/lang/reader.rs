@@ -1,5 +1,6 @@
 //! The reader: everything that reading a scene keeps.
 
+use super::Heard;
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
 use super::limits;
@@ -21,6 +22,7 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
+    listener: &'a mut dyn FnMut(Heard<'_>),
     pub(super) names: Names,
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
@@ -61,7 +63,7 @@ pub(super) struct Reader<'a> {
     pub(super) background: Option<Color>,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
-    pub(super) messages: String,
+    messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
 }
@@ -89,6 +91,7 @@ impl<'a> Reader<'a> {
         file: FileId,
         sources: &'a mut Sources,
         options: &'a ReadOptions,
+        listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
         if !budget.has_room_for(sources.text(file)) {
@@ -103,6 +106,7 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             sources,
             options,
+            listener,
             names,
             tokenized: FxHashMap::default(),
             last: (file, 0),
@@ -202,7 +206,7 @@ impl<'a> Reader<'a> {
             self.errors += 1;
         }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
-            self.findings.push(finding);
+            self.keep(finding);
         }
     }
 
@@ -211,8 +215,20 @@ impl<'a> Reader<'a> {
         let is_known =
             |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
         if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
-            self.findings.push(warning);
+            self.keep(warning);
         }
+    }
+
+    fn keep(&mut self, finding: Diagnostic) {
+        (self.listener)(Heard::Found(&finding, self.sources));
+        self.findings.push(finding);
+    }
+
+    /// Writes text of `#debug` and the like; gives how much was written so far, in bytes.
+    pub(super) fn say(&mut self, text: &str) -> usize {
+        (self.listener)(Heard::Said(text));
+        self.messages.push_str(text);
+        self.messages.len()
     }
 
     /// The scene that was read.

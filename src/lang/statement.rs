@@ -25,6 +25,7 @@ impl Reader<'_> {
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
+                    let error = self.with_trace(*error);
                     self.record(*error);
                     if self.is_over || self.errors >= limits::ERRORS {
                         return;

@@ -18,7 +18,7 @@ use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::power_of_two;
 use crate::math::watertight::{RayFrame, TriangleHit};
 use crate::math::{Bounds, Ray, Step};
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use glam::{DVec3, Vec3};
 use std::sync::Arc;
 
@@ -183,6 +183,7 @@ fn single_texture(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
             args.span(),
             format!("`{word}` of a single triangle is not built yet"),
         )
+        .with_code(Code::NotBuilt)
         .with_hint(
             "give the whole mesh one texture, or make a mesh of the triangles of each texture",
         ),

@@ -1,14 +1,42 @@
 //! What is wrong or doubtful in a scene, with its place, related places and remedies.
 
 use super::Span;
+use serde::Serialize;
+use std::fmt;
 
 /// How bad it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// The scene is drawn; something was assumed.
     Warning,
     /// The scene is not drawn.
     Error,
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        })
+    }
+}
+
+/// Kinds of findings that programs tell apart: who is at fault, and what to fetch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Code {
+    /// The scene asks for what this program cannot do yet; the scene is not at fault.
+    NotBuilt,
+    /// A name that nothing declares.
+    Undeclared,
+    /// An include file or another file that is not found.
+    MissingFile,
+    /// The scene itself says so, by `#error` or `#warning`.
+    Author,
+    /// The scene needs more time, memory or depth than it may take.
+    Limit,
 }
 
 /// A note on a related place.
@@ -25,6 +53,8 @@ pub struct Label {
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
+    /// What kind of finding it is, where programs may want to know.
+    pub code: Option<Code>,
     /// What is wrong, in the words of the scene's author.
     pub message: String,
     /// Where; `None` for what has no place in a text (a missing file named on the command line).
@@ -53,12 +83,20 @@ impl Diagnostic {
     fn new(severity: Severity, span: Option<Span>, message: String) -> Self {
         Diagnostic {
             severity,
+            code: None,
             message,
             span,
             labels: Vec::new(),
             hints: Vec::new(),
             trace: Vec::new(),
         }
+    }
+
+    /// The same, told to be of a kind.
+    #[must_use]
+    pub fn with_code(mut self, code: Code) -> Self {
+        self.code = Some(code);
+        self
     }
 
     /// The same with a note on a related place.

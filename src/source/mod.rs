@@ -2,10 +2,12 @@
 
 mod diagnostic;
 mod files;
+mod message;
 pub mod print;
 mod span;
 mod text;
 
-pub use diagnostic::{Diagnostic, Label, Severity};
+pub use diagnostic::{Code, Diagnostic, Label, Severity};
 pub use files::{MAX_FILE_BYTES, Sources};
+pub use message::{Message, Note, Point, Stretch};
 pub use span::{FileId, Span};
