@@ -9,6 +9,7 @@ mod cursor;
 mod declare;
 mod expr;
 mod flow;
+mod foreign;
 mod functions;
 #[cfg(test)]
 mod fuzz;
@@ -21,6 +22,8 @@ mod scope;
 mod similar;
 mod statement;
 mod strings;
+mod trace;
+mod unclosed;
 mod value;
 
 pub use reader::Reading;

@@ -124,9 +124,20 @@ impl Reader<'_> {
             && error.message.starts_with("expected")
             && error.hints.is_empty()
             && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+        if !is_ours {
+            return error;
+        }
+        if let Some(sign) = self.subtracting_sign(depth) {
+            let text = "this sign adds or subtracts, and makes one value of two";
+            return Box::new(
+                error
+                    .with_label(sign, text)
+                    .with_hint("Write `,` before the sign, to begin a value of its own."),
+            );
+        }
         match Self::usage(word) {
-            Some(usage) if is_ours => Box::new(error.with_hint(format!("Write {usage}."))),
-            _ => error,
+            Some(usage) => Box::new(error.with_hint(format!("Write {usage}."))),
+            None => error,
         }
     }
 

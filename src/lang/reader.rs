@@ -11,7 +11,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Diagnostic, FileId, Severity, Sources};
+use crate::source::{Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -33,7 +33,7 @@ pub(super) struct Reader<'a> {
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
-    pub(super) blocks: Vec<crate::source::Span>,
+    pub(super) blocks: Vec<Span>,
     /// Where the statement being read began.
     pub(super) statement_start: (FileId, usize),
     /// How deep the expression being read is nested.
@@ -44,7 +44,7 @@ pub(super) struct Reader<'a> {
     pub(super) declaring: Option<Declaring>,
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
-    pub(super) without_semicolon: Option<(crate::source::Span, Place, usize)>,
+    pub(super) without_semicolon: Option<(Span, Place, usize)>,
     pub(super) budget: Budget,
     /// Whether a limit was met behind which nothing more is read.
     pub(super) is_over: bool,
@@ -59,7 +59,7 @@ pub(super) struct Reader<'a> {
     pub(super) default_layer: Layer,
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
-    pub(super) camera: Option<Camera>,
+    pub(super) camera: Option<(Camera, Span)>,
     pub(super) background: Option<Color>,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
@@ -95,7 +95,7 @@ impl<'a> Reader<'a> {
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
         if !budget.has_room_for(sources.text(file)) {
-            let span = crate::source::Span::new(file, 0, 0);
+            let span = Span::new(file, 0, 0);
             return Err(vec![Diagnostic::error(span, NO_ROOM)]);
         }
         let mut names = Names::new();
@@ -242,7 +242,9 @@ impl<'a> Reader<'a> {
             VERSION_OF_SCENES_WITHOUT
         };
         let scene = (self.errors == 0).then(|| Scene {
-            camera: self.camera.unwrap_or(self.default_camera),
+            camera: self
+                .camera
+                .map_or(self.default_camera, |(camera, _)| camera),
             objects: self.objects,
             background: Background {
                 color: self.background,

@@ -61,7 +61,7 @@ pub struct Diagnostic {
     pub span: Option<Span>,
     /// Related places.
     pub labels: Vec<Label>,
-    /// Things to do about it, each a full sentence without the word "hint".
+    /// Things to do about it, without the word "hint". They are shown as sentences, with capital and full stop.
     pub hints: Vec<String>,
     /// Calls and includes on the way here, innermost first: "in the macro `Leg`, called here".
     pub trace: Vec<Label>,
@@ -114,5 +114,32 @@ impl Diagnostic {
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
         self
+    }
+}
+
+/// A hint as a sentence: with a capital and a full stop.
+pub(super) fn sentence(hint: &str) -> String {
+    let mut letters = hint.chars();
+    let mut text: String = letters
+        .next()
+        .into_iter()
+        .flat_map(char::to_uppercase)
+        .collect();
+    text.push_str(letters.as_str());
+    if !text.ends_with(['.', '?', '!', ':']) {
+        text.push('.');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sentence;
+
+    #[test]
+    fn a_hint_becomes_a_sentence() {
+        assert_eq!(sentence("remove the triangle"), "Remove the triangle.");
+        assert_eq!(sentence("did you mean `box`?"), "Did you mean `box`?");
+        assert_eq!(sentence("`a` is a word"), "`a` is a word.");
     }
 }

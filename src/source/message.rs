@@ -1,5 +1,6 @@
 //! Findings told for good: without the texts they are about, in forms that are ready to print.
 
+use super::diagnostic::sentence;
 use super::print::{Styling, annotated, pov_line};
 use super::{Code, Diagnostic, Label, Severity, Sources, Span};
 use serde::Serialize;
@@ -83,7 +84,7 @@ impl Message {
             place: finding.span.map(|span| stretch(span, sources)),
             labels: finding.labels.iter().map(note).collect(),
             trace: finding.trace.iter().map(note).collect(),
-            hints: finding.hints.clone(),
+            hints: finding.hints.iter().map(|hint| sentence(hint)).collect(),
             pov_line: pov_line(finding, sources),
             excerpt: annotated(finding, sources, Styling::Plain),
             colored: annotated(finding, sources, Styling::Colored),

@@ -8,6 +8,6 @@ mod span;
 mod text;
 
 pub use diagnostic::{Code, Diagnostic, Label, Severity};
-pub use files::{MAX_FILE_BYTES, Sources};
+pub use files::{Declared, MAX_FILE_BYTES, Sources};
 pub use message::{Message, Note, Point, Stretch};
 pub use span::{FileId, Span};
