@@ -8,7 +8,7 @@ pub use crate::syntax::Word;
 pub use steps::transform_step;
 
 use crate::color::Color;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -112,5 +112,6 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     } else {
         args.last_span()
     };
-    Box::new(Diagnostic::error(at, format!("`{word}` is not built yet")))
+    let error = Diagnostic::error(at, format!("`{word}` is not built yet"));
+    Box::new(error.with_code(Code::NotBuilt))
 }

@@ -29,6 +29,7 @@ impl Reader<'_> {
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
+                    let error = self.with_trace(*error);
                     self.record(*error);
                     if self.is_over || self.errors >= limits::ERRORS {
                         return;
@@ -51,13 +52,14 @@ impl Reader<'_> {
         match token.word() {
             Some(Word::Camera) => {
                 self.pass();
+                let at = self.taken_span();
                 let base = self.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                if self.camera.replace(camera).is_some() {
-                    self.warning(Diagnostic::warning(
-                        self.taken_span(),
-                        "more than one camera; the last one counts",
-                    ));
+                if let Some((_, first)) = self.camera.replace((camera, at)) {
+                    self.warning(
+                        Diagnostic::warning(at, "more than one camera; the last one counts")
+                            .with_label(first, "this one does not count"),
+                    );
                 }
             }
             Some(Word::Background) => {

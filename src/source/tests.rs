@@ -111,18 +111,18 @@ fn a_missing_include_file_is_told_with_places_and_other_cases() {
     assert_eq!(
         error.hints,
         [format!(
-            "`{far}/Colors.inc` differs only in case: write `Colors.inc`"
+            "`{far}/Colors.inc` differs only in case: write `Colors.inc`."
         )]
     );
     let error = sources.find_include("sub/Colors", scene).unwrap_err();
     assert_eq!(
         error.hints,
         [format!(
-            "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`"
+            "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`."
         )]
     );
     let error = sources.find_include("sub\\colors", scene).unwrap_err();
-    assert_eq!(error.hints, ["write `/` between folders, not `\\`"]);
+    assert_eq!(error.hints, ["Write `/` between folders, not `\\`."]);
     let error = sources
         .find_include("/nowhere/colors.inc", scene)
         .unwrap_err();
