@@ -130,6 +130,11 @@ pub(super) struct Found {
 }
 
 impl Program {
+    /// How many leaves it has.
+    pub(super) fn len(&self) -> u32 {
+        u32::try_from(self.operands.len()).unwrap_or(u32::MAX)
+    }
+
     /// The first surface shown at `from < t <= to` for which `wanted` holds.
     pub(super) fn nearest(
         &self,

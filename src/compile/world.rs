@@ -4,7 +4,8 @@ use super::csg::{Found, Program, Sweep, hide_departure};
 use super::flatten::{Flat, Item};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
-use crate::accel::Bvh;
+use super::order::{Finder, Numbered};
+use crate::accel::Bundle;
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
 use crate::light::Light;
@@ -134,6 +135,8 @@ pub struct Scratch {
     roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
+    pub(super) bundle: Bundle,
+    pub(super) bests: Vec<Option<Best>>,
 }
 
 /// What lies between a point and a light.
@@ -191,9 +194,7 @@ pub struct World {
     items: Vec<Item>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     boxes: Vec<Bounds>,
-    tree: Bvh,
-    bounded: Vec<u32>,
-    unbounded: Vec<u32>,
+    finder: Finder,
     ties_by_box: bool,
     is_opaque: bool,
     /// For each surface, whether nothing can be seen through it.
@@ -204,15 +205,15 @@ pub struct World {
 }
 
 /// The best surface on a ray so far.
-#[derive(Clone, Copy)]
-struct Best {
-    found: Found,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Best {
+    pub(super) found: Found,
     item: u32,
 }
 
 impl World {
-    pub(super) fn new(scene: &Scene, flat: Flat, options: &RenderOptions) -> World {
-        let (tree, bounded, unbounded) = super::tree(&flat);
+    pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
+        let finder = Finder::new(&mut flat);
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
@@ -242,9 +243,7 @@ impl World {
             leaves: flat.leaves,
             programs: flat.programs,
             items: flat.items,
-            tree,
-            bounded,
-            unbounded,
+            finder,
         }
     }
 
@@ -262,20 +261,33 @@ impl World {
     fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
-        for &item in &self.unbounded {
+        for &item in &self.finder.unbounded {
             far = self.try_item(item, query, far, &mut best, scratch);
         }
-        self.tree.nearest(
+        self.nearest_bounded(query, &mut best, scratch);
+        best
+    }
+
+    /// Makes `best` the nearest of itself and all bounded items.
+    #[inline(always)]
+    pub(super) fn nearest_bounded(&self, query: &Query, best: &mut Option<Best>, scratch: &mut Scratch) {
+        let far = best.map_or(query.far, |best| best.found.root.t);
+        self.finder.tree.nearest(
             &query.ray,
             0.0,
             far,
             #[inline(always)]
             |number, far| {
-                let item = self.bounded[number as usize];
-                self.try_item(item, query, far, &mut best, scratch)
+                let item = self.finder.bounded[number as usize];
+                self.try_item(item, query, far, best, scratch)
             },
         );
-        best
+    }
+
+    /// How the items are found.
+    #[inline(always)]
+    pub(super) fn finder(&self) -> &Finder {
+        &self.finder
     }
 
     /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
@@ -297,32 +309,34 @@ impl World {
     }
 
     #[inline(always)]
-    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub(super) fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }
         let mut way = Way::Free;
         // Neighbouring points are often in the shadow of the same object.
         let last = scratch.blockers[light];
-        if (last as usize) < self.items.len() && self.blocks(last, query, &mut way, scratch) {
+        if let Some(&item) = self.items.get(last as usize)
+            && self.blocks(Numbered { number: last, item }, query, &mut way, scratch)
+        {
             return Way::Blocked;
         }
-        for &item in &self.unbounded {
+        for &item in &self.finder.unbounded {
             if self.blocks(item, query, &mut way, scratch) {
-                scratch.blockers[light] = item;
+                scratch.blockers[light] = item.number;
                 return Way::Blocked;
             }
         }
-        let is_blocked = self.tree.any(
+        let is_blocked = self.finder.tree.any(
             &query.ray,
             0.0,
             query.far,
             #[inline(always)]
             |number| {
-                let item = self.bounded[number as usize];
+                let item = self.finder.bounded[number as usize];
                 let blocks = self.blocks(item, query, &mut way, scratch);
                 if blocks {
-                    scratch.blockers[light] = item;
+                    scratch.blockers[light] = item.number;
                 }
                 blocks
             },
@@ -332,7 +346,7 @@ impl World {
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
     #[inline(always)]
-    fn blocks(&self, item: u32, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+    pub(super) fn blocks(&self, item: Numbered, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
         let found = self.find(
             item,
             query,
@@ -362,11 +376,11 @@ impl World {
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut interiors = SmallVec::new();
         let mut numbers: Vec<u32> = Vec::new();
-        self.tree.around(point, |number| {
-            numbers.push(self.bounded[number as usize]);
+        self.finder.tree.around(point, |number| {
+            numbers.push(self.finder.bounded[number as usize].number);
             false
         });
-        numbers.extend(&self.unbounded);
+        numbers.extend(self.finder.unbounded.iter().map(|item| item.number));
         let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
         numbers.sort_unstable_by_key(|&number| (is_bounded(number), number));
         for number in numbers {
@@ -403,9 +417,9 @@ impl World {
 
     /// Tries one item; gives the new far limit.
     #[inline(always)]
-    fn try_item(
+    pub(super) fn try_item(
         &self,
-        item: u32,
+        item: Numbered,
         query: &Query,
         far: f64,
         best: &mut Option<Best>,
@@ -422,13 +436,16 @@ impl World {
             Some(best) => {
                 found.root.t < best.found.root.t
                     || (found.root.t == best.found.root.t
-                        && self.comes_first(item, best.item, &query.ray))
+                        && self.comes_first(item.number, best.item, &query.ray))
             }
         };
         if !is_better {
             return far;
         }
-        *best = Some(Best { found, item });
+        *best = Some(Best {
+            found,
+            item: item.number,
+        });
         found.root.t
     }
 
@@ -445,7 +462,7 @@ impl World {
     #[inline(always)]
     fn find(
         &self,
-        item: u32,
+        item: Numbered,
         query: &Query,
         far: f64,
         scratch: &mut Scratch,
@@ -453,7 +470,7 @@ impl World {
     ) -> Option<Found> {
         let from = self.least_distance(query);
         let mut wanted = |found: &Found| self.is_seen(found, query.seen) && wanted(found);
-        match self.items[item as usize] {
+        match item.item {
             Item::Program(number) => {
                 let program = &self.programs[number as usize];
                 let departure = query.from.as_ref();
@@ -505,7 +522,7 @@ impl World {
         a < b
     }
 
-    fn hit(&self, query: &Query, found: &Found) -> Hit {
+    pub(super) fn hit(&self, query: &Query, found: &Found) -> Hit {
         let leaf = &self.leaves[found.leaf as usize];
         let Root {
             t, face, crossing, ..

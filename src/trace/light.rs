@@ -2,7 +2,7 @@
 
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen, Way};
+use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
 use crate::math::Ray;
 use crate::texture::Finish;
 use glam::DVec3;
@@ -24,6 +24,8 @@ pub(super) struct Lit<'p> {
     pub(super) view: DVec3,
     pub(super) departure: &'p Departure,
     pub(super) path: &'p Path,
+    /// By light, what lies between, as far as that is known.
+    pub(super) ways: &'p [Option<Way>],
     pub(super) is_double_illuminated: bool,
 }
 
@@ -97,13 +99,9 @@ impl Tracer<'_> {
         (ray, distance): (Ray, f64),
         scratch: &mut Scratch,
     ) -> Rgb {
-        let mut query = Query {
-            ray,
-            from: Some(*lit.departure),
-            far: self.world.reach(ray.at(distance), distance),
-            seen: Seen::Shadow,
-        };
-        match self.world.way(&query, light, scratch) {
+        let mut query = shadow_query(self.world, lit.departure, ray, distance);
+        let known = lit.ways.get(light).copied().flatten();
+        match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free => return arriving,
             Way::Filtered => {}
             Way::Blocked => return Rgb::BLACK,
@@ -133,6 +131,28 @@ impl Tracer<'_> {
             Rgb::WHITE
         }
     }
+}
+
+/// The question what lies between a point and a light.
+pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: f64) -> Query {
+    Query {
+        ray,
+        from: Some(*from),
+        far: world.reach(ray.at(distance), distance),
+        seen: Seen::Shadow,
+    }
+}
+
+/// Whether light at this cosine to the normal can matter to a surface.
+pub(super) fn faces(surface: &Surface, cosine: f64) -> bool {
+    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
+    let mut layers = textures
+        .into_iter()
+        .flatten()
+        .flat_map(|texture| texture.layers());
+    cosine >= NOTHING
+        || surface.flags.double_illuminate
+        || layers.any(|layer| layer.finish.diffuse_back != 0.0)
 }
 
 fn is_nothing(light: Rgb) -> bool {

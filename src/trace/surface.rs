@@ -4,7 +4,7 @@ use super::light::{Coat, Lit, metallic, mirrored};
 use super::passage::{Bend, bend};
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::compile::{Hit, Scratch, Seen, Surface, Way};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::texture::{Finish, PreparedLayer, PreparedTexture};
@@ -53,8 +53,15 @@ pub(super) fn has_fresnel(surface: &Surface) -> bool {
 }
 
 impl Tracer<'_> {
-    /// What a ray sees at a hit, without what comes straight through.
-    pub(super) fn shade(&self, path: &Path, hit: &Hit, scratch: &mut Scratch) -> View {
+    /// What a ray sees at a hit, without what comes straight through. `ways` tells by light what lies between, as far as
+    /// that is known.
+    pub(super) fn shade(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        ways: &[Option<Way>],
+        scratch: &mut Scratch,
+    ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         let texture = facing_texture(surface, hit, path.ray.dir);
         let mut view = View {
@@ -75,6 +82,7 @@ impl Tracer<'_> {
             view: path.ray.dir,
             departure: &hit.departure,
             path,
+            ways,
             is_double_illuminated: surface.flags.double_illuminate,
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
@@ -164,7 +172,7 @@ impl Tracer<'_> {
                     weight: path.weight * weight,
                     inside: passage.inside,
                 };
-                let behind = self.trace(onward, scratch);
+                let behind = self.trace(onward, None, scratch);
                 view.rgb += factor * behind.rgb;
                 view.transmit = transmit * behind.transmit;
                 false
@@ -180,7 +188,7 @@ impl Tracer<'_> {
                 };
                 // All light comes back, whatever the layers would filter.
                 let factor = fade * interior.refraction;
-                view.rgb += factor * self.trace(onward, scratch).rgb;
+                view.rgb += factor * self.trace(onward, None, scratch).rgb;
                 true
             }
         }
@@ -226,7 +234,7 @@ impl Tracer<'_> {
             weight: path.weight * mirror.weight,
             inside: Inside::from_slice(&path.inside),
         };
-        let Sample { rgb, .. } = self.trace(onward, scratch);
+        let Sample { rgb, .. } = self.trace(onward, None, scratch);
         let exponent = mirror.finish.reflection.exponent;
         let rgb = if exponent == 1.0 {
             rgb
@@ -272,7 +280,7 @@ fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s Prepar
 }
 
 /// The shading normal on the side from which a ray comes.
-fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
+pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     if hit.shading_normal.dot(dir) > 0.0 {
         -hit.shading_normal
     } else {
