@@ -166,7 +166,8 @@ impl Bundle {
         let mut planes = [(DVec3::ZERO, 0.0); 4];
         for (side, dir) in [across.as_dvec3(), up.as_dvec3()].into_iter().enumerate() {
             let low = f64::from(low[side].into_iter().fold(f32::INFINITY, smaller) - 16.0 * DOUBT);
-            let high = f64::from(high[side].into_iter().fold(f32::NEG_INFINITY, larger) + 16.0 * DOUBT);
+            let high =
+                f64::from(high[side].into_iter().fold(f32::NEG_INFINITY, larger) + 16.0 * DOUBT);
             planes[2 * side] = (dir - high * axis, 0.0);
             planes[2 * side + 1] = (low * axis - dir, 0.0);
         }
@@ -291,7 +292,10 @@ impl Group {
     #[inline(always)]
     fn cone(&self) -> (Vec3, f32) {
         #[allow(clippy::cast_precision_loss, reason = "8 is exact")]
-        let middle = Vec3::from_array(self.dir.map(|lanes| lanes.iter().sum::<f32>() / LANES as f32));
+        let middle = Vec3::from_array(
+            self.dir
+                .map(|lanes| lanes.iter().sum::<f32>() / LANES as f32),
+        );
         let mut off = [0.0; LANES];
         for i in 0..LANES {
             let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
@@ -348,7 +352,9 @@ impl Kernel for GroupAndBox<'_> {
             leave = high.larger(low).smaller(leave);
         }
         let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
-        enter.minus(slack).not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+        enter
+            .minus(slack)
+            .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
     }
 }
 
@@ -378,7 +384,9 @@ impl Kernel for ConesAndBall<'_> {
 
 #[inline(always)]
 fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
-    a[0].times(b[0]).plus(a[1].times(b[1])).plus(a[2].times(b[2]))
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
 }
 
 #[inline(always)]
@@ -463,8 +471,7 @@ impl Bvh {
                     end,
                 });
                 next = super::nearest_child(node, &near_sq, met, &mut pending);
-            }
-            else {
+            } else {
                 let item = child.item();
                 let (ball, cell) = (&self.balls[item as usize], self.cells.get(item as usize));
                 if bundle.try_item(ball, cell, |ray| visit(item, ray)) {
@@ -474,7 +481,8 @@ impl Bvh {
             while next.is_none()
                 && let Some(place) = pending.pop()
             {
-                let is_reached = end >= 0.0 && place.enter * (1.0 - 8.0 * DOUBT) <= end * end * (1.0 + 8.0 * DOUBT);
+                let is_reached = end >= 0.0
+                    && place.enter * (1.0 - 8.0 * DOUBT) <= end * end * (1.0 + 8.0 * DOUBT);
                 next = is_reached.then_some(place.child);
             }
         }

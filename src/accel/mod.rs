@@ -124,8 +124,13 @@ impl Bvh {
         for node in &mut tree.nodes {
             node.renumber(&mut order);
         }
-        let all = order.iter().map(|&item| (&bounds[item as usize], radius(item as usize)));
-        tree.balls = all.clone().map(|(bounds, radius)| Ball::new(&tree.frame, bounds, radius)).collect();
+        let all = order
+            .iter()
+            .map(|&item| (&bounds[item as usize], radius(item as usize)));
+        tree.balls = all
+            .clone()
+            .map(|(bounds, radius)| Ball::new(&tree.frame, bounds, radius))
+            .collect();
         if all.clone().any(|(_, radius)| radius.is_none()) {
             tree.cells = all.map(|(bounds, _)| tree.frame.cell(bounds)).collect();
         }

@@ -39,7 +39,10 @@ impl Finder {
         };
         let (tree, order) = Bvh::build_in_order(&boxes, radius);
         drop(boxes);
-        let bounded: Vec<u32> = order.into_iter().map(|place| bounded[place as usize]).collect();
+        let bounded: Vec<u32> = order
+            .into_iter()
+            .map(|place| bounded[place as usize])
+            .collect();
         sort_leaves(flat, unbounded.iter().chain(&bounded));
         let numbered = |&number: &u32| Numbered {
             number,

@@ -7,7 +7,12 @@ use glam::DVec3;
 impl World {
     /// The nearest visible surface on each of these rays, which start at the same point and lie in an order in which
     /// neighbours differ little.
-    pub fn nearest_of(&self, queries: &[Query], scratch: &mut Scratch, hits: &mut Vec<Option<Hit>>) {
+    pub fn nearest_of(
+        &self,
+        queries: &[Query],
+        scratch: &mut Scratch,
+        hits: &mut Vec<Option<Hit>>,
+    ) {
         hits.clear();
         let Some(first) = queries.first() else {
             return;
@@ -30,7 +35,8 @@ impl World {
                 let far = |number: usize, bests: &[Option<Best>]| {
                     bests[number].map_or(queries[number].far, |best| best.found.root.t)
                 };
-                let rays = (0..queries.len()).map(|number| (queries[number].ray.dir, far(number, &bests)));
+                let rays =
+                    (0..queries.len()).map(|number| (queries[number].ray.dir, far(number, &bests)));
                 if !bundle.fill(&self.finder().tree, origin, rays) {
                     for (query, best) in queries.iter().zip(&mut bests) {
                         self.nearest_bounded(query, best, scratch);
@@ -58,7 +64,14 @@ impl World {
 
     /// What lies on each of these rays to the light of this number at `centre`, in an order in which neighbours differ
     /// little.
-    pub fn ways_of(&self, queries: &[Query], centre: DVec3, light: usize, scratch: &mut Scratch, ways: &mut Vec<Way>) {
+    pub fn ways_of(
+        &self,
+        queries: &[Query],
+        centre: DVec3,
+        light: usize,
+        scratch: &mut Scratch,
+        ways: &mut Vec<Way>,
+    ) {
         ways.clear();
         let mut bundle = std::mem::take(&mut scratch.bundle);
         with_widest(

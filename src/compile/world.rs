@@ -270,7 +270,12 @@ impl World {
 
     /// Makes `best` the nearest of itself and all bounded items.
     #[inline(always)]
-    pub(super) fn nearest_bounded(&self, query: &Query, best: &mut Option<Best>, scratch: &mut Scratch) {
+    pub(super) fn nearest_bounded(
+        &self,
+        query: &Query,
+        best: &mut Option<Best>,
+        scratch: &mut Scratch,
+    ) {
         let far = best.map_or(query.far, |best| best.found.root.t);
         self.finder.tree.nearest(
             &query.ray,
@@ -346,7 +351,13 @@ impl World {
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
     #[inline(always)]
-    pub(super) fn blocks(&self, item: Numbered, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+    pub(super) fn blocks(
+        &self,
+        item: Numbered,
+        query: &Query,
+        way: &mut Way,
+        scratch: &mut Scratch,
+    ) -> bool {
         let found = self.find(
             item,
             query,

@@ -100,11 +100,23 @@ impl Eight for [f32; 8] {
     }
     #[inline(always)]
     fn smaller(self, other: Self) -> Self {
-        std::array::from_fn(|i| if self[i] < other[i] { self[i] } else { other[i] })
+        std::array::from_fn(|i| {
+            if self[i] < other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
     }
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
-        std::array::from_fn(|i| if self[i] > other[i] { self[i] } else { other[i] })
+        std::array::from_fn(|i| {
+            if self[i] > other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
     }
     #[inline(always)]
     fn size(self) -> Self {

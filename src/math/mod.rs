@@ -6,6 +6,7 @@ pub(crate) mod conditioning;
 pub mod hash;
 pub(crate) mod lanes;
 pub(crate) mod polynomial;
+pub(crate) mod quartic;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;

@@ -53,7 +53,13 @@ impl Tracer<'_> {
         }
         if !self.search(size, scratch) {
             for &(x, y) in &scratch.places {
-                let sample = self.pixel(f64::from(x), f64::from(y), size.0, size.1, &mut scratch.single);
+                let sample = self.pixel(
+                    f64::from(x),
+                    f64::from(y),
+                    size.0,
+                    size.1,
+                    &mut scratch.single,
+                );
                 take(x, y, sample);
             }
             return;
@@ -69,7 +75,11 @@ impl Tracer<'_> {
         for (number, &(x, y)) in scratch.places.iter().enumerate() {
             let path = self.camera_path(scratch.queries[number].ray);
             let ways = &scratch.ways[number * lights..][..lights];
-            let sample = self.trace(path, Some((scratch.hits[number], ways)), &mut scratch.single);
+            let sample = self.trace(
+                path,
+                Some((scratch.hits[number], ways)),
+                &mut scratch.single,
+            );
             take(x, y, sample);
         }
     }
@@ -113,7 +123,12 @@ impl Tracer<'_> {
             let to_light = offset / distance;
             let normal = facing_normal(hit, scratch.queries[place].ray.dir);
             if faces(surface, normal.dot(to_light)) {
-                let query = shadow_query(self.world, &hit.departure, Ray::new(hit.point, to_light), distance);
+                let query = shadow_query(
+                    self.world,
+                    &hit.departure,
+                    Ray::new(hit.point, to_light),
+                    distance,
+                );
                 scratch.shadows.push(query);
                 scratch.asked.push(place);
             }
@@ -121,8 +136,13 @@ impl Tracer<'_> {
         let lights = self.world.lights.len();
         let asked = scratch.asked.chunks(LIT_TOGETHER);
         for (queries, asked) in scratch.shadows.chunks(LIT_TOGETHER).zip(asked) {
-            self.world
-                .ways_of(queries, light.centre, number, &mut scratch.single, &mut scratch.answers);
+            self.world.ways_of(
+                queries,
+                light.centre,
+                number,
+                &mut scratch.single,
+                &mut scratch.answers,
+            );
             for (place, way) in asked.iter().zip(&scratch.answers) {
                 scratch.ways[place * lights + number] = Some(*way);
             }
