@@ -48,7 +48,10 @@ impl Probed {
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.departure.leaf;
         // POV-Ray gives those of single triangles as they are.
-        let is_triangle = matches!(world.shape(leaf), Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let is_triangle = matches!(
+            world.shape(leaf),
+            Shape::Triangle(_) | Shape::SmoothTriangle(_)
+        );
         let is_turned = world.is_inverse(leaf) && !is_triangle;
         let normal = hit.shading_normal;
         Some((hit.point, if is_turned { -normal } else { normal }))
