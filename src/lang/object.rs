@@ -67,6 +67,7 @@ impl Reader<'_> {
     /// The value of `#declare L = light_source { ... }`.
     pub(super) fn light_value(&mut self) -> Parse<Value> {
         self.pass();
+        self.has_light = true;
         Ok(Value::Element(Element::new(
             "light_source",
             Light::read(self)?,
@@ -75,6 +76,7 @@ impl Reader<'_> {
 
     fn light(&mut self) -> Parse<Object> {
         self.pass();
+        self.has_light = true;
         let depth = self.blocks.len() + 1;
         match Light::read(self) {
             Ok(light) => Ok(Object::new(Kind::Light(Arc::new(light)))),
