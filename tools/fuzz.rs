@@ -57,13 +57,13 @@ fn main() -> io::Result<()> {
     let mut good = Vec::new();
     find_scenes(&root.join("pov_scenes"), &mut good)?;
     let work: Mutex<Option<Work>> = Mutex::new(None);
-    let failures = thread::scope(|scope| {
-        let runner = thread::Builder::new().stack_size(STACK_BYTES);
-        let run = runner.spawn_scoped(scope, || run(count, seed, draws, &good, &work));
+    thread::scope(|scope| {
         scope.spawn(|| watch(&work));
-        run.map(|run| run.join().unwrap_or(1))
-    });
-    exit(i32::from(failures? > 0));
+        thread::Builder::new()
+            .stack_size(STACK_BYTES)
+            .spawn_scoped(scope, || run(count, seed, draws, &good, &work))
+            .map(drop)
+    })
 }
 
 /// All scenes below a folder, sorted.
@@ -83,8 +83,8 @@ fn find_scenes(folder: &Path, to: &mut Vec<Vec<u8>>) -> io::Result<()> {
     Ok(())
 }
 
-/// Reads the scenes; gives how many failed.
-fn run(count: u64, seed: u64, draws: bool, good: &[Vec<u8>], work: &Mutex<Option<Work>>) -> u64 {
+/// Reads the scenes and ends the program.
+fn run(count: u64, seed: u64, draws: bool, good: &[Vec<u8>], work: &Mutex<Option<Work>>) {
     let (mut right, mut failures, mut slowest) = (0u64, 0u64, Duration::ZERO);
     let start = Instant::now();
     for number in 0..count {
@@ -128,7 +128,6 @@ fn run(count: u64, seed: u64, draws: bool, good: &[Vec<u8>], work: &Mutex<Option
         start.elapsed(),
         resident() >> 20
     );
-    // The other thread would wait for work.
     exit(i32::from(failures > 0));
 }
 
