@@ -27,7 +27,12 @@ impl Reader<'_> {
                 Err(error) => {
                     let error = self.with_trace(*error);
                     self.record(*error);
-                    if self.is_over || self.errors >= limits::ERRORS {
+                    if self.is_over {
+                        return;
+                    }
+                    if self.errors >= limits::ERRORS {
+                        let message = format!("nothing is read behind {} errors", limits::ERRORS);
+                        self.warning(Diagnostic::warning(None, message));
                         return;
                     }
                     self.recover();

@@ -477,14 +477,14 @@ mod tests {
         assert_eq!(
             error.hints,
             [format!(
-                "`{far}/Colors.inc` differs only in case: write `Colors.inc`"
+                "`{far}/Colors.inc` differs only in case: write `Colors.inc`."
             )]
         );
         let error = sources.find_include("sub/Colors", scene).unwrap_err();
         assert_eq!(
             error.hints,
             [format!(
-                "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`"
+                "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`."
             )]
         );
         let error = sources.find_include("sub\\colors", scene).unwrap_err();
