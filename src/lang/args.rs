@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.number_at_sum()?;
         self.finite(&[number], start)?;
         Ok(number)
@@ -136,7 +136,12 @@ impl Args for Reader<'_> {
     }
 
     fn span(&mut self) -> Span {
-        self.start_span()
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
     }
 
     fn last_span(&self) -> Span {
@@ -158,7 +163,7 @@ impl Args for Reader<'_> {
 
 impl Reader<'_> {
     fn finite_vector(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.vector_of(len)?;
         self.finite(&number.v[..usize::from(len)], start)?;
         Ok(number)
