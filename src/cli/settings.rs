@@ -1,5 +1,6 @@
 //! What is to be done, decided from what was typed.
 
+use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -74,6 +75,8 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
         scene,
         read: ReadOptions {
             library_paths,
+            // As Debian's povray.conf has it.
+            writable: vec![PathBuf::from("."), env::temp_dir()],
             declares: typed.declares,
             version: typed.version,
             include_header: typed.include_header,

@@ -130,6 +130,21 @@ pub(super) struct Found {
 }
 
 impl Program {
+    /// Whether inside and outside of an operand are exchanged, by itself or by what it is part of; no operand of that
+    /// number is not.
+    pub(super) fn is_inverse(&self, operand: u32) -> bool {
+        let Some(operand) = self.operands.get(operand as usize) else {
+            return false;
+        };
+        let (mut is_inverse, mut above) = (operand.is_inverse, operand.parent);
+        while above != NONE {
+            let node = &self.nodes[above as usize];
+            is_inverse ^= node.is_inverse;
+            above = node.parent;
+        }
+        is_inverse
+    }
+
     /// The first surface shown at `from < t <= to` for which `wanted` holds.
     pub(super) fn nearest(
         &self,

@@ -1,7 +1,7 @@
 //! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
 
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
-use crate::shape::{Geometry, Root, Shape, Start};
+use crate::shape::{Geometry, Root, Shape, Shares, Start};
 use glam::{DAffine3, DVec3};
 
 /// Which bounds of a shape are asked for.
@@ -125,6 +125,11 @@ impl Leaf {
                 self.to_world(shading)
             },
         )
+    }
+
+    /// The shares of the shape's own textures at a world point of a piece of its surface.
+    pub(super) fn shares(&self, point: DVec3, face: u32) -> Shares {
+        self.shape.shares(self.point_to_object(point), face)
     }
 
     fn to_world(&self, normal: DVec3) -> DVec3 {

@@ -4,11 +4,15 @@ mod csg;
 mod flatten;
 mod interiors;
 mod leaf;
+mod probe;
+mod lights;
 mod simplify;
 mod world;
 
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
+pub use probe::Probed;
+pub use lights::{LightList, Lights};
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::accel::Bvh;
@@ -24,6 +28,7 @@ pub fn compile(scene: &Scene, options: &RenderOptions) -> World {
     for object in &scene.objects {
         flat.add(object);
     }
+    flat.lights.finish();
     World::new(scene, flat, options)
 }
 

@@ -4,15 +4,18 @@ use super::csg::{Found, Program, Sweep, hide_departure};
 use super::flatten::{Flat, Item};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
+use super::lights::{LightList, Lights};
 use crate::accel::Bvh;
+use crate::atmosphere::{Fog, PreparedSky};
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
-use crate::light::Light;
 use crate::math::lanes::with_widest;
+use crate::math::mersenne::Stream;
+use crate::math::noise::NoiseGenerator;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
-use crate::shape::{Crossing, Geometry, Root};
+use crate::shape::{Crossing, Geometry, Root, Shape, Shares};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -40,8 +43,12 @@ pub struct Surface {
     pub texture: Arc<PreparedTexture>,
     /// The texture seen from inside, if the scene gives one.
     pub inside_texture: Option<Arc<PreparedTexture>>,
+    /// The textures that pieces of the shape have of their own, moved like the layers.
+    pub skins: Vec<Arc<PreparedTexture>>,
     /// The interior of the object.
     pub interior: InteriorId,
+    /// The lights that shine on it.
+    pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
 }
@@ -54,9 +61,12 @@ impl Surface {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             _ => false,
         };
+        let same_skins = self.skins.is_empty() && other.skins.is_empty();
         same_inside
+            && same_skins
             && Arc::ptr_eq(&self.texture, &other.texture)
             && self.interior == other.interior
+            && self.lights == other.lights
             && self.flags == other.flags
     }
 
@@ -68,6 +78,7 @@ impl Surface {
                 .inside_texture
                 .as_ref()
                 .is_none_or(|texture| texture.is_opaque())
+            && self.skins.iter().all(|texture| texture.is_opaque())
     }
 }
 
@@ -130,7 +141,13 @@ pub struct Query {
 /// Buffers that a thread keeps between questions.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    sweep: Sweep,
+    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    pub lamps: Vec<Option<Rgb>>,
+    /// The random numbers of the sample at hand.
+    pub stream: Stream,
+    /// The state of the generator that `crand` draws from.
+    pub crand: u32,
+    pub(super) sweep: Sweep,
     roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
@@ -150,6 +167,8 @@ pub enum Way {
 /// The settings of shading.
 #[derive(Clone, Debug)]
 pub struct Globals {
+    /// The noise of what is uneven.
+    pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
     /// `max_trace_level`.
@@ -177,13 +196,17 @@ pub struct World {
     /// The camera.
     pub camera: Camera,
     /// The lights, in the order of the scene.
-    pub lights: Vec<Light>,
+    pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
     pub interiors: Interiors,
     /// The colour of rays that hit nothing.
     pub background: Color,
+    /// The sky in front of it.
+    pub sky: Option<PreparedSky>,
+    /// The fogs, none that does nothing.
+    pub fogs: Vec<Fog>,
     /// The settings of shading.
     pub globals: Globals,
     leaves: Vec<Leaf>,
@@ -220,7 +243,20 @@ impl World {
         World {
             camera: scene.camera.clone(),
             background: scene.background.color.unwrap_or(transparent),
+            sky: scene
+                .atmosphere
+                .sky_sphere
+                .as_ref()
+                .map(|sky| sky.prepare(&scene.pattern_settings(), scene.version >= 3.7)),
+            fogs: scene
+                .atmosphere
+                .fogs
+                .iter()
+                .filter(|fog| fog.exists())
+                .cloned()
+                .collect(),
             globals: Globals {
+                noise: NoiseGenerator::default(),
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
@@ -287,9 +323,16 @@ impl World {
         }
     }
 
+    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
+    /// the ray, since it misses what the light is projected through.
+    #[must_use]
+    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+        self.lights.reach(light, &self.leaves, query, scratch)
+    }
+
     /// What lies on a ray to the light of this number.
     #[must_use]
-    pub fn way(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -297,7 +340,8 @@ impl World {
     }
 
     #[inline(always)]
-    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        let light = light as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }
@@ -383,6 +427,40 @@ impl World {
             }
         }
         interiors
+    }
+
+    /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
+    /// away.
+    pub(super) fn is_inverse(&self, leaf: u32) -> bool {
+        let behind = self.programs.partition_point(|program| program.first <= leaf);
+        let program = behind.checked_sub(1).map(|at| &self.programs[at]);
+        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+    }
+
+    /// The shape of a primitive.
+    pub(super) fn shape(&self, leaf: u32) -> &Shape {
+        &self.leaves[leaf as usize].shape
+    }
+
+    /// Whether a point lies in any object.
+    #[must_use]
+    pub fn holds(&self, point: DVec3) -> bool {
+        let holds = |number: u32| match self.items[number as usize] {
+            Item::Leaf(leaf) => self.leaves[leaf as usize].contains(point),
+            Item::Program(program) => {
+                self.programs[program as usize].contains(&self.leaves, point)
+            }
+        };
+        let mut unbounded = self.unbounded.iter();
+        unbounded.any(|&number| holds(number))
+            || self.tree.around(point, |number| holds(self.bounded[number as usize]))
+    }
+
+    /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
+    #[must_use]
+    pub fn shares(&self, hit: &Hit) -> Shares {
+        let Departure { leaf, face, .. } = hit.departure;
+        self.leaves[leaf as usize].shares(hit.point, face)
     }
 
     /// The primitives of the world.

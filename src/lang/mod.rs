@@ -6,16 +6,20 @@ mod budget;
 mod bulk;
 mod color;
 mod cursor;
+mod data_file;
 mod declare;
 mod expr;
+mod files;
 mod flow;
 mod functions;
 #[cfg(test)]
 mod fuzz;
 mod hints;
+mod light;
 mod limits;
 mod macros;
 mod object;
+mod probe;
 mod reader;
 mod scope;
 mod similar;
@@ -23,18 +27,30 @@ mod statement;
 mod strings;
 mod value;
 
+pub use probe::{Blind, Probe};
 pub use reader::Reading;
 
 use crate::options::ReadOptions;
 use crate::source::{FileId, Sources};
 use reader::Reader;
 
-/// Reads the scene in `file`, which `sources` holds; includes are searched there too.
+/// Reads the scene in `file`, which `sources` holds; includes are searched there too. `trace` and `inside` find nothing.
 ///
 /// All findings of the run are given, errors as far as reading can go on behind them.
 #[must_use]
 pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    match Reader::new(file, sources, options) {
+    evaluate_with(file, sources, options, &mut Blind)
+}
+
+/// As [`evaluate`]; `probe` answers what the scene asks about its own objects.
+#[must_use]
+pub fn evaluate_with(
+    file: FileId,
+    sources: &mut Sources,
+    options: &ReadOptions,
+    probe: &mut dyn Probe,
+) -> Reading {
+    match Reader::new(file, sources, options, probe) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
@@ -44,6 +60,7 @@ pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> R
             scene: None,
             findings,
             messages: String::new(),
+            dependencies: sources.dependencies().to_vec(),
         },
     }
 }

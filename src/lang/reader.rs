@@ -2,15 +2,18 @@
 
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::files::Files;
 use super::limits;
+use super::probe::Probe;
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Diagnostic, FileId, Severity, Sources};
+use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources};
 use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -21,6 +24,7 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
+    pub(super) probe: &'a mut dyn Probe,
     pub(super) names: Names,
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
@@ -51,6 +55,8 @@ pub(super) struct Reader<'a> {
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
     pub(super) streams: Vec<u32>,
+    /// What `#fopen` opened.
+    pub(super) files: Files,
     pub(super) version: f64,
     pub(super) has_version: bool,
     pub(super) now: f64,
@@ -59,6 +65,7 @@ pub(super) struct Reader<'a> {
     pub(super) default_camera: Camera,
     pub(super) camera: Option<Camera>,
     pub(super) background: Option<Color>,
+    pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
     pub(super) messages: String,
@@ -75,6 +82,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
+    pub dependencies: Vec<Dependency>,
 }
 
 const NO_ROOM: &str = "this file needs more memory than there is";
@@ -89,6 +98,7 @@ impl<'a> Reader<'a> {
         file: FileId,
         sources: &'a mut Sources,
         options: &'a ReadOptions,
+        probe: &'a mut dyn Probe,
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
         if !budget.has_room_for(sources.text(file)) {
@@ -103,6 +113,7 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             sources,
             options,
+            probe,
             names,
             tokenized: FxHashMap::default(),
             last: (file, 0),
@@ -121,6 +132,7 @@ impl<'a> Reader<'a> {
             undeclared: FxHashSet::default(),
             lacks_file: false,
             streams: Vec::new(),
+            files: Files::default(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
             now: days_since_2000(),
@@ -129,6 +141,7 @@ impl<'a> Reader<'a> {
             default_camera: Camera::default(),
             camera: None,
             background: None,
+            atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
@@ -217,6 +230,9 @@ impl<'a> Reader<'a> {
 
     /// The scene that was read.
     pub(super) fn finish(mut self) -> Reading {
+        if self.errors == 0 {
+            self.close_files();
+        }
         if self.errors == 0 && self.objects.is_empty() {
             self.warning(Diagnostic::warning(None, "no objects in scene"));
         }
@@ -231,6 +247,7 @@ impl<'a> Reader<'a> {
             background: Background {
                 color: self.background,
             },
+            atmosphere: self.atmosphere,
             globals: self.globals,
             version,
         });
@@ -238,6 +255,7 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            dependencies: self.sources.dependencies().to_vec(),
         }
     }
 }

@@ -6,6 +6,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::pattern::read_noise_generator;
@@ -65,6 +66,21 @@ impl Reader<'_> {
                 self.background = Some(self.color_value()?);
                 Args::close(self)?;
             }
+            Some(Word::Fog) => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::SkySphere) => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                if self.atmosphere.sky_sphere.replace(Arc::new(sky)).is_some() {
+                    self.warning(Diagnostic::warning(
+                        self.taken_span(),
+                        "more than one `sky_sphere`; the last one counts",
+                    ));
+                }
+            }
             Some(Word::GlobalSettings) => self.global_settings()?,
             Some(Word::Default) => {
                 self.pass();
@@ -98,8 +114,8 @@ impl Reader<'_> {
     }
 
     /// An object without a texture takes the default one as it is at the object's end.
-    fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
-        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light(_)) {
+    pub(super) fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
+        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light { .. }) {
             let texture = Arc::clone(&self.default_texture);
             let attached = object.attach(texture);
             Arc::make_mut(&mut object).texture = Some(attached);

@@ -1,8 +1,11 @@
 //! Transforms, rays, bounds and root finders: mathematics that knows nothing of scenes.
 
+mod bernstein;
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+#[cfg(test)]
+pub(crate) mod exact;
 pub mod hash;
 pub(crate) mod lanes;
 pub mod mersenne;

@@ -12,5 +12,5 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(point: DVec3) -> f64 {
-    mersenne::uniform(hashed_cell(super::cell(point + NUDGE)))
+    mersenne::random(hashed_cell(super::cell(point + NUDGE)))
 }

@@ -154,6 +154,6 @@ fn nearest(point: DVec3, length: impl Fn(DVec3) -> f64) -> Nearest {
 fn point_of(cell: [i64; 3]) -> DVec3 {
     let first = hashed_cell(cell);
     let corner = DVec3::from(cell.map(|c| c as f64));
-    let random = [0, 1, 2].map(|i| mersenne::uniform(first + i));
+    let random = [0, 1, 2].map(|i| mersenne::random(first + i));
     corner + DVec3::from(random)
 }

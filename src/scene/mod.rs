@@ -3,8 +3,9 @@
 
 mod object;
 
-pub use object::{Attached, Flags, Kind, Object, Operation, Size};
+pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
 
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
 use crate::math::noise::NoiseGenerator;
@@ -20,6 +21,8 @@ pub struct Scene {
     pub objects: Vec<Arc<Object>>,
     /// The colour behind everything.
     pub background: Background,
+    /// What fills the space between the objects, and the sky before the background.
+    pub atmosphere: Atmosphere,
     /// What `global_settings` says.
     pub globals: Globals,
     /// The effective language version: the last `#version` of the run, or 3.62 where there is none.

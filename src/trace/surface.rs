@@ -8,6 +8,7 @@ use crate::compile::{Hit, Scratch, Seen, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
+use crate::shape::Shares;
 use crate::texture::{Finish, PreparedLayer, PreparedTexture};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -22,6 +23,48 @@ pub(super) struct View {
     pub(super) reflected: Rgb,
     /// What is still to be added if light also comes straight through.
     pub(super) straight_on: Option<StraightOn>,
+}
+
+impl View {
+    /// Nothing is seen.
+    const NOTHING: View = View {
+        rgb: Rgb::BLACK,
+        transmit: 0.0,
+        reflected: Rgb::BLACK,
+        straight_on: None,
+    };
+
+    /// Adds a share of another view of the same point.
+    fn add(&mut self, weight: f32, other: View) {
+        self.rgb += other.rgb * f64::from(weight);
+        self.transmit += other.transmit * weight;
+        self.reflected += other.reflected * f64::from(weight);
+        let Some(mut other) = other.straight_on else {
+            return;
+        };
+        other.factor *= Rgb::splat(weight);
+        other.transmit *= weight;
+        self.straight_on = Some(match self.straight_on.take() {
+            None => other,
+            Some(sum) => StraightOn {
+                factor: sum.factor + other.factor,
+                transmit: sum.transmit + other.transmit,
+                weight: sum.weight.max(other.weight),
+                inside: sum.inside,
+            },
+        });
+    }
+}
+
+/// Textures and their shares in the look of a point.
+type Looks<'s> = SmallVec<[(f32, &'s PreparedTexture); 1]>;
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "POV-Ray keeps shares of textures in single precision, like colours"
+)]
+fn single(weight: f64) -> f32 {
+    weight as f32
 }
 
 /// What shines through without a bend.
@@ -49,6 +92,7 @@ pub(super) fn has_fresnel(surface: &Surface) -> bool {
     let mut layers = textures
         .into_iter()
         .flatten()
+        .chain(&surface.skins)
         .flat_map(|texture| texture.layers());
     layers.any(|layer| layer.finish.reflection.is_fresnel)
 }
@@ -57,13 +101,52 @@ impl Tracer<'_> {
     /// What a ray sees at a hit, without what comes straight through.
     pub(super) fn shade(&self, path: &Path, hit: &Hit, scratch: &mut Scratch) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let texture = facing_texture(surface, hit, path.ray.dir);
-        let mut view = View {
-            rgb: Rgb::BLACK,
-            transmit: 0.0,
-            reflected: Rgb::BLACK,
-            straight_on: None,
+        match self.looks(surface, hit, path.ray.dir).as_slice() {
+            [(_, texture)] => self.shade_texture(path, hit, texture, scratch),
+            several => {
+                let mut sum = View::NOTHING;
+                for (weight, texture) in several {
+                    sum.add(*weight, self.shade_texture(path, hit, texture, scratch));
+                }
+                sum
+            }
+        }
+    }
+
+    /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
+    /// of a smooth triangle decide which side is seen, not the order of its corners.
+    fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
+        let outside = match &surface.inside_texture {
+            Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
+                return Looks::from_elem((1.0, &**inside), 1);
+            }
+            _ => &*surface.texture,
         };
+        let shares = if surface.skins.is_empty() {
+            Shares::new()
+        } else {
+            self.world.shares(hit)
+        };
+        if shares.is_empty() {
+            return Looks::from_elem((1.0, outside), 1);
+        }
+        let least = self.world.globals.adc_bailout;
+        let drawn = shares.iter().filter(|share| share.weight >= least);
+        drawn
+            .map(|share| (single(share.weight), &*surface.skins[share.skin as usize]))
+            .collect()
+    }
+
+    /// What a ray sees of one texture at a hit.
+    fn shade_texture(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        texture: &PreparedTexture,
+        scratch: &mut Scratch,
+    ) -> View {
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let mut view = View::NOTHING;
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
                 view.rgb = self.color(lowest, &spot(hit, path.ray.dir)).rgb;
@@ -77,6 +160,7 @@ impl Tracer<'_> {
             departure: &hit.departure,
             path,
             is_double_illuminated: surface.flags.double_illuminate,
+            lights: self.world.lights.of(surface.lights),
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
@@ -240,9 +324,12 @@ impl Tracer<'_> {
     /// The share of shadow light that passes the surface of a hit.
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let layers = facing_texture(surface, hit, ray.dir).layers();
-        layers.iter().fold(Rgb::WHITE, |light, layer| {
-            light * self.color(layer, &spot(hit, ray.dir)).transmission()
+        let looks = self.looks(surface, hit, ray.dir);
+        looks.iter().fold(Rgb::BLACK, |sum, (weight, texture)| {
+            let light = texture.layers().iter().fold(Rgb::WHITE, |light, layer| {
+                light * self.color(layer, &spot(hit, ray.dir)).transmission()
+            });
+            sum + light * f64::from(*weight)
         })
     }
 
@@ -261,14 +348,6 @@ impl Tracer<'_> {
 
     fn is_opaque(&self, filter: Rgb) -> bool {
         f64::from(filter.grey()) <= self.world.globals.adc_bailout
-    }
-}
-
-/// The texture of the side that a ray meets; the normals of a smooth triangle decide, not the order of its corners.
-fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s PreparedTexture {
-    match &surface.inside_texture {
-        Some(inside) if hit.shading_normal.dot(dir) > 0.0 => inside,
-        _ => &surface.texture,
     }
 }
 
