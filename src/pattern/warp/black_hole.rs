@@ -5,6 +5,7 @@ use crate::args::{Args, Parse, Word};
 use crate::math::hash::hashed_cell;
 use crate::math::mersenne;
 use crate::pattern::{self, Settings};
+use crate::source::Diagnostic;
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +45,7 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
         } else if args.accept(Word::Turbulence)? {
             warp.turbulence = args.vector()?;
         } else {
+            warp.fit_blocks(args);
             return Ok(Box::new(warp));
         }
     }
@@ -56,6 +58,25 @@ impl Warp for BlackHole {
 }
 
 impl BlackHole {
+    /// Moves the centre and widens the blocks until a block holds the whole ball, as POV-Ray does, with a warning.
+    fn fit_blocks(&mut self, args: &mut dyn Args) {
+        for axis in 0..3 {
+            if self.repeat[axis] <= 0.0 {
+                continue;
+            }
+            let centre = self.centre[axis].max(self.radius);
+            let width = self.repeat[axis].max(centre + self.radius + self.turbulence[axis]);
+            if (centre, width) != (self.centre[axis], self.repeat[axis]) {
+                let message =
+                    "the blocks of `black_hole` are widened until they hold all of the ball";
+                let at = args.last_span();
+                args.warn(Diagnostic::warning(at, message));
+            }
+            self.centre[axis] = centre;
+            self.repeat[axis] = width;
+        }
+    }
+
     /// The centre of the ball whose block a point lies in.
     fn centre_near(&self, point: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
