@@ -6,7 +6,7 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
-use crate::texture::Texture;
+use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -132,6 +132,17 @@ impl Args for Reader<'_> {
             }
             Some(Value::Poison) => Err(self.consequence()),
             _ => Ok(None),
+        }
+    }
+
+    fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        let layer = &self.default_layer;
+        if kind == TypeId::of::<Pigment>() {
+            Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Layer>() {
+            Some(Arc::new(layer.clone()))
+        } else {
+            None
         }
     }
 
