@@ -13,6 +13,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod height_field;
 mod mesh;
 mod mesh2;
 mod mesh_build;
@@ -31,6 +32,7 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use height_field::HeightField;
 pub use mesh::Mesh;
 pub use plane::Plane;
 pub use skin::{Share, Shares, Skin};
@@ -274,6 +276,8 @@ shapes! {
     SmoothTriangle from SmoothTriangle,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
+    /// `height_field`
+    HeightField from HeightField,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.

@@ -29,6 +29,8 @@ pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
     by_path: FxHashMap<PathBuf, FileId>,
+    /// Files that are no text, by their canonical paths.
+    pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
 }
 
 #[derive(Debug)]
@@ -108,7 +110,7 @@ impl Sources {
         including_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
         let folders = self.folders(including_file);
-        match first_file(name, &folders) {
+        match first_file(name, &folders, &EXTENSIONS) {
             Some(path) => self.load_file(path),
             None => Err(Box::new(not_found(name, &folders))),
         }
@@ -117,7 +119,7 @@ impl Sources {
     /// Whether there is a file that `#include "name"` would mean.
     #[must_use]
     pub fn has_include(&self, name: &str, including_file: FileId) -> bool {
-        first_file(name, &self.folders(including_file)).is_some()
+        first_file(name, &self.folders(including_file), &EXTENSIONS).is_some()
     }
 
     /// The name of an include file of the library that declares a name, if one of the first `most` files does.
@@ -145,7 +147,7 @@ impl Sources {
     }
 
     /// Where include files are searched; an empty path is the current folder.
-    fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
+    pub(super) fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
         let including = self.path(including_file).and_then(Path::parent);
         let near = including.into_iter().chain([Path::new("")]);
         let mut folders: Vec<PathBuf> = Vec::new();
@@ -231,18 +233,19 @@ fn declares(text: &str, name: &str) -> bool {
     })
 }
 
-fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
-    let paths = folders
-        .iter()
-        .flat_map(|folder| EXTENSIONS.map(|extension| folder.join(format!("{name}{extension}"))));
+/// The first file of this name, with one of these endings, in the first folder that has one.
+pub(super) fn first_file(name: &str, folders: &[PathBuf], endings: &[&str]) -> Option<PathBuf> {
+    let mut paths = folders.iter().flat_map(|folder| {
+        endings
+            .iter()
+            .map(|ending| folder.join(format!("{name}{ending}")))
+    });
     // A folder may have the name of a file; a pipe is a file here.
-    paths
-        .into_iter()
-        .find(|path| fs::metadata(path).is_ok_and(|found| !found.is_dir()))
+    paths.find(|path| fs::metadata(path).is_ok_and(|found| !found.is_dir()))
 }
 
 /// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
-fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
+pub(super) fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
     let file = File::open(path)?;
     let about = file.metadata()?;
     if about.len() > MAX_FILE_BYTES {
@@ -306,7 +309,7 @@ fn not_found(name: &str, folders: &[PathBuf]) -> Diagnostic {
     error
 }
 
-fn place(folder: &Path) -> String {
+pub(super) fn place(folder: &Path) -> String {
     if folder.as_os_str().is_empty() {
         "the current folder".to_owned()
     } else {
@@ -315,7 +318,7 @@ fn place(folder: &Path) -> String {
 }
 
 /// `a`, `a or b`, `a, b or c`.
-fn one_of(places: &[String]) -> String {
+pub(super) fn one_of(places: &[String]) -> String {
     match places {
         [] => String::new(),
         [only] => only.clone(),

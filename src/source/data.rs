@@ -1,0 +1,72 @@
+//! Files that a scene names and that are no text: pictures, fonts.
+
+use super::files::{first_file, one_of, place, read_limited};
+use super::{Diagnostic, FileId, Sources};
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+impl Sources {
+    /// The bytes of the file that a scene means by `"name"` in `including_file`: searched like an include file, by its
+    /// name and then with each of `endings` appended. A file is read once, by whatever path it is named.
+    ///
+    /// # Errors
+    /// When there is no such file or it cannot be read; the finding has no place yet.
+    pub fn find_data(
+        &mut self,
+        name: &str,
+        including_file: FileId,
+        endings: &[&str],
+    ) -> Result<Arc<[u8]>, Box<Diagnostic>> {
+        let folders = self.folders(including_file);
+        let endings: Vec<&str> = [""].iter().chain(endings).copied().collect();
+        let Some(path) = first_file(name, &folders, &endings) else {
+            let places: Vec<String> = folders.iter().map(|folder| place(folder)).collect();
+            let places = if Path::new(name).is_absolute() {
+                String::new()
+            } else {
+                format!(" in {}", one_of(&places))
+            };
+            return Err(Box::new(
+                Diagnostic::error(None, format!("cannot find the file `{name}`{places}"))
+                    .with_hint(
+                        "put the file into one of these folders, or name its folder with `+L`",
+                    ),
+            ));
+        };
+        let cannot_read = |why: &dyn std::fmt::Display| {
+            let name = path.display();
+            Box::new(Diagnostic::error(
+                None,
+                format!("cannot read `{name}`: {why}"),
+            ))
+        };
+        let canonical = fs::canonicalize(&path).map_err(|error| cannot_read(&error))?;
+        if let Some(bytes) = self.data.get(&canonical) {
+            return Ok(Arc::clone(bytes));
+        }
+        let bytes = read_limited(&path).map_err(|error| cannot_read(&error))?;
+        let bytes: Arc<[u8]> = bytes.ok_or_else(|| cannot_read(&"it is too large"))?.into();
+        self.data.insert(canonical, Arc::clone(&bytes));
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_found_with_its_ending_or_without_and_read_once() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a.png"), [1, 2]).unwrap();
+        let mut sources = Sources::new(vec![folder.path().to_owned()]);
+        let scene = sources.add_text("x", "");
+        let first = sources.find_data("a", scene, &[".png"]).unwrap();
+        let second = sources.find_data("a.png", scene, &[]).unwrap();
+        assert_eq!(*first, [1, 2]);
+        assert!(Arc::ptr_eq(&first, &second));
+        let error = sources.find_data("a", scene, &[".gif"]).unwrap_err();
+        assert!(error.message.starts_with("cannot find the file `a` in "));
+    }
+}
