@@ -7,6 +7,7 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
+mod bicubic_patch;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
@@ -28,6 +29,7 @@ mod sphere;
 mod torus;
 mod triangle;
 
+pub use bicubic_patch::BicubicPatch;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
@@ -119,6 +121,9 @@ pub trait Geometry {
     /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
     /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
     fn absorb(&mut self, step: &Step) -> bool;
+
+    /// Works out what rays need, when no further step is to be absorbed.
+    fn prepare(&mut self) {}
 
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
@@ -227,6 +232,9 @@ macro_rules! shapes {
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
             }
+            fn prepare(&mut self) {
+                match self { $(Shape::$name(shape) => shape.prepare()),+ }
+            }
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
             }
@@ -278,6 +286,8 @@ shapes! {
     Mesh from Mesh or Mesh2 by read_mesh2,
     /// `height_field`
     HeightField from HeightField,
+    /// `bicubic_patch`
+    BicubicPatch from BicubicPatch,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.

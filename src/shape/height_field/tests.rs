@@ -146,3 +146,25 @@ fn the_bottom_row_of_the_picture_lies_at_z_zero() {
     assert!((down(0.0, 0.0) - 30000.0).abs() < 1e-6);
     assert!(down(0.0, 1.0).abs() < 1e-6);
 }
+
+#[test]
+fn the_water_is_never_seen() {
+    let shape = hills(9, 0.4);
+    let mut rng = check::Random::new(17);
+    for _ in 0..2000 {
+        let ray = rng.ray_near(&shape.bounds());
+        let mut roots = Vec::new();
+        shape.roots(&ray, &mut roots);
+        for root in roots.iter().filter(|root| root.is_visible) {
+            let at = shape.point_to_field(ray.at(root.t));
+            assert!(
+                (at.y - shape.field.ground(at, root.face)).abs() < 1e-6,
+                "{ray:?} {root:?}"
+            );
+            let (x, z, _) = shape.field.cell(root.face);
+            let is_in_cell = (at.x - x as f64 - 0.5).abs() < 0.5 + 1e-9
+                && (at.z - z as f64 - 0.5).abs() < 0.5 + 1e-9;
+            assert!(is_in_cell, "{ray:?} {root:?}");
+        }
+    }
+}

@@ -80,7 +80,11 @@ impl Field {
             let end = leave.min(far);
             walk.squares((enter.max(near), end), (from, to));
             if far < leave {
-                walk.change(far, below_after, None);
+                if bottom == self.water && below_after {
+                    walk.water(far, true);
+                } else {
+                    walk.change(far, below_after, None);
+                }
             }
             walk.wall(leave, false);
         }
@@ -270,14 +274,20 @@ impl Walk<'_> {
         let above_after = self.height_above(to, face);
         self.above = Some(above_after);
         let is_inside = self.is_inside(from, above);
+        let water = self.field.water;
+        let (wet, wet_after) = (self.at(from).y - water, self.at(to).y - water);
         match self.inside {
             None => self.inside = Some(is_inside),
             // The end of the stretch before was rounded to the other side.
-            Some(was_inside) if was_inside != is_inside => self.change(from, is_inside, Some(face)),
+            Some(was_inside) if was_inside != is_inside => {
+                if wet.abs() < above.abs() {
+                    self.water(from, is_inside);
+                } else {
+                    self.change(from, is_inside, Some(face));
+                }
+            }
             Some(_) => {}
         }
-        let water = self.field.water;
-        let (wet, wet_after) = (self.at(from).y - water, self.at(to).y - water);
         let ground = zero(stretch, above, above_after);
         let sea = zero(stretch, wet, wet_after);
         let is_inside_after = above_after < 0.0 || wet_after < 0.0;
