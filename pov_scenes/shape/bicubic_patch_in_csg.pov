@@ -1,4 +1,4 @@
-// A bicubic patch is clipped, and cut by a solid; the sides have textures of their own.
+// A bicubic patch is cut by a solid; the sides have textures of their own.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1.5, 3, -6> look_at <1.5, 1.2, 0> }
@@ -12,7 +12,6 @@ bicubic_patch {
   <0, 3, 2>, <1, 3, 0>, <2, 3, 0>, <3, 3, -2>
   pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
   interior_texture { pigment { rgb <0.2, 0.4, 1> } }
-  clipped_by { sphere { <1.5, 1.5, 0>, 1.5 } }
 }
 intersection {
   bicubic_patch {

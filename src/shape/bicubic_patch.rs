@@ -3,7 +3,7 @@
 //!
 //! As in POV-Ray the surface is halved along both parameters, `u_steps` and `v_steps` times, or until a piece is flatter
 //! than `flatness`; each piece is two triangles, with the normals of the true surface at their corners. Transforms move
-//! the points, so the flatness is that in the scene. The two types, which differ in what POV-Ray keeps, are one here.
+//! the points, so the flatness is that in the scene. Unlike in POV-Ray 3.7, which forgets it, `clipped_by` clips. The two types, which differ in what POV-Ray keeps, are one here.
 
 use super::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, Triangle, read};
@@ -18,8 +18,11 @@ use std::sync::Arc;
 
 /// More halvings would make more than two million triangles.
 const MOST_STEPS: u32 = 20;
-/// The least square of the normal of a surface; where it is shorter POV-Ray takes the x axis.
-const LEAST_NORMAL_SQ: f64 = 1e-10;
+/// A normal shorter than this share of the square of the size is rounding noise. POV-Ray 3.7 takes the noise, so that
+/// its poles have rays of light and shade.
+const NO_NORMAL: f64 = 1e-12;
+/// Corners nearer than this are one to POV-Ray.
+const SAME_CORNER: f64 = 1e-10;
 /// The flatness of the old form without words.
 const OLD_FLATNESS: f64 = 0.1;
 
@@ -217,7 +220,7 @@ impl Net {
         }
     }
 
-    /// The unit normal of the true surface.
+    /// The unit normal of the true surface, or zero at a pole.
     fn normal(&self, at: DVec2) -> DVec3 {
         let mut along = [DVec3::ZERO; 2];
         let (u, v) = (bernstein(at.x), bernstein(at.y));
@@ -229,23 +232,24 @@ impl Net {
             }
         }
         let normal = along[0].cross(along[1]);
-        if normal.length_squared() > LEAST_NORMAL_SQ {
+        let size = self.points.iter().flatten();
+        let size = size.fold(0.0_f64, |size, point| {
+            size.max((*point - self.points[0][0]).abs().max_element())
+        });
+        if normal.length() > NO_NORMAL * size * size {
             normal.normalize()
         } else {
-            DVec3::X
+            DVec3::ZERO
         }
     }
 
+    /// Whether all points lie near the plane of three corners. Without such a plane it is flat.
     fn is_flat(&self, points: &Points) -> bool {
-        if self.flatness <= 0.0 {
-            return false;
-        }
-        let corner = points[0][0];
-        let Some(normal) = (points[0][3] - corner)
-            .cross(points[3][3] - corner)
-            .try_normalize()
-        else {
-            return false;
+        let [a, b, c, d] = [points[0][0], points[0][3], points[3][3], points[3][0]];
+        let corner = a;
+        let second = if (a - b).length() < SAME_CORNER { c } else { b };
+        let Some(normal) = (second - a).cross(d - a).try_normalize() else {
+            return true;
         };
         let mut all = points.iter().flatten();
         all.all(|point| normal.dot(*point - corner).abs() < self.flatness)
