@@ -26,6 +26,7 @@ mod read;
 mod skin;
 mod smooth_triangle;
 mod sphere;
+mod text;
 mod torus;
 mod triangle;
 
@@ -40,6 +41,7 @@ pub use plane::Plane;
 pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
+pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
@@ -288,6 +290,8 @@ shapes! {
     HeightField from HeightField,
     /// `bicubic_patch`
     BicubicPatch from BicubicPatch,
+    /// `text`
+    Text from Text,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
