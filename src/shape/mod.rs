@@ -14,16 +14,20 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod lathe;
 mod mesh;
 mod mesh2;
 mod mesh_build;
 #[cfg(test)]
 mod oracle;
 mod plane;
+mod prism;
 mod quadric;
 mod read;
 mod smooth_triangle;
 mod sphere;
+mod spline;
+mod superellipsoid;
 mod torus;
 mod triangle;
 
@@ -32,11 +36,14 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use plane::Plane;
+pub use prism::Prism;
 pub use quadric::Quadric;
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
+pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
@@ -253,6 +260,12 @@ shapes! {
     Quadric from Quadric,
     /// `blob`
     Blob from Blob,
+    /// `superellipsoid`
+    Superellipsoid from Superellipsoid,
+    /// `prism`
+    Prism from Prism,
+    /// `lathe`
+    Lathe from Lathe,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
 }
