@@ -196,8 +196,12 @@ mod tests {
     #[test]
     fn a_convex_function_is_met_from_both_sides_or_missed() {
         let parabola = |level: f64| move |x: f64| (x * x - level, 2.0 * x);
-        assert!((first_below_zero(parabola(2.0), -9.0, 9.0).unwrap() + 2.0_f64.sqrt()).abs() < 1e-15);
-        assert!((first_below_zero(parabola(2.0), 9.0, -9.0).unwrap() - 2.0_f64.sqrt()).abs() < 1e-15);
+        assert!(
+            (first_below_zero(parabola(2.0), -9.0, 9.0).unwrap() + 2.0_f64.sqrt()).abs() < 1e-15
+        );
+        assert!(
+            (first_below_zero(parabola(2.0), 9.0, -9.0).unwrap() - 2.0_f64.sqrt()).abs() < 1e-15
+        );
         assert_eq!(first_below_zero(parabola(-1e-9), -9.0, 9.0), None);
         assert_eq!(first_below_zero(parabola(2.0), -9.0, -5.0), None);
     }

@@ -37,7 +37,11 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
 
 /// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
 /// they share: a change that only rounding makes or hides at an end is taken away or put there.
-pub(crate) fn sign_changes_between(c: &[f64], starts_negative: bool, ends_negative: bool) -> Places {
+pub(crate) fn sign_changes_between(
+    c: &[f64],
+    starts_negative: bool,
+    ends_negative: bool,
+) -> Places {
     let mut places = sign_changes(c);
     if (value(c, -1.0) < 0.0) != starts_negative {
         match places.first() {
@@ -119,7 +123,8 @@ pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool)
     x
 }
 
-fn value(c: &[f64], x: f64) -> f64 {
+/// The value at a place.
+pub(crate) fn value(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 

@@ -137,7 +137,10 @@ impl Slab {
                 leave: (f64::INFINITY, APEX),
             });
         }
-        let (base, apex) = (((low - height) / slope, BASE), ((high - height) / slope, APEX));
+        let (base, apex) = (
+            ((low - height) / slope, BASE),
+            ((high - height) / slope, APEX),
+        );
         let (enter, leave) = if slope > 0.0 {
             (base, apex)
         } else {
@@ -161,7 +164,8 @@ impl Slab {
             (side.1, SIDE)
         };
         // A slab without height is seen; a side that touches its own other end is not.
-        let is_stretch = enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
+        let is_stretch =
+            enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
         let roots = if is_stretch { span(enter, leave) } else { None }?;
         Some(roots.map(|root| Root {
             is_visible: !is_open || root.face == SIDE,

@@ -11,7 +11,7 @@
 //! are not seen.
 
 use super::spline::{self, Kind, Segment};
-use super::{Crossing, Geometry, Root, Start, first_visible};
+use super::{Crossing, Crossings, Geometry, Root, Start, first_visible};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::power_of_two;
 use crate::math::enclosed::{Enclosed, Range, sign_changes};
@@ -46,8 +46,6 @@ struct Bow {
     from: f64,
     to: f64,
 }
-
-type Crossings = SmallVec<[Root; 8]>;
 
 /// A ray about the axis.
 struct Climb {
@@ -193,7 +191,9 @@ impl Climb {
     /// How far from the place nearest to the axis the line has the distance `radius` from it; zero if it never has.
     fn reach(&self, radius: f64) -> f64 {
         let radius = radius.abs();
-        ((radius - self.aside) * (radius + self.aside)).max(0.0).sqrt()
+        ((radius - self.aside) * (radius + self.aside))
+            .max(0.0)
+            .sqrt()
     }
 
     fn excess(&self, point: DVec2, side: f64) -> f64 {
@@ -434,7 +434,8 @@ mod tests {
         lathe
     }
 
-    const RING: &str = "bezier_spline 8, <1,-1>, <1.6,-1>, <2,-0.5>, <2,0>, <2,0>, <2,0.8>, <1,0.5>, <1,-1>";
+    const RING: &str =
+        "bezier_spline 8, <1,-1>, <1.6,-1>, <2,-0.5>, <2,0>, <2,0>, <2,0.8>, <1,0.5>, <1,-1>";
 
     #[test]
     fn curves_from_axis_to_axis_are_solids() {

@@ -8,7 +8,7 @@
 
 use super::axial::Slab;
 use super::spline::{self, Kind, Segment};
-use super::{Geometry, Root, Start, first_visible, read};
+use super::{Crossings, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse, Word};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
@@ -31,8 +31,6 @@ enum Sweep {
     Linear,
     Conic,
 }
-
-type Crossings = SmallVec<[Root; 8]>;
 
 impl Prism {
     /// Reads the sweep, the spline, the heights, the points and `open`.
@@ -79,10 +77,9 @@ impl Prism {
                 at,
                 "linear prism not closed; it is closed by one more edge",
             )),
-            Repair::Dropped => args.warn(Diagnostic::warning(
-                at,
-                "prism not closed; it is not drawn",
-            )),
+            Repair::Dropped => {
+                args.warn(Diagnostic::warning(at, "prism not closed; it is not drawn"))
+            }
         }
         let is_open = args.accept(Word::Open)?;
         Ok(Prism {
@@ -194,9 +191,7 @@ impl Prism {
         let normal = spline::outward(&self.outline, on_curve, segment.tangent(x).perp());
         match self.sweep {
             Sweep::Linear => DVec3::new(normal.x, 0.0, normal.y),
-            Sweep::Conic => {
-                DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum()
-            }
+            Sweep::Conic => DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum(),
         }
     }
 }
@@ -381,9 +376,12 @@ mod tests {
     }
 
     const L: &str = "7, <0,0>, <2,0>, <2,1>, <1,1>, <1,2>, <0,2>, <0,0>";
-    const HOLE: &str = "10, <-2,-2>, <2,-2>, <2,2>, <-2,2>, <-2,-2>, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>";
-    const EGG: &str = "cubic_spline -1, 0.5, 7, <1,-1>, <0,1>, <-1.2,0>, <0,-1>, <1.5,0.1>, <0,1>, <-1,-1>";
-    const LEAF: &str = "bezier_spline 0, 1, 8, <-1,0>, <-1,1>, <1,1>, <1,0>, <1,0>, <1,-0.3>, <-1,-1>, <-1,0>";
+    const HOLE: &str =
+        "10, <-2,-2>, <2,-2>, <2,2>, <-2,2>, <-2,-2>, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>";
+    const EGG: &str =
+        "cubic_spline -1, 0.5, 7, <1,-1>, <0,1>, <-1.2,0>, <0,-1>, <1.5,0.1>, <0,1>, <-1,-1>";
+    const LEAF: &str =
+        "bezier_spline 0, 1, 8, <-1,0>, <-1,1>, <1,1>, <1,0>, <1,0>, <1,-0.3>, <-1,-1>, <-1,0>";
 
     #[test]
     fn straight_and_curved_outlines_are_solids() {

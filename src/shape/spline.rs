@@ -78,7 +78,10 @@ impl Kind {
     /// The segments of a curve along all points; incomplete ones at the end are left out.
     pub(super) fn segments(self, points: &[DVec2]) -> Vec<Segment> {
         match self {
-            Kind::Linear => points.windows(2).map(|p| Segment::line(p[0], p[1])).collect(),
+            Kind::Linear => points
+                .windows(2)
+                .map(|p| Segment::line(p[0], p[1]))
+                .collect(),
             Kind::Quadratic => points.windows(3).map(Segment::quadratic).collect(),
             Kind::Cubic => points.windows(4).map(Segment::cubic).collect(),
             Kind::Bezier => points.chunks_exact(4).map(Segment::bezier).collect(),
@@ -119,7 +122,11 @@ pub(super) fn is_same(a: DVec2, b: DVec2) -> bool {
 impl Segment {
     /// A straight one.
     pub(super) fn line(start: DVec2, end: DVec2) -> Self {
-        Segment::new([start, end - start, DVec2::ZERO, DVec2::ZERO], 1, [start, end])
+        Segment::new(
+            [start, end - start, DVec2::ZERO, DVec2::ZERO],
+            1,
+            [start, end],
+        )
     }
 
     fn quadratic(p: &[DVec2]) -> Self {
@@ -182,7 +189,11 @@ impl Segment {
 
     /// Where one coordinate has no slope.
     pub(super) fn turns(&self, axis: usize) -> crate::math::polynomial::Places {
-        sign_changes(&[self.c[1][axis], 2.0 * self.c[2][axis], 3.0 * self.c[3][axis]])
+        sign_changes(&[
+            self.c[1][axis],
+            2.0 * self.c[2][axis],
+            3.0 * self.c[3][axis],
+        ])
     }
 
     /// Where the slope of one coordinate turns.
@@ -250,7 +261,9 @@ pub(super) fn nearest(segments: &[Segment], point: DVec2) -> Option<(usize, f64)
     let mut best = None;
     let mut least = f64::INFINITY;
     for (number, segment) in segments.iter().enumerate() {
-        let outside = (segment.low - point).max(point - segment.high).max(DVec2::ZERO);
+        let outside = (segment.low - point)
+            .max(point - segment.high)
+            .max(DVec2::ZERO);
         if outside.length_squared() > least {
             continue;
         }
@@ -308,7 +321,9 @@ pub(super) fn outward(segments: &[Segment], point: DVec2, normal: DVec2) -> DVec
         ahead.push((segments[number].at(x) - point).dot(normal));
     });
     let own = ahead.iter().copied();
-    let own = own.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
+    let own = own
+        .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+        .unwrap_or(0.0);
     let beyond = ahead.iter().filter(|distance| **distance > own).count();
     if beyond % 2 == 0 { normal } else { -normal }
 }
@@ -348,7 +363,11 @@ mod tests {
         let half = 0.25 * (POINTS[2] - POINTS[0]);
         assert!((cubic.slope(-1.0) - half).length() < 1e-15);
         let bezier = Segment::bezier(&POINTS);
-        assert!((bezier.at(0.0) - (POINTS[0] + 3.0 * (POINTS[1] + POINTS[2]) + POINTS[3]) / 8.0).length() < 1e-15);
+        assert!(
+            (bezier.at(0.0) - (POINTS[0] + 3.0 * (POINTS[1] + POINTS[2]) + POINTS[3]) / 8.0)
+                .length()
+                < 1e-15
+        );
     }
 
     #[test]
@@ -393,6 +412,9 @@ mod tests {
         let mut args = TextArgs::new("2.7, <1,2>, <3,4>, <5,6>");
         assert_eq!(read_points(&mut args, "lathe").unwrap().len(), 2);
         let error = read_points(&mut TextArgs::new("1 <1,nan>"), "prism").unwrap_err();
-        assert_eq!(error.message, "a point of the prism must be finite, found <1, NaN>");
+        assert_eq!(
+            error.message,
+            "a point of the prism must be finite, found <1, NaN>"
+        );
     }
 }

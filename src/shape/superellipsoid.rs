@@ -180,9 +180,7 @@ impl Enclosed for Along<'_> {
 
     fn slope(&self, t: f64) -> f64 {
         let p = self.ray.at(t);
-        self.shape
-            .gradient(p.abs())
-            .dot(p.signum() * self.ray.dir)
+        self.shape.gradient(p.abs()).dot(p.signum() * self.ray.dir)
     }
 
     fn values(&self, from: f64, to: f64) -> Range {
@@ -197,10 +195,7 @@ impl Enclosed for Along<'_> {
         let Superellipsoid { across, along } = *self.shape;
         let (least, most) = self.reach(from, to);
         let ring = [least, most].map(|p| norm(p.x, p.y, across));
-        let size = [
-            norm(ring[0], least.z, along),
-            norm(ring[1], most.z, along),
-        ];
+        let size = [norm(ring[0], least.z, along), norm(ring[1], most.z, along)];
         let by_ring = shares(ring, size, along);
         let of_ring = |least: f64, most: f64| {
             let own = shares([least, most], ring, across);
