@@ -1,4 +1,5 @@
 // Superellipsoids with exponents above two have hollow sides and spikes.
+// compare: channel<=54 pixels<=0.02% because "POV-Ray misses two spikes that the formula, sampled along their rays, shows"
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 angle 38 }
