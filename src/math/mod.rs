@@ -9,7 +9,10 @@ pub(crate) mod enclosed;
 pub(crate) mod exact;
 pub mod hash;
 pub(crate) mod lanes;
+pub mod mersenne;
+pub mod noise;
 pub(crate) mod polynomial;
+pub(crate) mod quartic;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;

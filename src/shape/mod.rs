@@ -18,6 +18,7 @@ mod lathe;
 mod mesh;
 mod mesh2;
 mod mesh_build;
+mod mesh_looks;
 #[cfg(test)]
 mod oracle;
 mod ovus;
@@ -27,6 +28,7 @@ mod polygon;
 mod prism;
 mod quadric;
 mod read;
+mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
@@ -48,6 +50,7 @@ pub use poly::Poly;
 pub use polygon::Polygon;
 pub use prism::Prism;
 pub use quadric::Quadric;
+pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
@@ -138,6 +141,21 @@ pub trait Geometry {
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         [point.x, point.y]
+    }
+
+    /// Texture coordinates of a point of the surface piece `face`.
+    fn uv_of_face(&self, point: DVec3, _face: u32) -> [f64; 2] {
+        self.uv(point)
+    }
+
+    /// The textures that pieces of the surface have of their own.
+    fn skins(&self) -> &[Skin] {
+        &[]
+    }
+
+    /// Which of [`Geometry::skins`] a point of the surface piece `face` shows; none if it looks as the object does.
+    fn shares(&self, _point: DVec3, _face: u32) -> Shares {
+        Shares::new()
     }
 
     /// The shading normal where it differs from the geometric one (smooth triangles); not normalised.
@@ -232,6 +250,15 @@ macro_rules! shapes {
             }
             fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
+            }
+            fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
+                match self { $(Shape::$name(shape) => shape.uv_of_face(point, face)),+ }
+            }
+            fn skins(&self) -> &[Skin] {
+                match self { $(Shape::$name(shape) => shape.skins()),+ }
+            }
+            fn shares(&self, point: DVec3, face: u32) -> Shares {
+                match self { $(Shape::$name(shape) => shape.shares(point, face)),+ }
             }
             fn is_faceted(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_faceted()),+ }
