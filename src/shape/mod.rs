@@ -16,19 +16,27 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod height_field;
+mod lathe;
 mod mesh;
 mod mesh2;
 mod mesh_build;
 mod mesh_looks;
 #[cfg(test)]
 mod oracle;
+mod ovus;
 mod plane;
+mod poly;
+mod polygon;
+mod prism;
 mod quadric;
 mod read;
 mod skin;
 mod smooth_triangle;
+mod sor;
 mod sphere;
 mod text;
+mod spline;
+mod superellipsoid;
 mod torus;
 mod triangle;
 
@@ -39,13 +47,20 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use lathe::Lathe;
 pub use mesh::Mesh;
+pub use ovus::Ovus;
 pub use plane::Plane;
+pub use poly::Poly;
+pub use polygon::Polygon;
+pub use prism::Prism;
 pub use quadric::Quadric;
 pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
+pub use sor::Sor;
 pub use sphere::Sphere;
 pub use text::Text;
+pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
@@ -53,6 +68,7 @@ use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::Eased;
 use crate::math::{Bounds, Ray, Step};
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// What a ray does to the inside of a solid at a crossing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -176,10 +192,10 @@ pub trait Geometry {
     }
 }
 
-/// The list of shapes: variant, description, word, and for a shape with two words the other one and its reader.
+/// The list of shapes: variant, description, word, and for a shape with more words the others and their readers.
 /// A new shape is its file and one line here.
 macro_rules! shapes {
-    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)?),+ $(,)?) => {
+    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)*),+ $(,)?) => {
         /// Any shape.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Shape {
@@ -188,7 +204,7 @@ macro_rules! shapes {
 
         impl Shape {
             /// The words that begin the shapes, in the order of the list.
-            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)?),+];
+            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)*),+];
 
             /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
             /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
@@ -199,13 +215,13 @@ macro_rules! shapes {
                 match word {
                     $(
                         Word::$word => Some($name::read(args).map(Shape::$name)),
-                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)?
+                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)*
                     )+
                     _ => None,
                 }
             }
 
-            /// The word that begins this shape in a scene, the first of two.
+            /// The word that begins this shape in a scene, the first of several.
             #[must_use]
             pub fn word(&self) -> Word {
                 match self { $(Shape::$name(_) => Word::$word),+ }
@@ -292,6 +308,20 @@ shapes! {
     Quadric from Quadric,
     /// `blob`
     Blob from Blob,
+    /// `superellipsoid`
+    Superellipsoid from Superellipsoid,
+    /// `prism`
+    Prism from Prism,
+    /// `lathe`
+    Lathe from Lathe,
+    /// `poly`, `cubic` and `quartic`
+    Poly from Poly or Cubic by read_cubic or Quartic by read_quartic,
+    /// `sor`
+    Sor from Sor,
+    /// `polygon`
+    Polygon from Polygon,
+    /// `ovus`
+    Ovus from Ovus,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
     /// `height_field`
@@ -331,6 +361,38 @@ fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
         ..root
     });
     roots.iter().all(|root| root.t.is_finite()).then_some(roots)
+}
+
+/// The roots on one ray of a surface that cuts space in two.
+type Crossings = SmallVec<[Root; 8]>;
+
+/// The visible roots of one smooth surface, face 0, at places in order, through each of which the line goes in or out.
+/// Those that lie beyond all numbers are left out, and the start is then on this side of them.
+fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
+    let mut is_inside = start == Start::Inside;
+    let mut roots = Crossings::new();
+    for t in places {
+        let crossing = if is_inside {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        };
+        is_inside = !is_inside;
+        if t.is_finite() {
+            roots.push(Root {
+                t,
+                crossing,
+                face: 0,
+                is_visible: true,
+            });
+        } else if t < 0.0 {
+            start = match start {
+                Start::Inside => Start::Outside,
+                Start::Outside => Start::Inside,
+            };
+        }
+    }
+    (start, roots)
 }
 
 /// Appends the span of a convex bounded solid.
@@ -382,6 +444,17 @@ mod tests {
             (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
             (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
             (Word::Triangle, "<0,0,0>, <0,1,0>, <1,0,0>"),
+            (Word::Quadric, "<1,1,1>, <0,0,0>, <0,0,0>, -1"),
+            (Word::Blob, "threshold .5 sphere { <0,0,0>, 1, 1 }"),
+            (Word::Superellipsoid, "<.5, .5>"),
+            (Word::Prism, "-1, 1, 4, <0,0>, <1,0>, <0,1>, <0,0>"),
+            (Word::Prism, "conic_sweep 0 1 4 <0,0> <1,0> <0,1> <0,0> open"),
+            (Word::Lathe, "2, <.5,-1>, <1,0>"),
+            (Word::Sor, "4, <1,-2>, <1,-1>, <1,1>, <1,2>"),
+            (Word::Sor, "4 <1,-2> <1,-1> <1,1> <1,2> open"),
+            (Word::Polygon, "4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0>"),
+            (Word::Poly, "2, <1,0,0,0,1,0,0,1,0,-1>"),
+            (Word::Ovus, "1, .5"),
             (
                 Word::SmoothTriangle,
                 "<0,0,0>, <0,0,1>, <0,1,0>, <0,0,1>, <1,0,0>, <0,0,1>",
@@ -406,7 +479,8 @@ mod tests {
     fn a_missing_parameter_is_an_error() {
         for word in Shape::WORDS {
             let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
-            assert_eq!(result.is_ok(), *word == Word::Box);
+            let takes_vectors_only = matches!(word, Word::Box | Word::Superellipsoid);
+            assert_eq!(result.is_ok(), takes_vectors_only, "{word:?}");
         }
     }
 }
