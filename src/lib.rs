@@ -57,6 +57,9 @@ use std::sync::Arc;
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 256 << 20;
 
+/// Below this quality there is neither radiosity nor photons (facts 4.11).
+const QUALITY_OF_RADIOSITY: u8 = 9;
+
 /// Reads, compiles and renders a scene. `progress` is told the number of pixels finished since it was last told.
 ///
 /// # Errors
@@ -167,8 +170,13 @@ fn prepare(
     let warnings = of(Severity::Warning)
         .map(|warning| pov_line(warning, &sources))
         .collect();
-    let Some(scene) = reading.scene else {
+    let undrawn = match render.quality {
+        QUALITY_OF_RADIOSITY.. => reading.undrawn.as_slice(),
+        _ => &[],
+    };
+    let Some(scene) = reading.scene.filter(|_| undrawn.is_empty()) else {
         let errors = of(Severity::Error)
+            .chain(undrawn)
             .map(|error| in_full(error, &sources))
             .collect();
         return Err(Failure {

@@ -26,6 +26,8 @@ pub(super) struct Place {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
+    /// Whether an item of the array of this name is declared, not the name.
+    pub(super) is_item: bool,
     /// How many frames, parentheses and blocks were open where the value began.
     pub(super) frames: usize,
     pub(super) depth: usize,

@@ -24,20 +24,13 @@ impl Reader<'_> {
         let symbol = self.identifier("a name to declare")?;
         let name_span = self.taken_span();
         if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
-            return self.declare_item(symbol);
+            return self.declare_item(symbol, is_local);
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
             return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
         }
-        let place = Declaring {
-            symbol,
-            is_local,
-            frames: self.frames.len(),
-            depth: self.depth,
-            blocks: self.blocks.len(),
-            is_complete: false,
-        };
+        let place = self.declaring_here(symbol, is_local);
         let outer = self.declaring.replace(place);
         self.without_semicolon = None;
         let value = self.value("a value");
@@ -68,6 +61,19 @@ impl Reader<'_> {
         }
     }
 
+    /// A declaration whose value begins here.
+    pub(super) fn declaring_here(&self, symbol: Symbol, is_local: bool) -> Declaring {
+        Declaring {
+            symbol,
+            is_local,
+            is_item: false,
+            frames: self.frames.len(),
+            depth: self.depth,
+            blocks: self.blocks.len(),
+            is_complete: false,
+        }
+    }
+
     /// Looks at what follows a value that may be complete. A directive there may use the name that is being declared,
     /// so it gets what it has until now.
     pub(super) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
@@ -76,7 +82,7 @@ impl Reader<'_> {
             .declaring
             .filter(|open| (open.depth, open.blocks) == place);
         if let Some(open) = open {
-            if self.raw().kind == Kind::Directive {
+            if self.raw().kind == Kind::Directive && !open.is_item {
                 self.assign(open.symbol, value(), open.is_local);
             }
             self.declaring = Some(Declaring {
@@ -127,7 +133,7 @@ impl Reader<'_> {
             return;
         };
         self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
-        if self.scopes.get(open.symbol).is_none() {
+        if !open.is_item && self.scopes.get(open.symbol).is_none() {
             self.assign(open.symbol, Value::Poison, open.is_local);
         }
     }

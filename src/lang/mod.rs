@@ -7,6 +7,7 @@ mod bulk;
 mod color;
 mod cursor;
 mod data_file;
+mod datetime;
 mod declare;
 mod expr;
 mod files;
@@ -14,6 +15,7 @@ mod flow;
 mod functions;
 #[cfg(test)]
 mod fuzz;
+mod global_blocks;
 mod hints;
 mod limits;
 mod macros;
@@ -59,6 +61,7 @@ pub fn evaluate_with(
             scene: None,
             findings,
             messages: String::new(),
+            undrawn: Vec::new(),
             dependencies: sources.dependencies().to_vec(),
         },
     }

@@ -67,6 +67,8 @@ pub(super) struct Reader<'a> {
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
     pub(super) messages: String,
+    /// What drawing cannot do yet.
+    pub(super) undrawn: Vec<Diagnostic>,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
 }
@@ -80,6 +82,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// What the scene asks for and drawing cannot do yet, where the quality is high enough for it: errors.
+    pub undrawn: Vec<Diagnostic>,
     /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
     pub dependencies: Vec<Dependency>,
 }
@@ -142,6 +146,7 @@ impl<'a> Reader<'a> {
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
+            undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,
         };
@@ -251,6 +256,7 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            undrawn: self.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
         }
     }

@@ -8,7 +8,7 @@ use super::value::Value;
 use crate::args::{Args, Parse, Word};
 use crate::camera::Camera;
 use crate::color::Gamma;
-use crate::scene::Object;
+use crate::scene::{Charset, Object};
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
@@ -185,11 +185,11 @@ impl Reader<'_> {
     }
 
     fn global_setting(&mut self, word: Word) -> Parse<()> {
-        if matches!(word, Word::Radiosity | Word::Photons | Word::Subsurface) {
-            return Err(self.not_built(word));
-        }
         let at = self.here_span();
         match word {
+            Word::Radiosity => return self.radiosity(),
+            Word::Photons => return self.photons(),
+            Word::Subsurface => return self.subsurface(),
             Word::AssumedGamma => {
                 self.pass();
                 let gamma = self.gamma()?;
@@ -228,26 +228,37 @@ impl Reader<'_> {
                 self.globals.ambient_light = self.color_value()?.rgb;
             }
             // These matter only to features that are refused by name where they are used.
-            Word::NumberOfWaves
-            | Word::MaxIntersections
-            | Word::HfGray16
-            | Word::MmPerUnit
-            | Word::NoiseGenerator => {
+            Word::NumberOfWaves | Word::NoiseGenerator => {
                 self.pass();
-                self.float_or(1.0)?;
+                self.float()?;
+            }
+            Word::MaxIntersections | Word::HfGray16 => {
+                self.pass();
+                if word == Word::HfGray16 {
+                    self.float_or(1.0)?;
+                } else {
+                    self.float()?;
+                }
+                let message = format!("`{word}` has no effect from version 3.7 on");
+                self.warning(Diagnostic::warning(at, message));
+            }
+            Word::MmPerUnit => {
+                self.pass();
+                self.globals.mm_per_unit = self.float()?;
             }
             Word::IridWavelength => {
                 self.pass();
-                self.color_value()?;
+                self.globals.irid_wavelength = self.color_value()?.rgb;
             }
             Word::Charset => {
                 self.pass();
-                if !(self.take_word(Word::Ascii)?
-                    || self.take_word(Word::Utf8)?
-                    || self.take_word(Word::Sys)?)
-                {
+                self.globals.charset = if self.take_word(Word::Utf8)? {
+                    Charset::Utf8
+                } else if self.take_word(Word::Ascii)? || self.take_word(Word::Sys)? {
+                    Charset::Ascii
+                } else {
                     return Err(self.expected_here("`ascii`, `utf8` or `sys` after `charset`"));
-                }
+                };
             }
             _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
         }
