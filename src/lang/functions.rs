@@ -125,8 +125,10 @@ impl Reader<'_> {
                 format!("`{word}` of {a}: the argument is taken as {}", a.signum()),
             ));
         }
+        // What does not exist is the NaN that processors make of it, which C writes with a sign.
+        let with_sign = |value: f64| if value.is_nan() { -f64::NAN } else { value };
         one(word, a)
-            .map(Number::float)
+            .map(|value| Number::float(with_sign(value)))
             .map_err(|message| self.with_trace(Diagnostic::error(place, message)))
     }
 
@@ -201,7 +203,13 @@ impl Reader<'_> {
 
     fn dimensions(&mut self, word: Word) -> Parse<Number> {
         let symbol = self.identifier("an array")?;
-        let Some(Value::Array(array)) = self.scopes.get(symbol) else {
+        let path = if self.is_raw_mark('[') {
+            self.item_path(symbol)?
+        } else {
+            Vec::new()
+        };
+        let held = self.scopes.get(symbol).and_then(|held| held.item(&path));
+        let Some(Value::Array(array)) = held else {
             return Err(self.error_taken("expected an array"));
         };
         let sizes = array.sizes.clone();

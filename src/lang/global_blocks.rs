@@ -235,6 +235,16 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// `radiosity { importance value }` of an object or of all: it counts only where radiosity is drawn.
+    pub(super) fn importance(&mut self) -> Parse<()> {
+        self.pass();
+        self.open_block()?;
+        if self.take_word(Word::Importance)? {
+            self.checked(&SHARE)?;
+        }
+        Args::close(self)
+    }
+
     /// A float within a range.
     fn checked(&mut self, range: &Range) -> Parse<f64> {
         let start = self.span();

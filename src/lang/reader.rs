@@ -2,6 +2,7 @@
 
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::declare::Deprecation;
 use super::files::Files;
 use super::limits;
 use super::probe::Probe;
@@ -53,6 +54,8 @@ pub(super) struct Reader<'a> {
     pub(super) undeclared: FxHashSet<Symbol>,
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
+    /// Names whose use is to be warned of.
+    pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
     pub(super) streams: Vec<u32>,
     /// What `#fopen` opened.
     pub(super) files: Files,
@@ -133,6 +136,7 @@ impl<'a> Reader<'a> {
             is_over: false,
             undeclared: FxHashSet::default(),
             lacks_file: false,
+            deprecated: FxHashMap::default(),
             streams: Vec::new(),
             files: Files::default(),
             version: options.version.unwrap_or(3.7),

@@ -63,6 +63,11 @@ impl Reader<'_> {
                 Args::close(self)?;
             }
             Some(Word::GlobalSettings) => self.global_settings()?,
+            Some(word) if is_old_setting(word) => {
+                let message = format!("`{word}` should stand in `global_settings`");
+                self.warning(Diagnostic::warning(self.here_span(), message));
+                self.global_setting(word)?;
+            }
             Some(Word::Default) => {
                 self.pass();
                 self.run_default()?;
@@ -123,7 +128,7 @@ impl Reader<'_> {
             Entered::Macro { .. } => "a macro",
             Entered::While { .. } => "`#while`",
             Entered::For(_) => "`#for`",
-            Entered::Switch => "`#switch`",
+            Entered::Switch { .. } => "`#switch`",
             _ => "`#if`",
         };
         let start = Self::unclosed_directive(&open.home);
@@ -160,7 +165,8 @@ impl Reader<'_> {
                     layer.read_part(word, self)?;
                     self.set_default(layer);
                 }
-                Some(word @ (Word::Radiosity | Word::Rainbow | Word::Fog | Word::Media)) => {
+                Some(Word::Radiosity) => self.importance()?,
+                Some(word @ (Word::Rainbow | Word::Fog | Word::Media)) => {
                     return Err(self.not_built(word));
                 }
                 _ => {
@@ -398,4 +404,19 @@ impl Reader<'_> {
         }
         self.skip_token();
     }
+}
+
+/// Settings that old scenes write outside of `global_settings`.
+fn is_old_setting(word: Word) -> bool {
+    matches!(
+        word,
+        Word::AdcBailout
+            | Word::AmbientLight
+            | Word::AssumedGamma
+            | Word::HfGray16
+            | Word::IridWavelength
+            | Word::MaxIntersections
+            | Word::MaxTraceLevel
+            | Word::NumberOfWaves
+    )
 }
