@@ -249,15 +249,14 @@ impl Reader<'_> {
             self.here.at = next as usize;
             return Ok(());
         }
-        self.find_outside(span, |word| {
+        self.find_on(span, |word| {
             matches!(word, Word::End | Word::Else | Word::Elseif)
         })
     }
 
-    /// Goes to the first directive that `is_it` likes, in the file that includes the one at hand or in one further out,
-    /// and is in no group that begins behind the `#include`.
-    fn find_outside(&mut self, span: Span, is_it: impl Fn(Word) -> bool) -> Parse<()> {
-        self.here.at = self.here.tokens.tokens.len() - 1;
+    /// Goes to the first directive that `is_it` likes and that is in no group which begins from here on, in this file,
+    /// or in the file that includes it or one further out.
+    fn find_on(&mut self, span: Span, is_it: impl Fn(Word) -> bool) -> Parse<()> {
         let mut depth = 0_usize;
         loop {
             let token = self.raw();
@@ -296,7 +295,7 @@ impl Reader<'_> {
             }
         }
         match self.group(index) {
-            (u32::MAX, u32::MAX) => self.find_outside(span, |word| word == Word::End)?,
+            (u32::MAX, u32::MAX) => self.find_on(span, |word| word == Word::End)?,
             (_, end) => self.jump(end, span)?,
         }
         self.pass();
