@@ -8,9 +8,6 @@ use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
 
-/// What POV-Ray gives as the extent of unbounded objects.
-const UNBOUNDED: f64 = 1e10;
-
 impl Reader<'_> {
     /// The call that begins with the function word at hand.
     pub(super) fn call_function(&mut self, word: Word) -> Parse<Number> {
@@ -137,15 +134,12 @@ impl Reader<'_> {
         let Some(object) = self.object_of_name()? else {
             return Err(self.expected_here("an object identifier"));
         };
-        let bounds = object.bounds();
-        let corner = if word == Word::MinExtent {
-            bounds.min
+        let extent = object.extent();
+        Ok(Number::vector(if word == Word::MinExtent {
+            extent.min
         } else {
-            bounds.max
-        };
-        Ok(Number::vector(
-            corner.clamp(DVec3::splat(-UNBOUNDED), DVec3::splat(UNBOUNDED)),
-        ))
+            extent.max
+        }))
     }
 
     fn two_vectors(&mut self) -> Parse<(DVec3, DVec3)> {
