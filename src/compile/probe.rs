@@ -2,6 +2,7 @@
 
 use super::flatten::Flat;
 use super::world::{Query, Scratch, Seen, World};
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::Ray;
 use crate::options::{LeastDistance, RenderOptions};
@@ -47,7 +48,10 @@ impl Probed {
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.departure.leaf;
         // POV-Ray gives those of single triangles as they are.
-        let is_triangle = matches!(world.shape(leaf), Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let is_triangle = matches!(
+            world.shape(leaf),
+            Shape::Triangle(_) | Shape::SmoothTriangle(_)
+        );
         let is_turned = world.is_inverse(leaf) && !is_triangle;
         let normal = hit.shading_normal;
         Some((hit.point, if is_turned { -normal } else { normal }))
@@ -87,6 +91,7 @@ fn compiled(object: &Arc<Object>) -> World {
         camera: Camera::default(),
         objects: Vec::new(),
         background: Background { color: None },
+        atmosphere: Atmosphere::default(),
         globals: Globals::default(),
         version: 3.7,
     };

@@ -78,7 +78,7 @@ impl Reader<'_> {
     /// The `)` of a call; a comma there means too many arguments.
     pub(super) fn end_of_call(&mut self, word: Word, open: Span) -> Parse<()> {
         if self.peek()?.is_mark(',') {
-            return Err(self.error_here(format!("`{word}` takes no further argument here")));
+            return Err(self.error_here(format!("`{word}` takes no further argument")));
         }
         self.expect_end(
             ')',

@@ -24,8 +24,10 @@ pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 pub(super) const STRING: usize = 10_000_000;
 /// Errors after which reading gives up.
 pub(super) const ERRORS: usize = 20;
-/// Calls and includes named in one message.
+/// Calls, loops and includes named in one message.
 pub(super) const TRACE: usize = 6;
+/// Values named in one step of that.
+pub(super) const TOLD: usize = 4;
 /// Characters of the scene quoted in one message.
 pub(super) const QUOTED: usize = 60;
 /// Shapes of one scene, each counted as often as it is drawn.

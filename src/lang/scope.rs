@@ -66,7 +66,16 @@ impl Scopes {
     /// The value of a symbol.
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Value> {
         let stack = self.stacks.get(symbol.0 as usize)?;
-        let mut binding = stack.last()?;
+        self.held(stack.last()?)
+    }
+
+    /// The value that a symbol has in the scope of that depth, if it is bound there.
+    pub(super) fn bound_at(&self, symbol: Symbol, depth: u32) -> Option<&Value> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        self.held(stack.iter().find(|binding| binding.depth == depth)?)
+    }
+
+    fn held<'a>(&'a self, mut binding: &'a Binding) -> Option<&'a Value> {
         loop {
             match &binding.held {
                 Held::Value(value) => return Some(value),

@@ -242,7 +242,17 @@ mod tests {
     /// Measured with POV-Ray's `#write`.
     #[test]
     fn numbers_are_written_as_in_c() {
-        let written = [1.0, 1.0 / 3.0, 1e10, 123_456_789.0, 1e-7, -0.5, 999_999.5, 1e100, -0.0];
+        let written = [
+            1.0,
+            1.0 / 3.0,
+            1e10,
+            123_456_789.0,
+            1e-7,
+            -0.5,
+            999_999.5,
+            1e100,
+            -0.0,
+        ];
         let expected = "1 0.333333 1e+10 1.23457e+08 1e-07 -0.5 1e+06 1e+100 -0";
         assert_eq!(written.map(general).join(" "), expected);
         assert_eq!(general(1e-4), "0.0001");
