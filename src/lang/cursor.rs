@@ -27,6 +27,8 @@ pub(super) struct Place {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
+    /// Whether an item of the array of this name is declared, not the name.
+    pub(super) is_item: bool,
     /// How many frames, parentheses and blocks were open where the value began.
     pub(super) frames: usize,
     pub(super) depth: usize,
@@ -51,8 +53,8 @@ pub(super) struct Frame {
 pub(super) enum Entered {
     /// The chosen part of an `#if`.
     If,
-    /// The chosen part of a `#switch`.
-    Switch,
+    /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
+    Switch { value: f64, is_chosen: bool },
     /// A `#while`, with the place of its condition, and which round it is in.
     While { condition: usize, rounds: u64 },
     /// A `#for`.
@@ -75,6 +77,9 @@ impl Reader<'_> {
             let token = self.here.tokens.tokens[self.here.at];
             match token.kind {
                 Kind::Name => {
+                    if !self.deprecated.is_empty() {
+                        self.warn_of_deprecated(Symbol(token.value));
+                    }
                     let Some(Value::Macro(called)) = self.scopes.get(Symbol(token.value)) else {
                         return Ok(token);
                     };
@@ -102,7 +107,7 @@ impl Reader<'_> {
             return false;
         };
         let frames = self.frames.len();
-        (frames == open.frames || open.is_complete && frames > open.frames)
+        (frames <= open.frames || open.is_complete)
             && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
             && matches!(
                 self.here.tokens.directives[token.value as usize].word,
@@ -268,7 +273,7 @@ impl Reader<'_> {
     }
 
     /// At the end of a file: goes back to the `#include` that entered it. False in the scene's own file.
-    fn leave_file(&mut self) -> bool {
+    pub(super) fn leave_file(&mut self) -> bool {
         let Some(at) = self
             .frames
             .iter()

@@ -1,9 +1,9 @@
 //! What cylinders and cones share: an axis between two caps, and the stretch of a ray between the planes of the caps.
 
-use super::{Root, even_scale, span};
+use super::{Root, along, even_scale, span};
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, rotation};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// The face numbers.
 pub(super) const SIDE: u32 = 0;
@@ -31,6 +31,19 @@ impl Axis {
     pub(super) fn new(base: DVec3, apex: DVec3) -> Option<Self> {
         let unit = unit(apex - base)?;
         Some(Axis { base, apex, unit })
+    }
+
+    /// The box of a cylinder or cone as POV-Ray holds it: around the axis from the narrower end to the wider one, as wide
+    /// as that everywhere.
+    pub(super) fn held_box(&self, base_radius: f64, apex_radius: f64) -> (Bounds, DAffine3) {
+        let (start, dir, radius) = if apex_radius > base_radius {
+            (self.base, self.unit, apex_radius)
+        } else {
+            (self.apex, -self.unit, base_radius)
+        };
+        let corner = DVec3::new(radius, radius, 0.0);
+        let held = Bounds::new(-corner, corner + self.length() * DVec3::Z);
+        (held, along(dir, start))
     }
 
     pub(super) fn length(&self) -> f64 {

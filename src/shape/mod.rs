@@ -67,7 +67,7 @@ pub use triangle::Triangle;
 use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::Eased;
 use crate::math::{Bounds, Ray, Step};
-use glam::DVec3;
+use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 
 /// What a ray does to the inside of a solid at a crossing.
@@ -186,6 +186,12 @@ pub trait Geometry {
         first_visible(&roots, from, to)
     }
 
+    /// The box by which POV-Ray knows a shape that it holds in a space of its own, turned along some axis, and what
+    /// takes that space to the shape's: for `min_extent` and `max_extent`. `None` where the box is that of the bounds.
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        None
+    }
+
     /// Whether [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
@@ -277,6 +283,9 @@ macro_rules! shapes {
             }
             fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest_beside(ray, from, to, face)),+ }
+            }
+            fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+                match self { $(Shape::$name(shape) => shape.held_box()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }
@@ -393,6 +402,24 @@ fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Cro
         }
     }
     (start, roots)
+}
+
+/// What turns the z axis to a unit direction by the shortest way, and moves the origin: where POV-Ray holds discs,
+/// cylinders and cones.
+fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
+    let to_z = 1.0 + dir.z;
+    let matrix = if to_z < 1e-10 {
+        DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))
+    } else {
+        let (a, b) = (dir.x, dir.y);
+        let mixed = -a * b / to_z;
+        DMat3::from_cols(
+            DVec3::new(1.0 - a * a / to_z, mixed, -a),
+            DVec3::new(mixed, 1.0 - b * b / to_z, -b),
+            dir,
+        )
+    };
+    DAffine3::from_mat3_translation(matrix, origin)
 }
 
 /// Appends the span of a convex bounded solid.
