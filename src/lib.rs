@@ -194,6 +194,7 @@ fn read_scene(
     };
     match scene {
         Some(scene) if errors.is_empty() => Ok(scene),
+        None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),
     }
 }

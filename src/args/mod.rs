@@ -45,6 +45,13 @@ pub trait Args {
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
     /// A string.
     fn string(&mut self) -> Parse<String>;
+    /// The bytes of the file whose name was taken last, searched like an include file, by its name and then with each of
+    /// `endings` appended.
+    fn file(&mut self, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+        let _ = endings;
+        let message = format!("cannot find the file `{name}`");
+        Err(Box::new(Diagnostic::error(self.last_span(), message)))
+    }
     /// Takes vectors of `len` components that are written as literal numbers, each with an optional comma before it, as
     /// long as `take` wants them; the first it does not want is left where it is. May stop early, or take none at
     /// all: whoever calls this for speed reads on with [`Args::vector`].
@@ -82,6 +89,10 @@ pub trait Args {
     /// If the next token is an identifier that holds a value of this Rust type, takes it and gives the value.
     /// Use [`declared`], which knows the type.
     fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>>;
+    /// What `#default` holds of this Rust type. Use [`default_of`], which knows the type.
+    fn default_any(&self, _kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        None
+    }
     /// The place of the next token.
     fn span(&mut self) -> Span;
     /// The place of the token last taken.
@@ -102,6 +113,14 @@ pub fn declared<T: Any + Send + Sync>(args: &mut dyn Args) -> Parse<Option<Arc<T
     Ok(args
         .declared_any(TypeId::of::<T>())?
         .and_then(|value| value.downcast::<T>().ok()))
+}
+
+/// What `#default` says of a kind of element, or the kind's own default.
+pub fn default_of<T: Any + Send + Sync + Clone + Default>(args: &dyn Args) -> T {
+    let known = args.default_any(TypeId::of::<T>());
+    known
+        .and_then(|value| value.downcast::<T>().ok())
+        .map_or_else(T::default, |value| T::clone(&value))
 }
 
 /// The error for a word that the language has and this program does not have yet: "`spotlight` is not built yet".

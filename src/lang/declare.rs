@@ -42,7 +42,11 @@ impl Reader<'_> {
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
-            return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            if !error.message.is_empty() && error.hints.is_empty() {
+                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+            }
+            return Err(error);
         }
         // Directives before the value belong to it; what they enter is where it is read.
         self.peek()?;

@@ -141,6 +141,27 @@ impl Axis {
 }
 
 impl Slab {
+    /// Between two heights above the xz plane; a lower cap that is the upper one too is met all the same.
+    pub(super) fn between(ray: &Ray, low: f64, high: f64) -> Option<Self> {
+        let (slope, height) = (ray.dir.y, ray.origin.y);
+        if slope == 0.0 {
+            return (low <= height && height <= high).then_some(Slab {
+                enter: (f64::NEG_INFINITY, BASE),
+                leave: (f64::INFINITY, APEX),
+            });
+        }
+        let (base, apex) = (
+            ((low - height) / slope, BASE),
+            ((high - height) / slope, APEX),
+        );
+        let (enter, leave) = if slope > 0.0 {
+            (base, apex)
+        } else {
+            (apex, base)
+        };
+        Some(Slab { enter, leave })
+    }
+
     /// What a stretch inside the infinite side shares with the slab. On a rim the side is taken. Parity is right by
     /// construction: there is one way in and one way out.
     #[inline]
@@ -155,7 +176,9 @@ impl Slab {
         } else {
             (side.1, SIDE)
         };
-        let is_stretch = enter.0 < leave.0;
+        // A slab without height is seen; a side that touches its own other end is not.
+        let is_stretch =
+            enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
         let roots = if is_stretch { span(enter, leave) } else { None }?;
         Some(roots.map(|root| Root {
             is_visible: !is_open || root.face == SIDE,

@@ -8,38 +8,59 @@
 
 mod axial;
 mod blob;
+mod bicubic_patch;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod height_field;
+mod lathe;
 mod mesh;
 mod mesh2;
 mod mesh_build;
 mod mesh_looks;
 #[cfg(test)]
 mod oracle;
+mod ovus;
 mod plane;
+mod poly;
+mod polygon;
+mod prism;
 mod quadric;
 mod read;
 mod skin;
 mod smooth_triangle;
+mod sor;
 mod sphere;
+mod text;
+mod spline;
+mod superellipsoid;
 mod torus;
 mod triangle;
 
 pub use blob::Blob;
+pub use bicubic_patch::BicubicPatch;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use height_field::HeightField;
+pub use lathe::Lathe;
 pub use mesh::Mesh;
+pub use ovus::Ovus;
 pub use plane::Plane;
+pub use poly::Poly;
+pub use polygon::Polygon;
+pub use prism::Prism;
 pub use quadric::Quadric;
 pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
+pub use sor::Sor;
 pub use sphere::Sphere;
+pub use text::Text;
+pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
@@ -47,6 +68,7 @@ use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::Eased;
 use crate::math::{Bounds, Ray, Step};
 use glam::{DAffine3, DMat3, DVec3};
+use smallvec::SmallVec;
 
 /// What a ray does to the inside of a solid at a crossing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -122,6 +144,9 @@ pub trait Geometry {
     /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
     fn absorb(&mut self, step: &Step) -> bool;
 
+    /// Works out what rays need, when no further step is to be absorbed.
+    fn prepare(&mut self) {}
+
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         [point.x, point.y]
@@ -173,10 +198,10 @@ pub trait Geometry {
     }
 }
 
-/// The list of shapes: variant, description, word, and for a shape with two words the other one and its reader.
+/// The list of shapes: variant, description, word, and for a shape with more words the others and their readers.
 /// A new shape is its file and one line here.
 macro_rules! shapes {
-    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)?),+ $(,)?) => {
+    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)*),+ $(,)?) => {
         /// Any shape.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Shape {
@@ -185,7 +210,7 @@ macro_rules! shapes {
 
         impl Shape {
             /// The words that begin the shapes, in the order of the list.
-            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)?),+];
+            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)*),+];
 
             /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
             /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
@@ -196,13 +221,13 @@ macro_rules! shapes {
                 match word {
                     $(
                         Word::$word => Some($name::read(args).map(Shape::$name)),
-                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)?
+                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)*
                     )+
                     _ => None,
                 }
             }
 
-            /// The word that begins this shape in a scene, the first of two.
+            /// The word that begins this shape in a scene, the first of several.
             #[must_use]
             pub fn word(&self) -> Word {
                 match self { $(Shape::$name(_) => Word::$word),+ }
@@ -234,6 +259,9 @@ macro_rules! shapes {
             }
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
+            }
+            fn prepare(&mut self) {
+                match self { $(Shape::$name(shape) => shape.prepare()),+ }
             }
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
@@ -289,8 +317,28 @@ shapes! {
     Quadric from Quadric,
     /// `blob`
     Blob from Blob,
+    /// `superellipsoid`
+    Superellipsoid from Superellipsoid,
+    /// `prism`
+    Prism from Prism,
+    /// `lathe`
+    Lathe from Lathe,
+    /// `poly`, `cubic` and `quartic`
+    Poly from Poly or Cubic by read_cubic or Quartic by read_quartic,
+    /// `sor`
+    Sor from Sor,
+    /// `polygon`
+    Polygon from Polygon,
+    /// `ovus`
+    Ovus from Ovus,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
+    /// `height_field`
+    HeightField from HeightField,
+    /// `bicubic_patch`
+    BicubicPatch from BicubicPatch,
+    /// `text`
+    Text from Text,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
@@ -342,6 +390,38 @@ fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
     DAffine3::from_mat3_translation(matrix, origin)
 }
 
+/// The roots on one ray of a surface that cuts space in two.
+type Crossings = SmallVec<[Root; 8]>;
+
+/// The visible roots of one smooth surface, face 0, at places in order, through each of which the line goes in or out.
+/// Those that lie beyond all numbers are left out, and the start is then on this side of them.
+fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
+    let mut is_inside = start == Start::Inside;
+    let mut roots = Crossings::new();
+    for t in places {
+        let crossing = if is_inside {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        };
+        is_inside = !is_inside;
+        if t.is_finite() {
+            roots.push(Root {
+                t,
+                crossing,
+                face: 0,
+                is_visible: true,
+            });
+        } else if t < 0.0 {
+            start = match start {
+                Start::Inside => Start::Outside,
+                Start::Outside => Start::Inside,
+            };
+        }
+    }
+    (start, roots)
+}
+
 /// Appends the span of a convex bounded solid.
 fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
     if let Some(span) = span {
@@ -391,6 +471,17 @@ mod tests {
             (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
             (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
             (Word::Triangle, "<0,0,0>, <0,1,0>, <1,0,0>"),
+            (Word::Quadric, "<1,1,1>, <0,0,0>, <0,0,0>, -1"),
+            (Word::Blob, "threshold .5 sphere { <0,0,0>, 1, 1 }"),
+            (Word::Superellipsoid, "<.5, .5>"),
+            (Word::Prism, "-1, 1, 4, <0,0>, <1,0>, <0,1>, <0,0>"),
+            (Word::Prism, "conic_sweep 0 1 4 <0,0> <1,0> <0,1> <0,0> open"),
+            (Word::Lathe, "2, <.5,-1>, <1,0>"),
+            (Word::Sor, "4, <1,-2>, <1,-1>, <1,1>, <1,2>"),
+            (Word::Sor, "4 <1,-2> <1,-1> <1,1> <1,2> open"),
+            (Word::Polygon, "4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0>"),
+            (Word::Poly, "2, <1,0,0,0,1,0,0,1,0,-1>"),
+            (Word::Ovus, "1, .5"),
             (
                 Word::SmoothTriangle,
                 "<0,0,0>, <0,0,1>, <0,1,0>, <0,0,1>, <1,0,0>, <0,0,1>",
@@ -415,7 +506,8 @@ mod tests {
     fn a_missing_parameter_is_an_error() {
         for word in Shape::WORDS {
             let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
-            assert_eq!(result.is_ok(), *word == Word::Box);
+            let takes_vectors_only = matches!(word, Word::Box | Word::Superellipsoid);
+            assert_eq!(result.is_ok(), takes_vectors_only, "{word:?}");
         }
     }
 }
