@@ -179,8 +179,7 @@ fn read_scene(
                 Heard::Found(finding, sources) => found(finding, sources),
             };
             let mut probe = OwnObjects::default();
-            let reading =
-                lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear);
+            let reading = lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear);
             if quality >= QUALITY_OF_RADIOSITY {
                 for undrawn in &reading.undrawn {
                     found(undrawn, &sources);
@@ -195,7 +194,7 @@ fn read_scene(
     };
     match scene {
         Some(scene) if errors.is_empty() => Ok(scene),
-        _ if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
+        None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),
     }
 }

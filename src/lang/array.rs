@@ -64,7 +64,10 @@ impl Reader<'_> {
     /// Gives an item of the array of this name a value.
     pub(super) fn set_item(&mut self, symbol: Symbol, path: &[usize], value: Value) -> Parse<()> {
         // Arrays that have another name as well are copied.
-        let copied = self.scopes.get(symbol).map_or(0, |array| array.copied_by(path));
+        let copied = self
+            .scopes
+            .get(symbol)
+            .map_or(0, |array| array.copied_by(path));
         self.take_memory(array_bytes(copied), self.taken_span())?;
         let item = self.scopes.get_mut(symbol);
         if let Some(item) = item.and_then(|array| array.item_mut(path)) {

@@ -195,7 +195,9 @@ impl Reader<'_> {
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
     pub(super) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
         if self.take_mark(';')? {
-            while self.take_mark(';')? {}
+            while self.is_raw_mark(';') {
+                self.pass();
+            }
             self.without_semicolon = None;
             return Ok(());
         }

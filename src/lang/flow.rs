@@ -318,9 +318,10 @@ impl Reader<'_> {
             }
             _ => {
                 let error = Diagnostic::error(span, format!("`#{word}` without an open `#if`"));
-                return Err(self.with_trace(error.with_hint(
-                    "Remove it, or look for an `#end` above that closes too early.",
-                )));
+                return Err(self
+                    .with_trace(error.with_hint(
+                        "Remove it, or look for an `#end` above that closes too early.",
+                    )));
             }
         }
         match self.group(index) {
@@ -466,7 +467,10 @@ impl Reader<'_> {
     /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
     fn run_end(&mut self, span: Span) -> Parse<()> {
         if matches!(self.innermost(), Some(Entered::Include { .. }))
-            && matches!(self.innermost_group(), Some(Entered::If | Entered::Switch { .. }))
+            && matches!(
+                self.innermost_group(),
+                Some(Entered::If | Entered::Switch { .. })
+            )
         {
             self.leave_group();
             return Ok(());

@@ -3,6 +3,7 @@
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
+use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{axis_rotation, rotation};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
@@ -57,6 +58,7 @@ impl Reader<'_> {
                 Number::vector(rotation(by) * v)
             }
             Word::MinExtent | Word::MaxExtent => self.extent(word)?,
+            Word::Vturbulence => self.vturbulence()?,
             Word::Trace => self.trace()?,
             Word::Inside => self.inside()?,
             Word::VaxisRotate => {
@@ -148,6 +150,27 @@ impl Reader<'_> {
         let a = self.vector3()?;
         self.take_mark(',')?;
         Ok((a, self.vector3()?))
+    }
+
+    /// `lambda, omega, octaves, point`.
+    fn vturbulence(&mut self) -> Parse<Number> {
+        let lambda = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let omega = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let count = Octaves::count_of(self.number_at_sum()?);
+        self.take_mark(',')?;
+        let point = self.vector3()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "single precision, as in patterns"
+        )]
+        let octaves = Octaves {
+            count,
+            lambda: lambda as f32,
+            omega: omega as f32,
+        };
+        Ok(Number::vector(vector_turbulence(point, &octaves)))
     }
 
     fn vnormalize(&mut self) -> Parse<Number> {
@@ -376,11 +399,11 @@ fn bits(word: Word, a: f64, b: f64) -> f64 {
 
 /// As C's `strcmp`: the difference of the first letters that differ, where the end of a text is zero.
 fn difference(left: &str, right: &str) -> i32 {
-    let codes = |text: &str| -> Vec<i64> { text.chars().map(|c| i64::from(u32::from(c))).collect() };
+    let codes =
+        |text: &str| -> Vec<i64> { text.chars().map(|c| i64::from(u32::from(c))).collect() };
     let (left, right) = (codes(left), codes(right));
     let code = |text: &[i64], at: usize| text.get(at).copied().unwrap_or(0);
-    let differences =
-        (0..left.len().max(right.len())).map(|at| code(&left, at) - code(&right, at));
+    let differences = (0..left.len().max(right.len())).map(|at| code(&left, at) - code(&right, at));
     let first = differences.into_iter().find(|&difference| difference != 0);
     i32::try_from(first.unwrap_or(0)).unwrap_or(0)
 }
@@ -390,7 +413,11 @@ fn leading_number(text: &str) -> f64 {
     let text = text.trim_start();
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let sign = if text.starts_with('-') { -1.0 } else { 1.0 };
-    let start = |word: &str| unsigned.get(..word.len()).is_some_and(|s| s.eq_ignore_ascii_case(word));
+    let start = |word: &str| {
+        unsigned
+            .get(..word.len())
+            .is_some_and(|s| s.eq_ignore_ascii_case(word))
+    };
     if start("inf") {
         return sign * f64::INFINITY;
     }
@@ -417,7 +444,18 @@ mod tests {
     /// Measured with POV-Ray.
     #[test]
     fn numbers_at_the_start_of_texts_are_those_of_atof() {
-        let texts = ["12", "  -1.5e-2 z", "abc", "", ".5", "0x10", "1e", "+3", "1,2", "1.2.3"];
+        let texts = [
+            "12",
+            "  -1.5e-2 z",
+            "abc",
+            "",
+            ".5",
+            "0x10",
+            "1e",
+            "+3",
+            "1,2",
+            "1.2.3",
+        ];
         let expected = [12.0, -0.015, 0.0, 0.0, 0.5, 16.0, 1.0, 3.0, 1.0, 1.2];
         assert_eq!(texts.map(leading_number), expected);
         assert_eq!(leading_number("inf"), f64::INFINITY);
@@ -437,6 +475,9 @@ mod tests {
         assert_eq!(whole(-3.9), -3);
         assert_eq!(whole(1e12), i32::MIN);
         assert_eq!(whole(f64::NAN), i32::MIN);
-        assert_eq!(bits(Word::BitwiseOr, 4_294_967_296.0, 1.0), -2_147_483_647.0);
+        assert_eq!(
+            bits(Word::BitwiseOr, 4_294_967_296.0, 1.0),
+            -2_147_483_647.0
+        );
     }
 }

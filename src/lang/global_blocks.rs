@@ -346,7 +346,10 @@ mod tests {
             "importance .5",
             "always_sample",
         ] {
-            assert!(globals(&format!("radiosity {{ {text} }}")).is_err(), "{text}");
+            assert!(
+                globals(&format!("radiosity {{ {text} }}")).is_err(),
+                "{text}"
+            );
         }
     }
 

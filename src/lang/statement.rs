@@ -448,20 +448,6 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a word begins a part of objects, which stands nowhere else.
-fn is_part(word: Word) -> bool {
-    matches!(
-        word,
-        Word::Texture
-            | Word::Pigment
-            | Word::Finish
-            | Word::Normal
-            | Word::Interior
-            | Word::InteriorTexture
-            | Word::Material
-    )
-}
-
 /// Settings that old scenes write outside of `global_settings`.
 fn is_old_setting(word: Word) -> bool {
     matches!(
@@ -474,5 +460,19 @@ fn is_old_setting(word: Word) -> bool {
             | Word::MaxIntersections
             | Word::MaxTraceLevel
             | Word::NumberOfWaves
+    )
+}
+
+/// Whether a word begins a part of objects, which stands nowhere else.
+fn is_part(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Texture
+            | Word::Pigment
+            | Word::Finish
+            | Word::Normal
+            | Word::Interior
+            | Word::InteriorTexture
+            | Word::Material
     )
 }

@@ -182,7 +182,11 @@ impl Value {
         let Value::Array(array) = self else {
             return 0;
         };
-        let own = if Rc::strong_count(array) > 1 { array.items.len() } else { 0 };
+        let own = if Rc::strong_count(array) > 1 {
+            array.items.len()
+        } else {
+            0
+        };
         let item = path.first().and_then(|&at| array.items.get(at)?.as_ref());
         own + item.map_or(0, |item| item.copied_by(&path[1..]))
     }

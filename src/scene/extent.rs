@@ -110,7 +110,9 @@ fn moved(plane: &Plane, steps: &[Step]) -> Plane {
 fn clip(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
     for axis in 0..3 {
         let across = (0..3).filter(|&other| other != axis);
-        let is_along = across.map(|other| plane.normal[other].abs()).all(|part| part < ACROSS);
+        let is_along = across
+            .map(|other| plane.normal[other].abs())
+            .all(|part| part < ACROSS);
         if !is_along || plane.normal == DVec3::ZERO {
             continue;
         }

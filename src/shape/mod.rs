@@ -372,6 +372,24 @@ fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
     roots.iter().all(|root| root.t.is_finite()).then_some(roots)
 }
 
+/// What turns the z axis to a unit direction by the shortest way, and moves the origin: where POV-Ray holds discs,
+/// cylinders and cones.
+fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
+    let to_z = 1.0 + dir.z;
+    let matrix = if to_z < 1e-10 {
+        DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))
+    } else {
+        let (a, b) = (dir.x, dir.y);
+        let mixed = -a * b / to_z;
+        DMat3::from_cols(
+            DVec3::new(1.0 - a * a / to_z, mixed, -a),
+            DVec3::new(mixed, 1.0 - b * b / to_z, -b),
+            dir,
+        )
+    };
+    DAffine3::from_mat3_translation(matrix, origin)
+}
+
 /// The roots on one ray of a surface that cuts space in two.
 type Crossings = SmallVec<[Root; 8]>;
 
@@ -402,24 +420,6 @@ fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Cro
         }
     }
     (start, roots)
-}
-
-/// What turns the z axis to a unit direction by the shortest way, and moves the origin: where POV-Ray holds discs,
-/// cylinders and cones.
-fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
-    let to_z = 1.0 + dir.z;
-    let matrix = if to_z < 1e-10 {
-        DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))
-    } else {
-        let (a, b) = (dir.x, dir.y);
-        let mixed = -a * b / to_z;
-        DMat3::from_cols(
-            DVec3::new(1.0 - a * a / to_z, mixed, -a),
-            DVec3::new(mixed, 1.0 - b * b / to_z, -b),
-            dir,
-        )
-    };
-    DAffine3::from_mat3_translation(matrix, origin)
 }
 
 /// Appends the span of a convex bounded solid.

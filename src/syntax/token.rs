@@ -164,8 +164,16 @@ impl Tokens {
     #[must_use]
     pub fn string_in_ascii(&self, value: u32) -> String {
         let written = self.written(value).chars();
-        let blank = |c: char| if c.is_ascii() { (c, 1) } else { (' ', c.len_utf8()) };
-        let plain = written.map(blank).flat_map(|(c, count)| std::iter::repeat_n(c, count));
+        let blank = |c: char| {
+            if c.is_ascii() {
+                (c, 1)
+            } else {
+                (' ', c.len_utf8())
+            }
+        };
+        let plain = written
+            .map(blank)
+            .flat_map(|(c, count)| std::iter::repeat_n(c, count));
         unescaped(&plain.collect::<String>())
     }
 
