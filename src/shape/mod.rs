@@ -8,12 +8,14 @@
 
 mod axial;
 mod blob;
+mod bicubic_patch;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod height_field;
 mod lathe;
 mod mesh;
 mod mesh2;
@@ -32,16 +34,19 @@ mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
+mod text;
 mod spline;
 mod superellipsoid;
 mod torus;
 mod triangle;
 
 pub use blob::Blob;
+pub use bicubic_patch::BicubicPatch;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use height_field::HeightField;
 pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use ovus::Ovus;
@@ -54,6 +59,7 @@ pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
+pub use text::Text;
 pub use superellipsoid::Superellipsoid;
 pub use torus::Torus;
 pub use triangle::Triangle;
@@ -137,6 +143,9 @@ pub trait Geometry {
     /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
     /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
     fn absorb(&mut self, step: &Step) -> bool;
+
+    /// Works out what rays need, when no further step is to be absorbed.
+    fn prepare(&mut self) {}
 
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
@@ -245,6 +254,9 @@ macro_rules! shapes {
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
             }
+            fn prepare(&mut self) {
+                match self { $(Shape::$name(shape) => shape.prepare()),+ }
+            }
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
             }
@@ -312,6 +324,12 @@ shapes! {
     Ovus from Ovus,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
+    /// `height_field`
+    HeightField from HeightField,
+    /// `bicubic_patch`
+    BicubicPatch from BicubicPatch,
+    /// `text`
+    Text from Text,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
