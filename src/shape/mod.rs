@@ -7,8 +7,8 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
-mod blob;
 mod bicubic_patch;
+mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
@@ -34,14 +34,14 @@ mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
-mod text;
 mod spline;
 mod superellipsoid;
+mod text;
 mod torus;
 mod triangle;
 
-pub use blob::Blob;
 pub use bicubic_patch::BicubicPatch;
+pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
@@ -59,8 +59,8 @@ pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
-pub use text::Text;
 pub use superellipsoid::Superellipsoid;
+pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
