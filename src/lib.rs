@@ -9,7 +9,7 @@
 //! without any file. The reading wing ([`source`], [`syntax`], [`lang`]) fills it; the drawing wing ([`accel`],
 //! [`compile`], [`trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
 //!
-//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`]) live below both wings: one file
+//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`]) live below both wings: one file
 //! each, with its mathematics, what it reads through [`args::Args`], and what it answers to rays.
 //!
 //! Decisions that the code rests on:
@@ -24,6 +24,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod atmosphere;
 pub mod camera;
 pub mod cli;
 pub mod color;
@@ -46,10 +47,12 @@ pub mod texture;
 pub mod trace;
 
 use compile::World;
+use glam::DVec3;
 use lang::Heard;
 use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
-use scene::Scene;
+use scene::{Object, Scene};
 use source::{Diagnostic, Message, Severity, Sources};
+use std::sync::Arc;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
@@ -125,6 +128,20 @@ fn failure(message: String, listen: &Listen<'_>) -> Failure {
     }
 }
 
+/// The drawing wing as the reading wing sees it.
+#[derive(Default)]
+struct OwnObjects(compile::Probed);
+
+impl lang::Probe for OwnObjects {
+    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir)
+    }
+
+    fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
+        self.0.is_inside(object, point)
+    }
+}
+
 fn prepared(scene: &Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
     (compile::compile(scene, render), scene.working_gamma())
 }
@@ -149,7 +166,8 @@ fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Resu
                 Heard::Said(text) => listen(Event::Said(text)),
                 Heard::Found(finding, sources) => found(finding, sources),
             };
-            lang::evaluate_aloud(file, &mut sources, options, &mut hear).scene
+            let mut probe = OwnObjects::default();
+            lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear).scene
         }
         Err(error) => {
             found(&error, &sources);

@@ -41,6 +41,8 @@ pub enum Input {
 pub struct ReadOptions {
     /// Folders searched for included and other files after the current one, in this order.
     pub library_paths: Vec<PathBuf>,
+    /// Folders into which and below which a scene may write files; none lets it write nothing.
+    pub writable: Vec<PathBuf>,
     /// Names declared before the scene is read.
     pub declares: Vec<(String, f64)>,
     /// The language version in force at the start; `None` leaves it to the scene.
@@ -177,6 +179,7 @@ impl Default for ReadOptions {
     fn default() -> Self {
         ReadOptions {
             library_paths: Vec::new(),
+            writable: Vec::new(),
             declares: Vec::new(),
             version: None,
             include_header: None,

@@ -1,5 +1,6 @@
 //! What is to be done, decided from what was typed.
 
+use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -104,6 +105,8 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
 pub(super) fn read_options(typed: &Typed, library_paths: Vec<PathBuf>) -> ReadOptions {
     ReadOptions {
         library_paths,
+        // As Debian's povray.conf has it.
+        writable: vec![PathBuf::from("."), env::temp_dir()],
         declares: typed.declares.clone(),
         version: typed.version,
         include_header: typed.include_header.clone(),

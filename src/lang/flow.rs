@@ -169,6 +169,10 @@ impl Reader<'_> {
             Word::Include => self.run_include(),
             Word::Default => self.run_default(),
             Word::Version => self.run_version(),
+            Word::Fopen => self.run_fopen(),
+            Word::Fclose => self.run_fclose(),
+            Word::Read => self.run_read(),
+            Word::Write => self.run_write(),
             Word::Debug | Word::Warning | Word::Error | Word::Render | Word::Statistics => {
                 self.run_message(word, span)
             }

@@ -32,6 +32,10 @@ pub(super) const QUOTED: usize = 60;
 pub(super) const LEAVES: u64 = 200_000_000;
 /// Layers of one texture.
 pub(super) const LAYERS: usize = 100_000;
+/// Files that a scene has open at once.
+pub(super) const FILES: usize = 64;
+/// Bytes that a scene writes to files in a run.
+pub(super) const WRITTEN: u64 = 1 << 30;
 /// Bytes that `#debug` and the like write in a run.
 pub(super) const MESSAGES: usize = 16 << 20;
 /// After so many bytes that may have been taken, memory is looked at, which takes as long as reading a hundred tokens.

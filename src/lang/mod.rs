@@ -6,17 +6,21 @@ mod budget;
 mod bulk;
 mod color;
 mod cursor;
+mod data_file;
 mod declare;
 mod expr;
+mod files;
 mod flow;
 mod foreign;
 mod functions;
 #[cfg(test)]
 mod fuzz;
 mod hints;
+mod light;
 mod limits;
 mod macros;
 mod object;
+mod probe;
 mod reader;
 mod scope;
 mod similar;
@@ -26,6 +30,7 @@ mod trace;
 mod unclosed;
 mod value;
 
+pub use probe::{Blind, Probe};
 pub use reader::Reading;
 
 use crate::options::ReadOptions;
@@ -41,22 +46,24 @@ pub enum Heard<'a> {
     Found(&'a Diagnostic, &'a Sources),
 }
 
-/// Reads the scene in `file`, which `sources` holds; includes are searched there too.
+/// Reads the scene in `file`, which `sources` holds; includes are searched there too. `trace` and `inside` find nothing.
 ///
 /// All findings of the run are given, errors as far as reading can go on behind them.
 #[must_use]
 pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    evaluate_aloud(file, sources, options, &mut |_| {})
+    evaluate_with(file, sources, options, &mut Blind, &mut |_| {})
 }
 
-/// [`evaluate`] that tells what it finds, and what the scene writes, as soon as that happens.
-pub fn evaluate_aloud(
+/// As [`evaluate`]; `probe` answers what the scene asks about its own objects, and `listener` is told what is found,
+/// and what the scene writes, as soon as that happens.
+pub fn evaluate_with(
     file: FileId,
     sources: &mut Sources,
     options: &ReadOptions,
+    probe: &mut dyn Probe,
     listener: &mut dyn FnMut(Heard<'_>),
 ) -> Reading {
-    match Reader::new(file, sources, options, listener) {
+    match Reader::new(file, sources, options, probe, listener) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
@@ -70,6 +77,7 @@ pub fn evaluate_aloud(
                 scene: None,
                 findings,
                 messages: String::new(),
+                dependencies: sources.dependencies().to_vec(),
             }
         }
     }

@@ -3,15 +3,18 @@
 use super::Heard;
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::files::Files;
 use super::limits;
+use super::probe::Probe;
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Diagnostic, FileId, Severity, Sources, Span};
+use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,6 +25,7 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
+    pub(super) probe: &'a mut dyn Probe,
     listener: &'a mut dyn FnMut(Heard<'_>),
     pub(super) names: Names,
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
@@ -53,6 +57,8 @@ pub(super) struct Reader<'a> {
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
     pub(super) streams: Vec<u32>,
+    /// What `#fopen` opened.
+    pub(super) files: Files,
     pub(super) version: f64,
     pub(super) has_version: bool,
     pub(super) now: f64,
@@ -63,6 +69,7 @@ pub(super) struct Reader<'a> {
     /// Whether a light source has been read.
     pub(super) has_light: bool,
     pub(super) background: Option<Color>,
+    pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
     messages: String,
@@ -79,6 +86,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
+    pub dependencies: Vec<Dependency>,
 }
 
 const NO_ROOM: &str = "this file needs more memory than there is";
@@ -93,6 +102,7 @@ impl<'a> Reader<'a> {
         file: FileId,
         sources: &'a mut Sources,
         options: &'a ReadOptions,
+        probe: &'a mut dyn Probe,
         listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
@@ -108,6 +118,7 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             sources,
             options,
+            probe,
             listener,
             names,
             tokenized: FxHashMap::default(),
@@ -127,6 +138,7 @@ impl<'a> Reader<'a> {
             undeclared: FxHashSet::default(),
             lacks_file: false,
             streams: Vec::new(),
+            files: Files::default(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
             now: days_since_2000(),
@@ -136,6 +148,7 @@ impl<'a> Reader<'a> {
             camera: None,
             has_light: false,
             background: None,
+            atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
@@ -236,6 +249,9 @@ impl<'a> Reader<'a> {
 
     /// The scene that was read.
     pub(super) fn finish(mut self) -> Reading {
+        if self.errors == 0 {
+            self.close_files();
+        }
         self.doubt_the_whole();
         let version = if self.has_version {
             self.version
@@ -250,6 +266,7 @@ impl<'a> Reader<'a> {
             background: Background {
                 color: self.background,
             },
+            atmosphere: self.atmosphere,
             globals: self.globals,
             version,
         });
@@ -257,6 +274,7 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            dependencies: self.sources.dependencies().to_vec(),
         }
     }
 }

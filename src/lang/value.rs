@@ -90,6 +90,8 @@ pub(super) enum Value {
     Array(Rc<Array>),
     /// An object or CSG.
     Object(Arc<Object>),
+    /// An open file, by its place among those of the run.
+    File(usize),
     /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
     Element(Element),
     /// The result of something that failed: using it fails without a further message.
@@ -168,6 +170,7 @@ impl Value {
             Value::Array(_) => "an array".to_owned(),
             Value::Object(_) => "an object".to_owned(),
             Value::Element(e) => format!("a {}", e.name),
+            Value::File(_) => "an open file".to_owned(),
             Value::Poison => "a value that could not be read".to_owned(),
         }
     }
