@@ -44,9 +44,15 @@ impl Reader<'_> {
             blocks: self.blocks.len(),
             is_complete: false,
         };
-        let outer = self.declaring.replace(place);
+        // What stands before the value runs before it: `#declare N = #declare A = 1; N + A;`.
+        let outer = self.declaring.take();
+        let begun = self.peek();
+        self.declaring = Some(place);
         self.without_semicolon = None;
-        let value = self.value("a value");
+        let value = match begun {
+            Ok(_) => self.value("a value"),
+            Err(error) => Err(error),
+        };
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {
