@@ -48,12 +48,16 @@ impl Reader<'_> {
             }
             return Err(error);
         }
-        // Directives before the value belong to it; what they enter is where it is read.
-        self.peek()?;
-        let place = self.declaring_here(symbol, is_local);
-        let outer = self.declaring.replace(place);
+        // Directives before the value run before it and may enter a file or a macro where it is then read:
+        // `#declare N = #declare A = 1; N + A;`.
+        let outer = self.declaring.take();
+        let begun = self.peek();
+        self.declaring = Some(self.declaring_here(symbol, is_local));
         self.without_semicolon = None;
-        let value = self.value("a value");
+        let value = match begun {
+            Ok(_) => self.value("a value"),
+            Err(error) => Err(error),
+        };
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {

@@ -357,9 +357,15 @@ impl Reader<'_> {
                 Kind::Mark if token.is_mark('}') => {
                     if depth <= 1 {
                         self.pass();
-                        return;
+                        if self.raw().is_mark(';') {
+                            self.pass();
+                        }
+                        // The next layer of a texture belongs to the one that is faulty.
+                        if !self.raw().word().is_some_and(is_part) {
+                            return;
+                        }
                     }
-                    depth -= 1;
+                    depth = depth.saturating_sub(1);
                 }
                 _ if depth == 0 && self.is_at_new_statement() => return,
                 _ => {}
