@@ -7,7 +7,7 @@ pub(crate) mod text;
 pub use crate::syntax::Word;
 pub use steps::transform_step;
 
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::source::{Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
@@ -45,6 +45,16 @@ pub trait Args {
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
     /// A string.
     fn string(&mut self) -> Parse<String>;
+    /// Reads the name of a file that holds no text, and the file. It is searched by its name and then with each of
+    /// `endings` appended; `what` is "the picture" or the like.
+    fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Vec<u8>)> {
+        let _ = endings;
+        Err(self.expected(&format!("the name of {what}")))
+    }
+    /// How numbers of colours relate to light here: `None` without gamma handling.
+    fn working_gamma(&self) -> Option<Gamma> {
+        Some(Gamma::LINEAR)
+    }
     /// Takes vectors of `len` components that are written as literal numbers, each with an optional comma before it, as
     /// long as `take` wants them; the first it does not want is left where it is. May stop early, or take none at
     /// all: whoever calls this for speed reads on with [`Args::vector`].

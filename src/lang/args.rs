@@ -3,13 +3,16 @@
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
+
+/// From this version on there is gamma handling even if a scene does not ask for it.
+const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
@@ -52,6 +55,29 @@ impl Args for Reader<'_> {
 
     fn string(&mut self) -> Parse<String> {
         Reader::string(self)
+    }
+
+    fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Vec<u8>)> {
+        let start = self.start_span();
+        let name = self.file_name()?;
+        let place = start.to(self.taken_span());
+        let found = self
+            .sources
+            .read_bytes(what, &name, place.file, endings);
+        match found {
+            Ok(bytes) => Ok((name, bytes)),
+            Err(mut error) => {
+                error.span = Some(place);
+                Err(self.with_trace(*error))
+            }
+        }
+    }
+
+    fn working_gamma(&self) -> Option<Gamma> {
+        match self.globals.assumed_gamma {
+            None if self.version >= GAMMA_SINCE => Some(Gamma::LINEAR),
+            known => known,
+        }
     }
 
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {

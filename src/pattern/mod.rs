@@ -22,6 +22,7 @@ mod fractal;
 mod gradient;
 mod granite;
 mod hexagon;
+mod image_pattern;
 mod julia;
 mod leopard;
 mod magnet;
@@ -86,6 +87,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Gradient, gradient::new),
     (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),
+    (Word::ImagePattern, image_pattern::new),
     (Word::Julia, julia::new),
     (Word::Leopard, leopard::new),
     (Word::Magnet, magnet::new),

@@ -150,6 +150,38 @@ impl Sources {
         }
     }
 
+    /// The bytes of a file that holds no text, a picture or a field of densities: searched like an include file, by its
+    /// name and then with each of `endings` appended. `what` is "the picture" or the like.
+    ///
+    /// # Errors
+    /// As [`Sources::find_include`].
+    pub fn read_bytes(
+        &mut self,
+        what: &str,
+        name: &str,
+        reading_file: FileId,
+        endings: &[&str],
+    ) -> Result<Vec<u8>, Box<Diagnostic>> {
+        let folders = self.folders(reading_file);
+        let found = self.own_file(name).or_else(|| {
+            let names = [""].iter().chain(endings);
+            let mut names = names.map(|ending| format!("{name}{ending}"));
+            names.find_map(|name| first_file(&name, &folders))
+        });
+        let Some(path) = found else {
+            self.note(Path::new(name), false);
+            return Err(Box::new(not_found(what, name, &folders)));
+        };
+        self.note(&path, true);
+        let shown = path.display();
+        let message = match read_limited(&path) {
+            Ok(Some(bytes)) => return Ok(bytes),
+            Ok(None) => format!("{what} `{shown}` is too large"),
+            Err(error) => format!("cannot read {what} `{shown}`: {error}"),
+        };
+        Err(Box::new(Diagnostic::error(None, message)))
+    }
+
     /// Whether there is a file that `#fopen F "name" read` would mean.
     #[must_use]
     pub fn has_data(&mut self, name: &str, asking_file: FileId) -> bool {

@@ -1,6 +1,7 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
 use crate::args::{Args, Parse, Word, declared, default_of, not_built};
+use crate::bitmap;
 use crate::color::{Color, Rgb};
 use crate::math::Step;
 use crate::pattern::{self, Map, Modifiers, Pattern, Stop};
@@ -27,6 +28,8 @@ pub enum PigmentKind {
     Pigments(Box<dyn Pattern>, Map<Pigment>),
     /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
     Average(Option<Map<Pigment>>),
+    /// `image_map`: the colours of a picture.
+    Image(bitmap::Source),
 }
 
 impl Default for Pigment {
@@ -154,6 +157,12 @@ impl Pigment {
     }
 
     fn read_pattern(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        if word == Word::ImageMap {
+            args.accept(word)?;
+            let source = bitmap::read(args, bitmap::Purpose::Colors)?;
+            self.kind = PigmentKind::Image(source);
+            return Ok(true);
+        }
         if word == Word::Average {
             args.accept(word)?;
             self.kind = PigmentKind::Average(None);
@@ -197,6 +206,7 @@ impl Pigment {
             PigmentKind::Colors(_, map) => *map = map.map(changed),
             PigmentKind::Pigments(_, map) => *map = all_changed(map),
             PigmentKind::Average(map) => *map = map.as_ref().map(all_changed),
+            PigmentKind::Image(_) => {}
         }
     }
 }
