@@ -8,7 +8,7 @@ pub use crate::syntax::Word;
 pub use steps::transform_step;
 
 use crate::color::{Color, Gamma};
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -50,6 +50,10 @@ pub trait Args {
     fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Vec<u8>)> {
         let _ = endings;
         Err(self.expected(&format!("the name of {what}")))
+    }
+    /// Reads an object, as a value of the type of objects of scenes.
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        Err(self.expected("an object"))
     }
     /// How numbers of colours relate to light here: `None` without gamma handling.
     fn working_gamma(&self) -> Option<Gamma> {
@@ -134,5 +138,6 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     } else {
         args.last_span()
     };
-    Box::new(Diagnostic::error(at, format!("`{word}` is not built yet")))
+    let error = Diagnostic::error(at, format!("`{word}` is not built yet"));
+    Box::new(error.with_code(Code::NotBuilt))
 }

@@ -24,7 +24,7 @@ pub enum Alpha {
     /// The grey of the colour.
     #[default]
     Ignored,
-    /// Alpha, where the file has it.
+    /// How clear it is, where the file has alpha.
     Used,
 }
 
@@ -69,10 +69,10 @@ impl Source {
     }
 }
 
-/// `filter` or `transmit` of one colour of a palette.
+/// `filter` or `transmit` of one colour of a palette, or of all.
 struct Entry {
     word: Word,
-    number: f64,
+    number: Option<f64>,
     amount: f32,
     span: Span,
 }
@@ -115,7 +115,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             }
             Word::Filter | Word::Transmit if purpose == Purpose::Colors => {
                 args.accept(word)?;
-                read_transparency(word, args, &mut all, &mut entries)?;
+                entries.push(read_entry(word, args)?);
             }
             Word::UseAlpha => {
                 args.accept(word)?;
@@ -132,7 +132,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
         Box::new(Diagnostic::error(span, message))
     })?;
     for entry in &entries {
-        entry.apply(&mut bitmap)?;
+        entry.apply(&mut bitmap, &mut all)?;
     }
     Ok(Source {
         bitmap: Arc::new(bitmap),
@@ -185,60 +185,61 @@ fn read_gamma(args: &mut dyn Args) -> Parse<Gamma> {
     Err(Box::new(Diagnostic::error(place, message)))
 }
 
-/// `filter all f`, `filter n, f`, and the same with `transmit`.
-fn read_transparency(
-    word: Word,
-    args: &mut dyn Args,
-    all: &mut (f32, f32),
-    entries: &mut Vec<Entry>,
-) -> Parse<()> {
-    if args.accept(Word::All)? {
-        let amount = args.single()?;
-        if word == Word::Filter {
-            all.0 = amount;
-        } else {
-            all.1 = amount;
-        }
-        return Ok(());
-    }
+/// `filter all f` or `filter n, f`, and the same with `transmit`; the word is taken.
+fn read_entry(word: Word, args: &mut dyn Args) -> Parse<Entry> {
     let start = args.span();
-    let number = args.float()?.trunc();
-    args.comma()?;
-    entries.push(Entry {
+    let number = if args.accept(Word::All)? {
+        None
+    } else {
+        let number = args.float()?.trunc();
+        args.comma()?;
+        Some(number)
+    };
+    Ok(Entry {
         word,
         number,
         amount: args.single()?,
         span: start.to(args.last_span()),
-    });
-    Ok(())
+    })
 }
 
 impl Entry {
-    fn apply(&self, bitmap: &mut Bitmap) -> Parse<()> {
-        let Entry { word, number, .. } = self;
+    /// Sets what passes through colours of a palette; without a palette, what is added to every pixel.
+    fn apply(&self, bitmap: &mut Bitmap, all: &mut (f32, f32)) -> Parse<()> {
         let Some(palette) = bitmap.palette_mut() else {
+            return self.apply_to_all(all);
+        };
+        let len = palette.len();
+        let mut is_known = self.number.is_none();
+        for (at, color) in (0_u32..).zip(palette) {
+            if self.number.is_none_or(|number| number == f64::from(at)) {
+                is_known = true;
+                if self.word == Word::Filter {
+                    color.filter = self.amount;
+                } else {
+                    color.transmit = self.amount;
+                }
+            }
+        }
+        if is_known {
+            return Ok(());
+        }
+        let message = format!("the palette of this picture has {len} colours, from 0");
+        Err(Box::new(Diagnostic::error(self.span, message)))
+    }
+
+    fn apply_to_all(&self, all: &mut (f32, f32)) -> Parse<()> {
+        let Entry { word, number, .. } = self;
+        if let Some(number) = number {
             let message = format!("`{word} {number}` needs a picture with a palette");
             let hint = format!("Write `{word} all` for every colour.");
             let error = Diagnostic::error(self.span, message).with_hint(hint);
             return Err(Box::new(error));
-        };
-        let len = palette.len();
-        let mut numbered = (0_u32..).zip(palette);
-        let found = numbered.find(|(at, _)| f64::from(*at) == *number);
-        let Some((
-            _,
-            Color {
-                filter, transmit, ..
-            },
-        )) = found
-        else {
-            let message = format!("the palette has {len} colours, from 0, and none is {number}");
-            return Err(Box::new(Diagnostic::error(self.span, message)));
-        };
+        }
         if *word == Word::Filter {
-            *filter = self.amount;
+            all.0 = self.amount;
         } else {
-            *transmit = self.amount;
+            all.1 = self.amount;
         }
         Ok(())
     }

@@ -145,6 +145,21 @@ impl Program {
         is_inverse
     }
 
+    /// Follows its leaves, and those of what bounds it, to their new places.
+    pub(super) fn move_leaves(&mut self, places: &[u32]) {
+        if let Some(place) = places.get(self.first as usize) {
+            self.first = *place;
+        }
+        for gate in &mut self.gates {
+            gate.bound.move_leaves(places);
+        }
+    }
+
+    /// How many leaves it has.
+    pub(super) fn len(&self) -> u32 {
+        u32::try_from(self.operands.len()).unwrap_or(u32::MAX)
+    }
+
     /// The first surface shown at `from < t <= to` for which `wanted` holds.
     pub(super) fn nearest(
         &self,

@@ -140,6 +140,15 @@ impl Leaf {
         .normalize_or_zero()
     }
 
+    /// The radius of a leaf that is a ball about the middle of its bounds.
+    #[must_use]
+    pub fn ball_radius(&self) -> Option<f64> {
+        match (&self.shape, &self.object_from_world) {
+            (Shape::Sphere(sphere), None) => Some(sphere.radius),
+            _ => None,
+        }
+    }
+
     /// The memory of this leaf in bytes, its matrix included.
     #[must_use]
     pub fn bytes(&self) -> usize {

@@ -5,10 +5,12 @@ use super::world::{Query, Scratch, Seen, World};
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::Ray;
+use crate::pattern::Solid;
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::{Background, Globals, Object, Scene};
 use crate::shape::Shape;
 use glam::DVec3;
+use std::any::Any;
 use std::sync::Arc;
 
 /// How many objects stay compiled: a scene asks about a few objects again and again, or about each new one once.
@@ -48,7 +50,10 @@ impl Probed {
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.departure.leaf;
         // POV-Ray gives those of single triangles as they are.
-        let is_triangle = matches!(world.shape(leaf), Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let is_triangle = matches!(
+            world.shape(leaf),
+            Shape::Triangle(_) | Shape::SmoothTriangle(_)
+        );
         let is_turned = world.is_inverse(leaf) && !is_triangle;
         let normal = hit.shading_normal;
         Some((hit.point, if is_turned { -normal } else { normal }))
@@ -75,6 +80,22 @@ impl Probed {
             }
         }
     }
+}
+
+/// An object as patterns ask for it.
+#[derive(Debug)]
+struct Asked(World);
+
+impl Solid for Asked {
+    fn holds(&self, point: DVec3) -> bool {
+        point.is_finite() && self.0.holds(point)
+    }
+}
+
+/// An object of a scene ready for points.
+pub(super) fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
+    let object = Arc::clone(object).downcast::<Object>().ok()?;
+    Some(Arc::new(Asked(compiled(&object))))
 }
 
 /// A world of one object that hides from nobody.

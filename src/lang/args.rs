@@ -16,7 +16,7 @@ const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.number_at_sum()?;
         self.finite(&[number], start)?;
         Ok(number)
@@ -58,7 +58,7 @@ impl Args for Reader<'_> {
     }
 
     fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Vec<u8>)> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let name = self.file_name()?;
         let place = start.to(self.taken_span());
         let found = self
@@ -70,6 +70,17 @@ impl Args for Reader<'_> {
                 error.span = Some(place);
                 Err(self.with_trace(*error))
             }
+        }
+    }
+
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let found = match self.object()? {
+            Some(object) => Some(object),
+            None => self.object_of_name()?,
+        };
+        match found {
+            Some(object) => Ok(object),
+            None => Err(self.expected_here("an object")),
         }
     }
 
@@ -173,7 +184,12 @@ impl Args for Reader<'_> {
     }
 
     fn span(&mut self) -> Span {
-        self.start_span()
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
     }
 
     fn last_span(&self) -> Span {
@@ -195,7 +211,7 @@ impl Args for Reader<'_> {
 
 impl Reader<'_> {
     fn finite_vector(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.vector_of(len)?;
         self.finite(&number.v[..usize::from(len)], start)?;
         Ok(number)

@@ -135,7 +135,7 @@ mod tests {
 
     /// The values of a file and how many warnings they gave.
     fn values(text: &str) -> (Vec<String>, usize) {
-        let tokens = tokenize(FileId::default(), &text.into(), &mut Names::new()).unwrap();
+        let tokens = tokenize(FileId(0), &text.into(), &mut Names::new()).unwrap();
         let mut file = DataFile::new("d".to_owned(), Rc::new(tokens));
         let (mut found, mut warnings) = (Vec::new(), 0);
         while !file.is_at_end() {
@@ -160,7 +160,9 @@ mod tests {
         let (found, warnings) = values("1,2,3\n4 5\n-6, - 7, +8");
         assert_eq!(
             found,
-            ["[1.0]", "[2.0]", "[3.0]", "[5.0]", "[6.0]", "[-7.0]", "[8.0]"]
+            [
+                "[1.0]", "[2.0]", "[3.0]", "[5.0]", "[6.0]", "[-7.0]", "[8.0]"
+            ]
         );
         assert_eq!(warnings, 2);
     }

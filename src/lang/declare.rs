@@ -10,7 +10,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
 use crate::pattern::Map;
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
 use std::rc::Rc;
@@ -30,7 +30,11 @@ impl Reader<'_> {
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
-            return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            if !error.message.is_empty() && error.hints.is_empty() {
+                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+            }
+            return Err(error);
         }
         let place = Declaring {
             symbol,
@@ -233,6 +237,8 @@ impl Reader<'_> {
             Err(mut error) => {
                 self.lacks_file = true;
                 error.span = Some(from);
+                error.code = Some(Code::MissingFile);
+                self.suggest_include(&mut error, &name);
                 return Err(self.with_trace(*error));
             }
         };
@@ -292,15 +298,21 @@ impl Reader<'_> {
         let text = self.string()?;
         match word {
             Word::Error => {
-                Err(self.with_trace(Diagnostic::error(span, text.trim_end().to_owned())))
+                // What follows was written for a scene that is right so far.
+                self.is_over = true;
+                let text = match text.trim_end() {
+                    "" => "the scene stops itself here",
+                    text => text,
+                };
+                Err(self.with_trace(Diagnostic::error(span, text).with_code(Code::Author)))
             }
             Word::Warning => {
-                self.warning(Diagnostic::warning(span, text.trim_end().to_owned()));
+                let warning = Diagnostic::warning(span, text.trim_end().to_owned());
+                self.warning(warning.with_code(Code::Author));
                 Ok(())
             }
             _ => {
-                self.messages.push_str(&text);
-                if self.messages.len() <= limits::MESSAGES {
+                if self.say(&text) <= limits::MESSAGES {
                     return Ok(());
                 }
                 self.is_over = true;

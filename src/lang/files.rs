@@ -148,7 +148,10 @@ impl Reader<'_> {
             let allowed = &self.options.writable;
             let hint = match allowed.as_slice() {
                 [] => "This run lets scenes write no files.".to_owned(),
-                some => format!("A scene may write into {} and folders in it.", folders(some)),
+                some => format!(
+                    "A scene may write into {} and folders in it.",
+                    folders(some)
+                ),
             };
             let message = format!("this scene may not write to `{name}`");
             let error = Diagnostic::error(span, message);

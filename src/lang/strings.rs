@@ -177,7 +177,11 @@ fn formatted(value: f64, width: i32, digits: i32) -> String {
 pub(super) fn general(value: f64) -> String {
     const DIGITS: i32 = 6;
     if !value.is_finite() {
-        return if value.is_nan() { "nan".to_owned() } else { format!("{value}") };
+        return if value.is_nan() {
+            "nan".to_owned()
+        } else {
+            format!("{value}")
+        };
     }
     let scientific = format!("{value:.5e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -205,7 +209,17 @@ mod tests {
     /// Measured with POV-Ray's `#write`.
     #[test]
     fn numbers_are_written_as_in_c() {
-        let written = [1.0, 1.0 / 3.0, 1e10, 123_456_789.0, 1e-7, -0.5, 999_999.5, 1e100, -0.0];
+        let written = [
+            1.0,
+            1.0 / 3.0,
+            1e10,
+            123_456_789.0,
+            1e-7,
+            -0.5,
+            999_999.5,
+            1e100,
+            -0.0,
+        ];
         let expected = "1 0.333333 1e+10 1.23457e+08 1e-07 -0.5 1e+06 1e+100 -0";
         assert_eq!(written.map(general).join(" "), expected);
         assert_eq!(general(1e-4), "0.0001");

@@ -3,6 +3,7 @@
 use super::macros::Macro;
 use crate::scene::Object;
 use std::any::{Any, TypeId};
+use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -58,6 +59,23 @@ impl Number {
         }
     }
 }
+
+/// As a scene writes it.
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self.v[..usize::from(self.len)]
+            .iter()
+            .map(|v| ((v * ROUNDED).round() / ROUNDED).to_string())
+            .collect();
+        match parts.as_slice() {
+            [only] => f.write_str(only),
+            parts => write!(f, "<{}>", parts.join(", ")),
+        }
+    }
+}
+
+/// Numbers are told with six digits behind the point.
+const ROUNDED: f64 = 1e6;
 
 /// What an identifier can hold.
 #[derive(Clone, Debug)]

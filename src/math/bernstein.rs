@@ -97,7 +97,11 @@ fn bernstein_form(powers: &[f64]) -> Form {
         let degree = to_f64(form.len());
         let mut next = Form::with_capacity(form.len() + 1);
         for j in 0..=form.len() {
-            let share = if degree > 0.0 { to_f64(j) / degree } else { 0.0 };
+            let share = if degree > 0.0 {
+                to_f64(j) / degree
+            } else {
+                0.0
+            };
             // x has the coefficients -1 and 1.
             let before = if j > 0 { share * form[j - 1] } else { 0.0 };
             let after = if j < form.len() {

@@ -11,6 +11,7 @@ pub(crate) mod lanes;
 pub mod mersenne;
 pub mod noise;
 pub(crate) mod polynomial;
+pub(crate) mod quartic;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;

@@ -37,7 +37,11 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
 
 /// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
 /// they share: a change that only rounding makes or hides at an end is taken away or put there.
-pub(crate) fn sign_changes_between(c: &[f64], starts_negative: bool, ends_negative: bool) -> Places {
+pub(crate) fn sign_changes_between(
+    c: &[f64],
+    starts_negative: bool,
+    ends_negative: bool,
+) -> Places {
     let mut places = sign_changes(c);
     if (value(c, -1.0) < 0.0) != starts_negative {
         match places.first() {

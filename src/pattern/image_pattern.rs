@@ -1,4 +1,4 @@
-//! `image_pattern`: the grey of a picture, or its alpha.
+//! `image_pattern`: the grey of a picture, or with `use_alpha` how clear it is.
 
 use super::{Pattern, Preparing, Spot, Value, Wave};
 use crate::args::{Args, Parse};
@@ -34,7 +34,7 @@ impl Value for ImagePattern {
             return 0.0;
         };
         f64::from(if self.source.alpha == Alpha::Used && bitmap.has_alpha() {
-            1.0 - color.transmit
+            color.transmit
         } else {
             color.rgb.grey()
         })

@@ -228,9 +228,9 @@ impl Sources {
         }
     }
 
-    /// The name of an include file of the library that declares a name, if one of the first `most` files does.
+    /// The include file of the library that declares a name, if one of the first `most` files does.
     #[must_use]
-    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<String> {
+    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<Declared> {
         let entries = self
             .library_paths
             .iter()
@@ -244,12 +244,33 @@ impl Sources {
             .collect();
         files.sort();
         files.truncate(most);
-        let declares = |path: &PathBuf| {
+        files.iter().find_map(|path| {
             let bytes = read_limited(path).ok().flatten().unwrap_or_default();
-            declares(&String::from_utf8_lossy(&bytes), name)
-        };
-        let found = files.into_iter().find(declares)?;
-        Some(found.file_name()?.to_string_lossy().into_owned())
+            Some(Declared {
+                kind: declares(&String::from_utf8_lossy(&bytes), name)?,
+                file: path.file_name()?.to_string_lossy().into_owned(),
+            })
+        })
+    }
+
+    /// The names of all include files that `#include` could mean in a file, without those of folders inside.
+    #[must_use]
+    pub fn include_files(&self, including_file: FileId) -> Vec<String> {
+        let folders = self.folders(including_file);
+        let entries = folders.iter().filter_map(|folder| {
+            fs::read_dir(if folder.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                folder
+            })
+            .ok()
+        });
+        entries
+            .flatten()
+            .flatten()
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
+            .filter(|name| name.ends_with(".inc"))
+            .collect()
     }
 
     /// Where include files are searched; an empty path is the current folder.
@@ -319,16 +340,33 @@ impl Sources {
     }
 }
 
-/// Whether a text has a line `#declare name` or `#macro name`.
-fn declares(text: &str, name: &str) -> bool {
-    text.lines().any(|line| {
-        let Some(line) = line.trim_start().strip_prefix('#') else {
-            return false;
-        };
+/// A name that an include file of the library declares.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declared {
+    /// The file, as `#include` names it.
+    pub file: String,
+    /// The word that the value begins with: `texture`, `rgb`; may be empty.
+    pub kind: String,
+}
+
+/// The word behind the `=` of a line `#declare name = ...` of a text; empty for `#macro name` and values without one.
+fn declares(text: &str, name: &str) -> Option<String> {
+    text.lines().find_map(|line| {
+        let line = line.trim_start().strip_prefix('#')?;
         let (word, rest) = line.split_once([' ', '\t']).unwrap_or((line, ""));
-        let is_whole = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
-        matches!(word, "declare" | "macro")
-            && rest.trim_start().strip_prefix(name).is_some_and(is_whole)
+        let rest = rest.trim_start().strip_prefix(name)?;
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        if !matches!(word, "declare" | "macro") || rest.starts_with(is_part) {
+            return None;
+        }
+        let value = rest.trim_start().strip_prefix('=').unwrap_or_default();
+        Some(
+            value
+                .trim_start()
+                .chars()
+                .take_while(|&c| is_part(c))
+                .collect(),
+        )
     })
 }
 

@@ -35,22 +35,19 @@ pub(super) fn not_found(what: &str, name: &str, folders: &[PathBuf]) -> Diagnost
         let places: Vec<String> = folders.iter().map(|folder| place(folder)).collect();
         format!(" in {}", one_of(&places))
     };
-    let mut error = Diagnostic::error(
-        None,
-        format!("cannot find {what} `{name}`{places}"),
-    );
+    let mut error = Diagnostic::error(None, format!("cannot find {what} `{name}`{places}"));
     for (found, written) in other_cases(name, folders) {
         error = error.with_hint(format!(
-            "`{}` differs only in case: write `{written}`",
+            "`{}` differs only in case: write `{written}`.",
             found.display()
         ));
     }
     if name.contains('\\') {
-        error = error.with_hint("write `/` between folders, not `\\`");
+        error = error.with_hint("Write `/` between folders, not `\\`.");
     }
     if error.hints.is_empty() && !Path::new(name).is_absolute() {
-        error =
-            error.with_hint("put the file into one of these folders, or name its folder with `+L`");
+        error = error
+            .with_hint("Put the file into one of these folders, or name its folder with `+L`.");
     }
     error
 }

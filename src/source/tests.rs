@@ -67,8 +67,16 @@ fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
     assert!(sources.find_data(&name("made"), scene).is_err());
     let paths = sources.dependencies().iter();
     let seen: Vec<_> = paths.map(|one| (one.path.clone(), one.is_there)).collect();
-    let expected = [("none", false), ("data.txt", true), ("own.inc", true), ("made", false)];
-    assert_eq!(seen[1..], expected.map(|(name, is_there)| (path(name), is_there)));
+    let expected = [
+        ("none", false),
+        ("data.txt", true),
+        ("own.inc", true),
+        ("made", false),
+    ];
+    assert_eq!(
+        seen[1..],
+        expected.map(|(name, is_there)| (path(name), is_there))
+    );
 }
 
 #[test]
@@ -104,25 +112,23 @@ fn a_missing_include_file_is_told_with_places_and_other_cases() {
     let (near, far) = (scenes.path().display(), library.path().display());
     assert_eq!(
         error.message,
-        format!(
-            "cannot find the include file `colors` in `{near}`, the current folder or `{far}`"
-        )
+        format!("cannot find the include file `colors` in `{near}`, the current folder or `{far}`")
     );
     assert_eq!(
         error.hints,
         [format!(
-            "`{far}/Colors.inc` differs only in case: write `Colors.inc`"
+            "`{far}/Colors.inc` differs only in case: write `Colors.inc`."
         )]
     );
     let error = sources.find_include("sub/Colors", scene).unwrap_err();
     assert_eq!(
         error.hints,
         [format!(
-            "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`"
+            "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`."
         )]
     );
     let error = sources.find_include("sub\\colors", scene).unwrap_err();
-    assert_eq!(error.hints, ["write `/` between folders, not `\\`"]);
+    assert_eq!(error.hints, ["Write `/` between folders, not `\\`."]);
     let error = sources
         .find_include("/nowhere/colors.inc", scene)
         .unwrap_err();

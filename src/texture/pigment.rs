@@ -1,5 +1,6 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
+use super::read_pattern;
 use crate::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::bitmap;
 use crate::color::{Color, Rgb};
@@ -168,9 +169,10 @@ impl Pigment {
             self.kind = PigmentKind::Average(None);
             return Ok(true);
         }
-        let Some(pattern) = pattern::read_named(word, args)? else {
+        let Some(pattern) = read_pattern(word, args)? else {
             return Ok(false);
         };
+        let has_open_block = pattern.has_open_block();
         let defaults = pattern.default_map();
         self.kind = if !pattern.has_list() {
             PigmentKind::Colors(pattern, Map::of_stops(defaults))
@@ -179,6 +181,9 @@ impl Pigment {
         } else {
             PigmentKind::Colors(pattern, color_list(defaults, args)?)
         };
+        if has_open_block {
+            args.close()?;
+        }
         Ok(true)
     }
 

@@ -132,7 +132,7 @@ impl PreparedPigment {
     }
 
     /// The colour at a point, which for the entries of maps is one of the pattern around them.
-    fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+    pub(super) fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(pattern, map) => {

@@ -6,6 +6,7 @@
 
 mod air;
 mod area;
+mod block;
 mod light;
 mod passage;
 mod surface;
@@ -14,7 +15,9 @@ mod tests;
 
 use crate::atmosphere::{self, Tint, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, InteriorId, Query, Scratch, Seen, World};
+pub use block::{BLOCK, BlockScratch};
+
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use smallvec::SmallVec;
@@ -132,43 +135,53 @@ impl<'w> Tracer<'w> {
                 transmit: 1.0,
             };
         };
-        let inside = if self.minds_interiors && !camera.has_one_origin() {
+        begin_sample(x, y, scratch);
+        self.trace(self.camera_path(ray), None, scratch)
+    }
+
+    fn camera_path(&self, ray: Ray) -> Path {
+        let inside = if self.minds_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
             Inside::from_slice(&self.around_camera)
         };
-        scratch.stream = Stream::of_sample(x, y);
-        scratch.crand = seed_of_sample(x, y);
-        let path = Path {
+        Path {
             ray,
             from: None,
             seen: Seen::Image,
             level: 0,
             weight: 1.0,
             inside,
-        };
-        self.trace(path, scratch)
+        }
     }
 
-    /// What a ray sees.
-    fn trace(&self, mut path: Path, scratch: &mut Scratch) -> Sample {
+    /// What a ray sees. `first` is what it meets first and what lies between there and the lights, where that is known.
+    fn trace(
+        &self,
+        mut path: Path,
+        mut first: Option<(Option<Hit>, &[Option<Way>])>,
+        scratch: &mut Scratch,
+    ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
         let end = loop {
             if !self.is_worth(&path) || passed.len() == MOST_PASSED {
                 break Sample::BLACK;
             }
-            let query = Query {
-                ray: path.ray,
-                from: path.from,
-                far: f64::INFINITY,
-                seen: path.seen,
-            };
-            let Some(hit) = self.world.nearest(&query, scratch) else {
+            let (hit, ways) = first.take().unwrap_or_else(|| {
+                let query = Query {
+                    ray: path.ray,
+                    from: path.from,
+                    far: f64::INFINITY,
+                    seen: path.seen,
+                };
+                (self.world.nearest(&query, scratch), &[])
+            });
+            let Some(hit) = hit else {
                 let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside);
                 break self.behind_everything(&path).through(air);
             };
             let air = self.air(&path.ray, hit.t, &path.inside);
-            let view = self.shade(&path, &hit, scratch);
+            let view = self.shade(&path, &hit, ways, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
@@ -239,6 +252,12 @@ impl Background {
             transmit: (sky.factor * self.transmission).grey(),
         }
     }
+}
+
+/// Starts the random numbers of a sample.
+fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
+    scratch.stream = Stream::of_sample(x, y);
+    scratch.crand = seed_of_sample(x, y);
 }
 
 /// The background for camera rays and for mirror images.

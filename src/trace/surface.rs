@@ -4,7 +4,7 @@ use super::light::{Coat, Lit, metallic, mirrored};
 use super::passage::{Bend, bend};
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::compile::{Hit, Scratch, Seen, Surface, Way};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
@@ -98,15 +98,25 @@ pub(super) fn has_fresnel(surface: &Surface) -> bool {
 }
 
 impl Tracer<'_> {
-    /// What a ray sees at a hit, without what comes straight through.
-    pub(super) fn shade(&self, path: &Path, hit: &Hit, scratch: &mut Scratch) -> View {
+    /// What a ray sees at a hit, without what comes straight through. `ways` tells by light what lies between, as far as
+    /// that is known.
+    pub(super) fn shade(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        ways: &[Option<Way>],
+        scratch: &mut Scratch,
+    ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self.looks(surface, hit, path.ray.dir).as_slice() {
-            [(_, texture)] => self.shade_texture(path, hit, texture, scratch),
+            [(_, texture)] => self.shade_texture(path, hit, texture, ways, scratch),
             several => {
                 let mut sum = View::NOTHING;
                 for (weight, texture) in several {
-                    sum.add(*weight, self.shade_texture(path, hit, texture, scratch));
+                    sum.add(
+                        *weight,
+                        self.shade_texture(path, hit, texture, ways, scratch),
+                    );
                 }
                 sum
             }
@@ -143,6 +153,7 @@ impl Tracer<'_> {
         path: &Path,
         hit: &Hit,
         texture: &PreparedTexture,
+        ways: &[Option<Way>],
         scratch: &mut Scratch,
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
@@ -159,6 +170,7 @@ impl Tracer<'_> {
             view: path.ray.dir,
             departure: &hit.departure,
             path,
+            ways,
             is_double_illuminated: surface.flags.double_illuminate,
             lights: self.world.lights.of(surface.lights),
         };
@@ -249,7 +261,7 @@ impl Tracer<'_> {
                     weight: path.weight * weight,
                     inside: passage.inside,
                 };
-                let behind = self.trace(onward, scratch);
+                let behind = self.trace(onward, None, scratch);
                 view.rgb += factor * behind.rgb;
                 view.transmit = transmit * behind.transmit;
                 false
@@ -265,7 +277,7 @@ impl Tracer<'_> {
                 };
                 // All light comes back, whatever the layers would filter.
                 let factor = fade * interior.refraction;
-                view.rgb += factor * self.trace(onward, scratch).rgb;
+                view.rgb += factor * self.trace(onward, None, scratch).rgb;
                 true
             }
         }
@@ -311,7 +323,7 @@ impl Tracer<'_> {
             weight: path.weight * mirror.weight,
             inside: Inside::from_slice(&path.inside),
         };
-        let Sample { rgb, .. } = self.trace(onward, scratch);
+        let Sample { rgb, .. } = self.trace(onward, None, scratch);
         let exponent = mirror.finish.reflection.exponent;
         let rgb = if exponent == 1.0 {
             rgb
@@ -361,7 +373,7 @@ fn spot(hit: &Hit, dir: DVec3) -> Spot {
 }
 
 /// The shading normal on the side from which a ray comes.
-fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
+pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     if hit.shading_normal.dot(dir) > 0.0 {
         -hit.shading_normal
     } else {

@@ -32,9 +32,9 @@ fn check(c: &[f64]) -> usize {
     }
     assert!(found.windows(2).all(|pair| pair[0] <= pair[1]), "{found:?}");
     let is_ends = same.sign_at(-1.0) * same.sign_at(1.0);
-    let is_sure = [&shrunk, &grown].iter().all(|p| {
-        p.sign_at(-1.0) == same.sign_at(-1.0) && p.sign_at(1.0) == same.sign_at(1.0)
-    });
+    let is_sure = [&shrunk, &grown]
+        .iter()
+        .all(|p| p.sign_at(-1.0) == same.sign_at(-1.0) && p.sign_at(1.0) == same.sign_at(1.0));
     if is_sure && is_ends != 0 {
         assert_eq!(found.len() % 2 == 1, is_ends < 0, "{c:?}: {found:?}");
     }

@@ -273,10 +273,9 @@ fn read_modifiers(args: &mut dyn Args) -> Parse<Vec<Step>> {
         let textures = [Word::Texture, Word::Pigment, Word::Normal, Word::Finish];
         if let Some(word) = args.word()?.filter(|word| textures.contains(word)) {
             let message = format!("`{word}` of a component of a blob is not built yet");
-            return Err(Box::new(
-                Diagnostic::error(args.span(), message)
-                    .with_hint("give the whole blob one texture, behind its components"),
-            ));
+            return Err(Box::new(Diagnostic::error(args.span(), message).with_hint(
+                "give the whole blob one texture, behind its components",
+            )));
         }
         return Err(args.expected("a transform or `}` in a component of a blob"));
     }

@@ -9,7 +9,8 @@ fn blob(text: &str) -> Blob {
     blob
 }
 
-const PAIR: &str = "threshold 0.5 sphere { <-0.5,0,0>, 1, 1 } sphere { <0.5,0.1,0>, 0.9, strength 1.2 }";
+const PAIR: &str =
+    "threshold 0.5 sphere { <-0.5,0,0>, 1, 1 } sphere { <0.5,0.1,0>, 0.9, strength 1.2 }";
 const MIXED: &str = "threshold .3 sphere { <-.5,0,0>, 1, 1 } cylinder { <-.5,-.3,.1>, <1,.5,.2>, .6, 1 }
     sphere { <.2,.4,0>, .7, -1.5 } sphere { <0,0,0>, 0.5, 1 scale <1,2,0.5> rotate <10,20,30> translate <.1,-.6,.3> }";
 
@@ -25,7 +26,10 @@ fn many_components_are_found_by_the_tree() {
     for i in 0..20 {
         let angle = 0.7 * f64::from(i);
         let (sin, cos) = angle.sin_cos();
-        text += &format!(" sphere {{ <{cos},{sin},{}>, 0.4, 0.8 }}", 0.1 * f64::from(i));
+        text += &format!(
+            " sphere {{ <{cos},{sin},{}>, 0.4, 0.8 }}",
+            0.1 * f64::from(i)
+        );
     }
     let text = text.replace("<-", "<-").replace(",-", ", -");
     let whole = blob(&text);
