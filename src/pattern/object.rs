@@ -9,8 +9,8 @@ use std::sync::{Arc, OnceLock};
 
 /// The colours that POV-Ray gives where the scene does not.
 const COLORS: [Stop; 2] = [
-    (0.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
-    (1.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
 ];
 
 #[derive(Clone, Debug)]
