@@ -24,6 +24,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod bitmap;
 pub mod atmosphere;
 pub mod camera;
 pub mod cli;

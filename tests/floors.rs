@@ -9,6 +9,7 @@ const FLOORS: &[&[&str]] = &[
     &["math", "source", "color"],
     &["syntax", "accel", "film"],
     &["args", "options"],
+    &["bitmap"],
     &[
         "shape",
         "pattern",

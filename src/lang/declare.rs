@@ -52,7 +52,8 @@ impl Reader<'_> {
         // `#declare N = #declare A = 1; N + A;`.
         let outer = self.declaring.take();
         let begun = self.peek();
-        self.declaring = Some(self.declaring_here(symbol, is_local));
+        let place = self.declaring_here(symbol, is_local);
+        self.declaring = Some(place);
         self.without_semicolon = None;
         let value = match begun {
             Ok(_) => self.value("a value"),

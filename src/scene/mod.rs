@@ -102,6 +102,7 @@ impl Scene {
         Settings {
             noise_generator: self.globals.noise_generator.unwrap_or(by_version),
             number_of_waves: self.globals.number_of_waves,
+            solid_of: None,
         }
     }
 

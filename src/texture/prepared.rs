@@ -1,6 +1,7 @@
 //! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
 
 use super::{Finish, Layer, Pigment, PigmentKind, Texture};
+use crate::bitmap;
 use crate::color::Color;
 use crate::math::Step;
 use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
@@ -36,6 +37,8 @@ pub enum PreparedPigment {
     Pigments(PreparedPattern, Map<PreparedPigment>),
     /// The mean of pigments by weight.
     Average(PreparedChain, Map<PreparedPigment>),
+    /// The colours of a picture.
+    Image(PreparedChain, bitmap::Source),
 }
 
 impl PreparedTexture {
@@ -110,6 +113,10 @@ impl PreparedPigment {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Average(chain, entries(map))
             }
+            PigmentKind::Image(source) => {
+                let chain = modifiers.prepare_chain(after, settings);
+                PreparedPigment::Image(chain, source.clone())
+            }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
     }
@@ -125,7 +132,7 @@ impl PreparedPigment {
     }
 
     /// The colour at a point, which for the entries of maps is one of the pattern around them.
-    fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+    pub(super) fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(pattern, map) => {
@@ -148,6 +155,7 @@ impl PreparedPigment {
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
+            PreparedPigment::Image(chain, source) => source.color(chain.moved(point)),
         }
     }
 
@@ -162,6 +170,7 @@ impl PreparedPigment {
                 let mut entries = map.entries().iter();
                 entries.any(|(_, entry)| entry.can_be_transparent())
             }
+            PreparedPigment::Image(_, source) => source.can_be_transparent(),
         }
     }
 }
