@@ -9,7 +9,7 @@ const FLOORS: &[&[&str]] = &[
     &["math", "source", "color"],
     &["syntax", "accel", "film"],
     &["args", "options"],
-    &["shape", "pattern", "light", "camera", "interior", "texture"],
+    &["shape", "pattern", "light", "camera", "interior", "texture", "function"],
     &["output", "compare"],
     &["scene"],
     &["lang", "compile"],

@@ -62,6 +62,14 @@ pub trait Args {
     /// If the next token is an identifier that holds a value of this Rust type, takes it and gives the value.
     /// Use [`declared`], which knows the type.
     fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>>;
+    /// If the next word is `function`, the function that it begins; whose type the room `function` knows, which reads
+    /// it by this.
+    ///
+    /// # Errors
+    /// A malformed function.
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(None)
+    }
     /// The place of the next token.
     fn span(&mut self) -> Span;
     /// The place of the token last taken.

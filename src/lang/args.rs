@@ -121,6 +121,13 @@ impl Args for Reader<'_> {
         }
     }
 
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        if !self.take_word(Word::Function)? {
+            return Ok(None);
+        }
+        Ok(Some(self.function_block()?))
+    }
+
     fn span(&mut self) -> Span {
         self.start_span()
     }

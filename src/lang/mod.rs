@@ -2,6 +2,7 @@
 
 mod args;
 mod array;
+mod body;
 mod budget;
 mod bulk;
 mod color;
@@ -9,6 +10,7 @@ mod cursor;
 mod declare;
 mod expr;
 mod flow;
+mod function;
 mod functions;
 #[cfg(test)]
 mod fuzz;

@@ -4,15 +4,18 @@ mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
 pub mod hash;
+pub(crate) mod hyperbolic;
 pub(crate) mod lanes;
 pub(crate) mod polynomial;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
+mod spline;
 mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
 pub use ray::Ray;
+pub use spline::{Spline, SplineKind};
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

@@ -1,0 +1,3 @@
+//! later
+use super::Internal;
+pub(super) static LIST: &[Internal] = &[];
