@@ -275,7 +275,7 @@ impl Reader<'_> {
             let start = self.start_span();
             if number.len > 0 && !self.begins_number()? {
                 let error = self.expected_here("`>` or a further component of the vector");
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                return Err(self.with_opened(error, '>', opened));
             }
             let component = self.sum()?;
             number.v[usize::from(number.len)] = self.only_float(component, start)?;
@@ -286,7 +286,7 @@ impl Reader<'_> {
             }
             if number.len == 5 {
                 let error = self.expected_here("`>` after five components");
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                return Err(self.with_opened(error, '>', opened));
             }
         }
         if number.len == 1 {
