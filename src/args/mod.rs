@@ -82,8 +82,12 @@ pub trait Args {
     /// If the next token is an identifier that holds a value of this Rust type, takes it and gives the value.
     /// Use [`declared`], which knows the type.
     fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>>;
-    /// If the next word is `function`, the function that it begins; whose type the room `function` knows, which reads
-    /// it by this.
+    /// What `#default` holds of this Rust type. Use [`default_of`], which knows the type.
+    fn default_any(&self, _kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        None
+    }
+    /// The function in the block that follows, which the word `function` has announced; the room `function` knows its
+    /// type and reads it by this.
     ///
     /// # Errors
     /// A malformed function.
@@ -110,6 +114,14 @@ pub fn declared<T: Any + Send + Sync>(args: &mut dyn Args) -> Parse<Option<Arc<T
     Ok(args
         .declared_any(TypeId::of::<T>())?
         .and_then(|value| value.downcast::<T>().ok()))
+}
+
+/// What `#default` says of a kind of element, or the kind's own default.
+pub fn default_of<T: Any + Send + Sync + Clone + Default>(args: &dyn Args) -> T {
+    let known = args.default_any(TypeId::of::<T>());
+    known
+        .and_then(|value| value.downcast::<T>().ok())
+        .map_or_else(T::default, |value| T::clone(&value))
 }
 
 /// The error for a word that the language has and this program does not have yet: "`spotlight` is not built yet".

@@ -153,7 +153,10 @@ mod tests {
 
     /// Compares with what POV-Ray 3.7 shows in front of a background of this colour.
     fn check(text: &str, rules_37: bool, background: Rgb, expected: [f32; 3]) {
-        let seen = read(text).unwrap().prepare(rules_37).seen(DVec3::Z);
+        let seen = read(text)
+            .unwrap()
+            .prepare(&Settings::default(), rules_37)
+            .seen(DVec3::Z);
         let Rgb { r, g, b } = seen.rgb + seen.factor * background;
         for (found, expected) in [r, g, b].into_iter().zip(expected) {
             assert!((found - expected).abs() < 3e-5, "{text}: {r} {g} {b}");

@@ -5,7 +5,7 @@
 //! loop's end.
 
 use super::graph::{Block, Graph, Id, Node};
-use super::operation::{Binary, Unary};
+use super::operation::Binary;
 use super::program::{Call, Loop, MOST_REGISTERS, Op, Program, Register, Select, TooLarge};
 
 /// The program of a finished graph.
@@ -282,11 +282,6 @@ impl Lowering<'_> {
             (None, Node::Constant(bits)) => Op::Constant {
                 to,
                 k: f64::from_bits(*bits),
-            },
-            (None, Node::Unary(Unary::Negative, a)) => Op::MulBy {
-                to,
-                a: of(*a),
-                k: -1.0,
             },
             (None, Node::Unary(f, a)) => Op::Unary {
                 to,

@@ -23,7 +23,9 @@ pub use program::{Program, TooLarge};
 
 use crate::args::{Args, Parse};
 use crate::color::Color;
+use crate::math::noise::NoiseGenerator;
 use crate::math::{Spline, Transform};
+use crate::source::Diagnostic;
 use glam::DVec3;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -54,6 +56,8 @@ pub enum Kind {
     Program(Program),
     /// `internal(n)`.
     Internal(&'static Internal),
+    /// `f_noise3d`: the noise of the scene.
+    Noise(NoiseGenerator),
     /// `pattern { ... }`.
     Field(Arc<dyn Field>),
     /// `pigment { ... }`.
@@ -105,9 +109,6 @@ impl Function {
     }
 
     /// A function that is no formula.
-    ///
-    /// # Panics
-    /// Never, if `kind` is no [`Kind::Program`].
     #[must_use]
     pub fn of(kind: Kind) -> Self {
         let parameters = match &kind {
@@ -141,7 +142,7 @@ impl Function {
     pub fn is_scalar(&self) -> bool {
         matches!(
             self.kind,
-            Kind::Program(_) | Kind::Internal(_) | Kind::Field(_)
+            Kind::Program(_) | Kind::Internal(_) | Kind::Noise(_) | Kind::Field(_)
         )
     }
 
@@ -149,7 +150,7 @@ impl Function {
     #[must_use]
     pub fn components(&self) -> u8 {
         match &self.kind {
-            Kind::Program(_) | Kind::Internal(_) | Kind::Field(_) => 1,
+            Kind::Program(_) | Kind::Internal(_) | Kind::Noise(_) | Kind::Field(_) => 1,
             Kind::Color(_) => 5,
             Kind::Transform(_) => 3,
             Kind::Spline(spline) => spline.components(),
@@ -163,6 +164,7 @@ impl Function {
         match &self.kind {
             Kind::Program(program) => program.run(arguments),
             Kind::Internal(internal) => internal.value(arguments),
+            Kind::Noise(noise) => noise.noise(point_of(arguments)),
             Kind::Field(field) => field.value(point_of(arguments)),
             _ => self.eval_vector(arguments)[0],
         }
@@ -204,13 +206,36 @@ fn point_of(arguments: &[f64]) -> DVec3 {
     DVec3::new(at(0), at(1), at(2))
 }
 
-/// The function that `function` begins as the next word, with the parameters `x, y, z` if it names no others; or
-/// `None` if the next word begins none.
+/// The function in the block that follows the word `function`, with the parameters `x, y, z` if it names no others.
 ///
 /// # Errors
 /// A malformed body.
-pub fn read(args: &mut dyn Args) -> Parse<Option<Arc<Function>>> {
-    Ok(args
-        .function_any()?
-        .and_then(|function| function.downcast().ok()))
+pub fn read(args: &mut dyn Args) -> Parse<Arc<Function>> {
+    let read = args.function_any()?;
+    match read.and_then(|function| function.downcast().ok()) {
+        Some(function) => Ok(function),
+        None => Err(args.expected("a function")),
+    }
+}
+
+/// The function in the block that follows the word `function`, where a number for each point of space is wanted.
+///
+/// # Errors
+/// A malformed body, or a function of other than three numbers, or one that gives no number.
+pub fn read_of_point(args: &mut dyn Args) -> Parse<Arc<Function>> {
+    let function = read(args)?;
+    let wrong = if function.parameters() != 3 {
+        format!(
+            "a function of three numbers is wanted here, this one takes {}",
+            function.parameters()
+        )
+    } else if !function.is_scalar() {
+        "a function that gives one number is wanted here, this one gives a vector or colour".to_owned()
+    } else {
+        return Ok(function);
+    };
+    Err(Box::new(
+        Diagnostic::error(args.last_span(), wrong)
+            .with_hint("Declare it first, and write a formula that calls it: `function { F(x, y, z).gray }`."),
+    ))
 }

@@ -6,14 +6,14 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
-use crate::texture::Texture;
+use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.number_at_sum()?;
         self.finite(&[number], start)?;
         Ok(number)
@@ -135,15 +135,28 @@ impl Args for Reader<'_> {
         }
     }
 
-    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
-        if !self.take_word(Word::Function)? {
-            return Ok(None);
+    fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        let layer = &self.default_layer;
+        if kind == TypeId::of::<Pigment>() {
+            Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Layer>() {
+            Some(Arc::new(layer.clone()))
+        } else {
+            None
         }
+    }
+
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
         Ok(Some(self.function_block()?))
     }
 
     fn span(&mut self) -> Span {
-        self.start_span()
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
     }
 
     fn last_span(&self) -> Span {
@@ -165,7 +178,7 @@ impl Args for Reader<'_> {
 
 impl Reader<'_> {
     fn finite_vector(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.vector_of(len)?;
         self.finite(&number.v[..usize::from(len)], start)?;
         Ok(number)

@@ -251,7 +251,10 @@ impl Reader<'_> {
         };
         match (&value, Callee::of(&value)) {
             (Value::Number(Number { v, len: 1 }), _) => Ok(Operand::literal(&mut body.graph, v[0])),
-            (_, Some(Callee::Function(function))) => self.body_call(&function, body),
+            (_, Some(Callee::Function(function))) => {
+                let function = self.as_called(function);
+                self.body_call(&function, body)
+            }
             (_, Some(Callee::Spline(_))) => Err(self.unfit_in_body(
                 "a spline",
                 "Wrap it: `#declare F = function { spline { S } }`, and write `F(x).x`.",

@@ -6,8 +6,10 @@ use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::function::{Function, Internal, Kind as Computes, MOST_PARAMETERS, Refusal, internal};
 use crate::math::{Spline, SplineKind, Step, Transform};
+use crate::pattern::{Settings, read_field};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
+use crate::texture::{Pigment, PreparedPigment};
 use std::sync::Arc;
 
 /// The word under which functions are kept.
@@ -57,7 +59,10 @@ impl Reader<'_> {
     pub(super) fn call(&mut self, callee: &Callee) -> Parse<Number> {
         let name = self.taken_span();
         match callee {
-            Callee::Function(function) => self.call_user_function(function, name),
+            Callee::Function(function) => {
+                let function = self.as_called(Arc::clone(function));
+                self.call_user_function(&function, name)
+            }
             Callee::Spline(spline) => self.call_spline(spline),
         }
     }
@@ -159,7 +164,7 @@ impl Reader<'_> {
             }
             let key = Args::float(self)?;
             self.take_mark(',')?;
-            let start = self.start_span();
+            let start = self.start_span()?;
             let point = self.sum()?.promoted(2);
             self.finite(&point.v, start)?;
             self.take_mark(',')?;
@@ -207,8 +212,8 @@ impl Reader<'_> {
             self.string()?;
         }
         if let Some(computes) = self.function_without_formula()? {
-            if let (Some((_, place)), false) = (&named, matches!(computes, Computes::Internal(_)))
-            {
+            let is_internal = matches!(computes, Computes::Internal(_) | Computes::Noise(_));
+            if let (Some((_, place)), false) = (&named, is_internal) {
                 return Err(self.with_trace(
                     Diagnostic::error(
                         start.to(*place),
@@ -278,12 +283,32 @@ impl Reader<'_> {
         }
     }
 
+    fn pattern_settings(&self) -> Settings {
+        self.globals.pattern_settings(self.version)
+    }
+
+    /// The function as a caller at this place means it: `f_noise3d` has the noise that the scene has by now.
+    pub(super) fn as_called(&self, function: Arc<Function>) -> Arc<Function> {
+        let noise = self.pattern_settings().noise_generator;
+        match function.kind() {
+            Computes::Noise(known) if *known != noise => {
+                Arc::new(Function::of(Computes::Noise(noise)))
+            }
+            _ => function,
+        }
+    }
+
     /// What the function is if its block holds something other than a formula.
     fn function_without_formula(&mut self) -> Parse<Option<Computes>> {
         let computes = match self.peek()?.word() {
             Some(Word::Internal) => {
                 self.pass();
-                Computes::Internal(self.internal_function()?)
+                let internal = self.internal_function()?;
+                if internal.number == internal::NOISE_3D {
+                    Computes::Noise(self.pattern_settings().noise_generator)
+                } else {
+                    Computes::Internal(internal)
+                }
             }
             Some(Word::Spline) => {
                 self.pass();
@@ -293,8 +318,17 @@ impl Reader<'_> {
                 let step = transform_step(self)?;
                 Computes::Transform(step.map_or(Transform::IDENTITY, |step: Step| step.transform()))
             }
-            Some(word @ (Word::Pattern | Word::Pigment)) => {
-                return Err(crate::args::not_built(self, word));
+            Some(Word::Pattern) => {
+                self.pass();
+                let settings = self.pattern_settings();
+                Computes::Field(Arc::new(read_field(self, &settings)?))
+            }
+            Some(Word::Pigment) => {
+                self.pass();
+                let default = self.default_layer.pigment.clone();
+                let pigment = Pigment::read(self, &default)?;
+                let settings = self.pattern_settings();
+                Computes::Color(Arc::new(PreparedPigment::new(&pigment, &[], &settings)))
             }
             _ => return Ok(None),
         };

@@ -6,6 +6,7 @@
 //! which pigments, normals, densities and textures share.
 
 mod agate;
+mod aoi;
 mod boxed;
 mod bozo;
 mod brick;
@@ -16,11 +17,17 @@ mod crackle;
 mod cubic;
 mod cylindrical;
 mod dents;
+mod field;
 mod formula;
+mod function;
+mod fractal;
 mod gradient;
 mod granite;
 mod hexagon;
+mod julia;
 mod leopard;
+mod magnet;
+mod mandel;
 mod map;
 mod marble;
 mod modifiers;
@@ -30,6 +37,7 @@ mod prepared;
 mod quilted;
 mod radial;
 mod ripples;
+mod slope;
 mod spherical;
 mod spiral;
 mod square;
@@ -42,6 +50,7 @@ mod wood;
 mod wrinkles;
 
 pub use chain::{Chain, PreparedChain};
+pub use field::read_field;
 pub use map::{Between, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use prepared::PreparedPattern;
@@ -66,6 +75,7 @@ pub type Stop = (f32, Color);
 /// The patterns by their words.
 static PATTERNS: &[(Word, New)] = &[
     (Word::Agate, agate::new),
+    (Word::Aoi, aoi::new),
     (Word::Boxed, boxed::new),
     (Word::Bozo, bozo::bozo),
     (Word::Brick, brick::new),
@@ -76,16 +86,21 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Cubic, cubic::new),
     (Word::Cylindrical, cylindrical::new),
     (Word::Dents, dents::new),
+    (Word::Function, function::new),
     (Word::Gradient, gradient::new),
     (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),
+    (Word::Julia, julia::new),
     (Word::Leopard, leopard::new),
+    (Word::Magnet, magnet::new),
+    (Word::Mandel, mandel::new),
     (Word::Marble, marble::new),
     (Word::Onion, onion::new),
     (Word::Planar, planar::new),
     (Word::Quilted, quilted::new),
     (Word::Radial, radial::new),
     (Word::Ripples, ripples::ripples),
+    (Word::Slope, slope::new),
     (Word::Spherical, spherical::new),
     (Word::Spiral1, spiral::spiral1),
     (Word::Spiral2, spiral::spiral2),

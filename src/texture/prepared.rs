@@ -2,6 +2,7 @@
 
 use super::{Finish, Layer, Pigment, PigmentKind, Texture};
 use crate::color::Color;
+use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
@@ -163,6 +164,12 @@ impl PreparedPigment {
                 entries.any(|(_, entry)| entry.can_be_transparent())
             }
         }
+    }
+}
+
+impl ColorField for PreparedPigment {
+    fn color(&self, point: DVec3) -> Color {
+        PreparedPigment::color(self, &Spot::at(point))
     }
 }
 

@@ -16,6 +16,7 @@ pub(super) static LIST: &[Internal] = &[
     Internal::new(29, "f_hetero_mf", 6, hetero_mf),
     Internal::new(58, "f_ridge", 6, ridge),
     Internal::new(59, "f_ridged_mf", 6, ridged_mf),
+    // Where a scene is read, its own generator takes this place.
     Internal::new(super::NOISE_3D, "f_noise3d", 0, |p| {
         NoiseGenerator::default().noise(point(p))
     }),
