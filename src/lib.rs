@@ -32,6 +32,7 @@ pub mod color;
 pub mod compare;
 pub mod compile;
 pub mod film;
+pub mod function;
 pub mod interior;
 pub mod lang;
 pub mod light;

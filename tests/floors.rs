@@ -18,6 +18,7 @@ const FLOORS: &[&[&str]] = &[
         "interior",
         "atmosphere",
         "texture",
+        "function",
     ],
     &["output", "compare"],
     &["scene"],
@@ -32,6 +33,9 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     // A texture is made of patterns, and a material holds an interior beside its texture.
     ("texture", "pattern"),
     ("texture", "interior"),
+    // A function may be a pattern, and a function may call patterns and pigments, which it knows as fields.
+    ("pattern", "function"),
+    ("texture", "function"),
     // The sky is painted with pigments.
     ("atmosphere", "texture"),
     // Old scenes write `ior` into a finish; the interior takes it over.

@@ -106,6 +106,14 @@ pub trait Args {
     fn default_any(&self, _kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
         None
     }
+    /// The function in the block that follows, which the word `function` has announced; the room `function` knows its
+    /// type and reads it by this.
+    ///
+    /// # Errors
+    /// A malformed function.
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(None)
+    }
     /// The place of the next token.
     fn span(&mut self) -> Span;
     /// The place of the token last taken.

@@ -182,6 +182,10 @@ impl Args for Reader<'_> {
         }
     }
 
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(Some(self.function_block()?))
+    }
+
     fn span(&mut self) -> Span {
         if let Err(error) = self.peek() {
             // A faulty directive before the token has been passed: nobody meets it again.

@@ -1,6 +1,7 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
 use super::cursor::{Declaring, Entered, Frame, Place};
+use super::function::is_callable;
 use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
@@ -421,8 +422,10 @@ impl Reader<'_> {
             Some(Value::Number(_)) => self.number_or_color().map(Some),
             Some(Value::Array(_)) => {
                 let before = self.here.clone();
-                match self.array_or_item()? {
-                    Value::Number(_) => {
+                let item = self.array_or_item()?;
+                let is_called = is_callable(&item) && self.is_raw_mark('(');
+                match item {
+                    _ if is_called || matches!(item, Value::Number(_)) => {
                         // An item that is a number may begin an expression: read it again as one.
                         self.here = before;
                         self.number_or_color().map(Some)
@@ -432,6 +435,7 @@ impl Reader<'_> {
             }
             Some(Value::Poison) => Err(self.consequence()),
             Some(Value::File(_)) => Err(self.expected_here(what)),
+            Some(_) if self.at_call() => self.number_or_color().map(Some),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
                 Element::new("texture", self.texture_layers()?),
             ))),
@@ -506,6 +510,8 @@ impl Reader<'_> {
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
             Word::Array => self.array_value().map(Some),
+            Word::Function => self.function_value().map(Some),
+            Word::Spline => self.spline_value().map(Some),
             Word::LightSource => Ok(self.object()?.map(Value::Object)),
             _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
             _ => match word.class() {

@@ -4,6 +4,7 @@
 //! parentheses and in the arguments of some built-in functions. `&` and `|` bind alike, from left to right.
 
 use super::flow::EQUAL;
+use super::function::Callee;
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
@@ -238,7 +239,7 @@ impl Reader<'_> {
         }
     }
 
-    fn value_word(&self, word: Word) -> Number {
+    pub(super) fn value_word(&self, word: Word) -> Number {
         let unit = |at: usize, len: u8| {
             let mut number = Number { v: [0.0; 5], len };
             number.v[at] = 1.0;
@@ -311,13 +312,22 @@ impl Reader<'_> {
             }
             Some(Value::Array(_)) => match self.array_or_item()? {
                 Value::Number(number) => Ok(number),
-                other => Err(self.error_taken(format!(
-                    "expected a number or vector, found {}",
-                    other.kind()
-                ))),
+                other => match Callee::of(&other) {
+                    Some(callee) => self.call(&callee),
+                    None => Err(self.error_taken(format!(
+                        "expected a number or vector, found {}",
+                        other.kind()
+                    ))),
+                },
             },
             Some(Value::Poison) => Err(self.consequence()),
-            _ => Err(self.expected_here("a number, a vector or an expression")),
+            other => match other.and_then(Callee::of) {
+                Some(callee) => {
+                    self.pass();
+                    self.call(&callee)
+                }
+                None => Err(self.expected_here("a number, a vector or an expression")),
+            },
         }
     }
 

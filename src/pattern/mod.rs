@@ -18,7 +18,9 @@ mod cubic;
 mod cylindrical;
 mod density_file;
 mod dents;
+mod field;
 mod formula;
+mod function;
 mod fractal;
 mod gradient;
 mod granite;
@@ -51,6 +53,7 @@ mod wood;
 mod wrinkles;
 
 pub use chain::{Chain, PreparedChain};
+pub use field::read_field;
 pub use map::{Between, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use prepared::PreparedPattern;
@@ -89,6 +92,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Cylindrical, cylindrical::new),
     (Word::DensityFile, density_file::new),
     (Word::Dents, dents::new),
+    (Word::Function, function::new),
     (Word::Gradient, gradient::new),
     (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),

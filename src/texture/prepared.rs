@@ -3,6 +3,7 @@
 use super::{Finish, Layer, Pigment, PigmentKind, Texture};
 use crate::bitmap;
 use crate::color::Color;
+use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
@@ -172,6 +173,12 @@ impl PreparedPigment {
             }
             PreparedPigment::Image(_, source) => source.can_be_transparent(),
         }
+    }
+}
+
+impl ColorField for PreparedPigment {
+    fn color(&self, point: DVec3) -> Color {
+        PreparedPigment::color(self, &Spot::at(point))
     }
 }
 
