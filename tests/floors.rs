@@ -33,6 +33,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("texture", "interior"),
     // The sky is painted with pigments.
     ("atmosphere", "texture"),
+    // The bokeh of a camera is painted with a pigment.
+    ("camera", "texture"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
 ];

@@ -85,7 +85,10 @@ impl Fog {
         }
         if let Some(step) = transform_step(args)? {
             // Transforms turn only what is up.
-            self.up = step.transform().world_from_object.transform_vector3(self.up);
+            self.up = step
+                .transform()
+                .world_from_object
+                .transform_vector3(self.up);
             return Ok(());
         }
         let Some(word) = args.word()? else {
@@ -166,7 +169,10 @@ impl Fog {
 
     /// The mean density of ground fog between two heights.
     fn density(&self, from: f64, to: f64) -> f64 {
-        let (s, t) = ((from - self.offset) / self.alt, (to - self.offset) / self.alt);
+        let (s, t) = (
+            (from - self.offset) / self.alt,
+            (to - self.offset) / self.alt,
+        );
         match (s <= 0.0, t <= 0.0) {
             (true, true) => 1.0,
             (true, false) => (t.atan() - s) / (t - s),
@@ -211,7 +217,10 @@ mod tests {
 
     #[test]
     fn fog_takes_light_away_and_gives_its_own() {
-        check(&["{ distance 2 rgb <0.6, 0.5, 0.4> }"], [0.51768, 0.50001, 0.50291]);
+        check(
+            &["{ distance 2 rgb <0.6, 0.5, 0.4> }"],
+            [0.51768, 0.50001, 0.50291],
+        );
         check(&["{ rgb 1 }"], [0.2, 0.5, 0.9]);
     }
 

@@ -59,14 +59,14 @@ impl SkySphere {
             } else if args.accept(Word::Emission)? {
                 sky.emission = args.color()?.rgb;
             } else {
-                return Err(args.expected("`pigment`, `emission`, a transform or `}` in `sky_sphere`"));
+                return Err(
+                    args.expected("`pigment`, `emission`, a transform or `}` in `sky_sphere`")
+                );
             }
         }
         if sky.pigments.is_empty() {
             let error = Diagnostic::error(args.last_span(), "this `sky_sphere` has no pigment");
-            return Err(Box::new(
-                error.with_hint("write `pigment { ... }` into it"),
-            ));
+            return Err(Box::new(error.with_hint("write `pigment { ... }` into it")));
         }
         Ok(sky)
     }
@@ -164,14 +164,24 @@ mod tests {
     fn upper_pigments_filter_the_lower_ones() {
         check(ONE, true, Rgb::BLACK, [0.4, 0.3, 0.2]);
         check(TWO, true, Rgb::BLACK, [0.322, 0.385, 0.444]);
-        check(TWO, true, Rgb::new(0.5, 0.6, 0.7), [0.4166, 0.4876, 0.54928]);
+        check(
+            TWO,
+            true,
+            Rgb::new(0.5, 0.6, 0.7),
+            [0.4166, 0.4876, 0.54928],
+        );
     }
 
     #[test]
     fn before_3_7_upper_pigments_weaken_the_lower_ones() {
         check(TWO, false, Rgb::BLACK, [0.35, 0.4, 0.45]);
         check(ONE, false, Rgb::new(0.5, 0.6, 0.7), [0.62, 0.528, 0.424]);
-        check(TWO, false, Rgb::new(0.5, 0.6, 0.7), [0.39361, 0.45341, 0.51188]);
+        check(
+            TWO,
+            false,
+            Rgb::new(0.5, 0.6, 0.7),
+            [0.39361, 0.45341, 0.51188],
+        );
     }
 
     #[test]

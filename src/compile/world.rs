@@ -7,7 +7,7 @@ use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use crate::accel::Bvh;
 use crate::atmosphere::{Fog, PreparedSky};
-use crate::camera::Camera;
+use crate::camera::{Camera, Lens};
 use crate::color::{Color, Rgb};
 use crate::math::lanes::with_widest;
 use crate::math::mersenne::Stream;
@@ -190,6 +190,8 @@ const TREE_FROM: usize = 3;
 pub struct World {
     /// The camera.
     pub camera: Camera,
+    /// Its lens, if it has one.
+    pub lens: Option<Lens>,
     /// The lights, in the order of the scene.
     pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
@@ -237,6 +239,7 @@ impl World {
         };
         World {
             camera: scene.camera.clone(),
+            lens: Lens::new(&scene.camera),
             background: scene.background.color.unwrap_or(transparent),
             sky: scene
                 .atmosphere

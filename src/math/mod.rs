@@ -4,6 +4,7 @@ mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
 pub mod hash;
+mod jitter;
 pub(crate) mod lanes;
 pub mod mersenne;
 pub mod noise;
@@ -16,5 +17,6 @@ mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
+pub use jitter::jitter;
 pub use ray::Ray;
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

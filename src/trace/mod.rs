@@ -6,6 +6,7 @@
 
 mod air;
 mod area;
+mod lens;
 mod light;
 mod passage;
 mod surface;
@@ -125,20 +126,30 @@ impl<'w> Tracer<'w> {
     /// pixels. Where the camera has no ray the sample is black and lets everything through.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
-        let camera = &self.world.camera;
-        let Some(ray) = camera.primary_ray(x, y, width, height) else {
+        scratch.stream = Stream::of_sample(x, y);
+        scratch.crand = seed_of_sample(x, y);
+        match &self.world.lens {
+            Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
+            None => {
+                let ray = self.world.camera.primary_ray(x, y, width, height);
+                self.sample(ray, scratch)
+            }
+        }
+    }
+
+    /// What a ray of the camera sees, or nothing where the camera has none.
+    fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
+        let Some(ray) = ray else {
             return Sample {
                 rgb: Rgb::BLACK,
                 transmit: 1.0,
             };
         };
-        let inside = if self.minds_interiors && !camera.has_one_origin() {
+        let inside = if self.minds_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
             Inside::from_slice(&self.around_camera)
         };
-        scratch.stream = Stream::of_sample(x, y);
-        scratch.crand = seed_of_sample(x, y);
         let path = Path {
             ray,
             from: None,
