@@ -3,6 +3,7 @@
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::{Color, Rgb};
 use crate::math::Step;
+use crate::pattern::{Settings, Spot};
 use crate::source::Diagnostic;
 use crate::texture::{Pigment, PreparedPigment};
 use glam::DVec3;
@@ -66,15 +67,16 @@ impl SkySphere {
         }
         if sky.pigments.is_empty() {
             let error = Diagnostic::error(args.last_span(), "this `sky_sphere` has no pigment");
-            return Err(Box::new(error.with_hint("write `pigment { ... }` into it")));
+            return Err(Box::new(error.with_hint("Write `pigment { ... }` into it.")));
         }
         Ok(sky)
     }
 
-    /// The form for rays; `rules_37` for scenes of version 3.7 and later.
+    /// The form for rays; `settings` are what patterns take from the whole scene, and `rules_37` is for scenes of
+    /// version 3.7 and later.
     #[must_use]
-    pub fn prepare(&self, rules_37: bool) -> PreparedSky {
-        let prepare = |pigment: &Pigment| PreparedPigment::new(pigment, &self.steps);
+    pub fn prepare(&self, settings: &Settings, rules_37: bool) -> PreparedSky {
+        let prepare = |pigment: &Pigment| PreparedPigment::new(pigment, &self.steps, settings);
         PreparedSky {
             pigments: self.pigments.iter().rev().map(prepare).collect(),
             emission: self.emission,
@@ -134,7 +136,9 @@ impl PreparedSky {
     }
 
     fn colors(&self, dir: DVec3) -> impl Iterator<Item = Color> + '_ {
-        self.pigments.iter().map(move |pigment| pigment.color(dir))
+        self.pigments
+            .iter()
+            .map(move |pigment| pigment.color(&Spot::at(dir)))
     }
 }
 
@@ -149,7 +153,10 @@ mod tests {
 
     /// Compares with what POV-Ray 3.7 shows in front of a background of this colour.
     fn check(text: &str, rules_37: bool, background: Rgb, expected: [f32; 3]) {
-        let seen = read(text).unwrap().prepare(rules_37).seen(DVec3::Z);
+        let seen = read(text)
+            .unwrap()
+            .prepare(&Settings::default(), rules_37)
+            .seen(DVec3::Z);
         let Rgb { r, g, b } = seen.rgb + seen.factor * background;
         for (found, expected) in [r, g, b].into_iter().zip(expected) {
             assert!((found - expected).abs() < 3e-5, "{text}: {r} {g} {b}");

@@ -10,6 +10,7 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Rgb;
 use crate::math::hash::hashed;
 use crate::math::{Ray, jitter};
+use crate::pattern::{Settings, Spot};
 use crate::source::Diagnostic;
 use crate::texture::{Pigment, PreparedPigment};
 use glam::DVec3;
@@ -167,6 +168,21 @@ fn share(
     usual
 }
 
+/// Pigments are equal only to themselves.
+impl PartialEq for FocalBlur {
+    fn eq(&self, other: &Self) -> bool {
+        let same_bokeh = match (&self.bokeh, &other.bokeh) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        same_bokeh
+            && (self.aperture, self.samples) == (other.aperture, other.samples)
+            && (self.confidence, self.variance) == (other.confidence, other.variance)
+            && (self.focal_point, self.distance) == (other.focal_point, other.distance)
+    }
+}
+
 /// A lens ready for rays.
 #[derive(Debug)]
 pub struct Lens {
@@ -201,9 +217,9 @@ pub struct Spread {
 }
 
 impl Lens {
-    /// The lens of a camera that has one.
+    /// The lens of a camera that has one; `settings` are what patterns take from the whole scene.
     #[must_use]
-    pub fn new(camera: &Camera) -> Option<Lens> {
+    pub fn new(camera: &Camera, settings: &Settings) -> Option<Lens> {
         let blur = &camera.blur;
         let count = blur.samples[1];
         if blur.aperture == 0.0 || count == 0 {
@@ -212,9 +228,11 @@ impl Lens {
         let points = match &blur.bokeh {
             None => LensPoints::even(count),
             Some(pigment) => {
-                let pigment = PreparedPigment::new(pigment, &[]);
-                let brightness =
-                    |at: glam::DVec2| f64::from(pigment.color(at.extend(0.0)).rgb.grey());
+                let pigment = PreparedPigment::new(pigment, &[], settings);
+                let brightness = |at: glam::DVec2| {
+                    let color = pigment.color(&Spot::at(at.extend(0.0)));
+                    f64::from(color.rgb.grey())
+                };
                 LensPoints::shaped(count, brightness)
             }
         };

@@ -60,7 +60,7 @@ const KINDS: &[(Word, Projection)] = &[
 ];
 
 /// A camera. But for its [`Lens`] it needs no preparation: its vectors are what rays are made of.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     projection: Projection,
     frame: Frame,

@@ -87,7 +87,7 @@ impl Camera {
             _ if KINDS.iter().any(|kind| kind.0 == word) => {
                 return Err(Box::new(
                     Diagnostic::error(args.span(), format!("`{word}` must come first in `camera`"))
-                        .with_hint("write it right after `camera {`"),
+                        .with_hint("Write it right after `camera {`."),
                 ));
             }
             _ if self.read_vector(word, args)? => {}
@@ -236,7 +236,7 @@ impl Camera {
         let Some(forward) = (point - frame.location).try_normalize() else {
             return Err(Box::new(
                 Diagnostic::error(at, "`look_at` is the same point as `location`")
-                    .with_hint("move one of the two: the camera needs a direction"),
+                    .with_hint("Move one of the two: the camera needs a direction."),
             ));
         };
         let mut sideways = self.sky.cross(forward);

@@ -8,15 +8,16 @@ use super::lights::{LightList, Lights};
 use super::world::{Flags, Surface};
 use crate::light::Light;
 use crate::math::{Bounds, Step};
+use crate::pattern::Settings;
 use crate::scene::{Attached, Kind, Object, Operation};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// What the tree of the world holds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Item {
     /// A shape by itself.
     Leaf(u32),
@@ -34,6 +35,8 @@ pub(super) struct Flat {
     pub(super) bounds: Vec<Bounds>,
     pub(super) surfaces: Vec<Surface>,
     pub(super) interiors: Interiors,
+    /// What patterns take from the whole scene.
+    settings: Settings,
     pub(super) lights: Lights,
     /// By address.
     prepared: FxHashMap<usize, Arc<PreparedTexture>>,
@@ -80,6 +83,14 @@ struct Placed {
 }
 
 impl Flat {
+    /// Nothing yet; `settings` are what patterns take from the whole scene.
+    pub(super) fn new(settings: Settings) -> Self {
+        Flat {
+            settings,
+            ..Flat::default()
+        }
+    }
+
     /// Takes in one object of the scene's top level.
     pub(super) fn add(&mut self, object: &Object) {
         let nothing = Heritage {
@@ -118,7 +129,7 @@ impl Flat {
                 }
             }
             Kind::Shape(shape) if is_plain && !object.is_inverse => {
-                let surface = self.surface(&below);
+                let surface = self.surface(&below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Surface);
                 if !bounds.is_empty() {
@@ -267,7 +278,7 @@ impl Flat {
                 Bounds::EMPTY
             }
             Kind::Shape(shape) => {
-                let surface = self.surface(below);
+                let surface = self.surface(below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
                 self.leaves.push(leaf);
@@ -402,19 +413,27 @@ impl Flat {
     }
 
     /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    fn surface(&mut self, looks: &Heritage) -> u32 {
+    fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
         let texture = match &looks.texture {
             Some(placed) => self.prepare(placed),
-            None => Arc::new(Texture::from(Layer::default()).prepare(&[])),
+            None => Arc::new(Texture::from(Layer::default()).prepare(&[], &self.settings)),
         };
         let inside_texture = looks
             .inside_texture
             .as_ref()
             .map(|placed| self.prepare(placed));
+        let skin = |skin: &Skin| {
+            self.prepare(&Placed {
+                texture: Arc::clone(&skin.0),
+                steps: Arc::clone(&looks.steps),
+            })
+        };
+        let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
         let surface = Surface {
             texture,
             inside_texture,
+            skins,
             interior,
             lights: looks.lights,
             flags: looks.flags,
@@ -435,10 +454,10 @@ impl Flat {
     fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
         if !placed.texture.depends_on_place() {
             let key = Arc::as_ptr(&placed.texture).addr();
-            let fresh = || Arc::new(placed.texture.prepare(&[]));
+            let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
             return Arc::clone(self.prepared.entry(key).or_insert_with(fresh));
         }
-        Arc::new(placed.texture.prepare(&placed.steps))
+        Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
     }
 }
 

@@ -65,6 +65,11 @@ impl Lights {
         light_number
     }
 
+    /// What lights are projected through.
+    pub(super) fn projectors_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        self.projectors.iter_mut().map(|(_, program)| program)
+    }
+
     /// Says what a light is projected through.
     pub(super) fn project(&mut self, light: u32, program: Program) {
         self.projectors.push((light, program));

@@ -6,13 +6,14 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
+use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.number_at_sum()?;
         self.finite(&[number], start)?;
         Ok(number)
@@ -55,6 +56,19 @@ impl Args for Reader<'_> {
 
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
         self.take_literal_vectors(len, take);
+    }
+
+    fn literal_number(&mut self) -> Option<f64> {
+        self.take_literal_number()
+    }
+
+    fn texture_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let default = self.default_layer.clone();
+        Ok(Arc::new(Texture::read(self, &default)?))
+    }
+
+    fn at_mark(&mut self, mark: char) -> Parse<bool> {
+        Ok(self.peek()?.is_mark(mark))
     }
 
     fn comma(&mut self) -> Parse<bool> {
@@ -121,8 +135,24 @@ impl Args for Reader<'_> {
         }
     }
 
+    fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        let layer = &self.default_layer;
+        if kind == TypeId::of::<Pigment>() {
+            Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Layer>() {
+            Some(Arc::new(layer.clone()))
+        } else {
+            None
+        }
+    }
+
     fn span(&mut self) -> Span {
-        self.start_span()
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
     }
 
     fn last_span(&self) -> Span {
@@ -144,7 +174,7 @@ impl Args for Reader<'_> {
 
 impl Reader<'_> {
     fn finite_vector(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.vector_of(len)?;
         self.finite(&number.v[..usize::from(len)], start)?;
         Ok(number)

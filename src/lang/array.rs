@@ -23,6 +23,11 @@ impl Reader<'_> {
             return Err(self.expected_here("a value"));
         };
         self.end_of_declaration(matches!(value, Value::Number(_)))?;
+        self.set_item(symbol, at, value)
+    }
+
+    /// Gives an item of the array of this name a value.
+    pub(super) fn set_item(&mut self, symbol: Symbol, at: usize, value: Value) -> Parse<()> {
         // An array that has another name as well is copied.
         let copied = match self.scopes.get(symbol) {
             Some(Value::Array(array)) if Rc::strong_count(array) > 1 => array.items.len(),
@@ -122,7 +127,10 @@ impl Reader<'_> {
         let mut index = 0;
         while !self.take_close()? {
             if index == array.sizes[dimension] {
-                return Err(self.error_here(format!("the array has only {index} items here")));
+                let error = self.error_here(format!("the array has only {index} items here"));
+                return Err(Box::new(
+                    error.with_hint("Give it a larger size, or fewer values."),
+                ));
             }
             let at = from + index * inner;
             if dimension + 1 < array.sizes.len() {

@@ -7,7 +7,7 @@ use super::limits;
 use super::reader::Reader;
 use crate::args::Parse;
 use crate::scene::Object;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use std::fs;
 
 /// What a run may take, and what it has taken.
@@ -125,7 +125,8 @@ impl Reader<'_> {
         let budget = &mut self.budget;
         // What goes round costs something beside its tokens.
         budget.again += tokens as u64 + 8;
-        let most = limits::AGAIN + limits::AGAIN_FOR_OBJECT * budget.objects;
+        let most = self.options.patience
+            + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects;
         if budget.again > most {
             let message = format!(
                 "the loops and macros of this scene do not come to an end: {} tokens were read in them",
@@ -216,7 +217,7 @@ impl Reader<'_> {
     /// The error after which nothing more is read.
     fn fatal(&mut self, error: Diagnostic) -> Box<Diagnostic> {
         self.is_over = true;
-        self.with_trace(error)
+        self.with_trace(error.with_code(Code::Limit))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::syntax::{Class, Kind, Symbol};
 impl Reader<'_> {
     /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
     pub(super) fn color_value(&mut self) -> Parse<Color> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let parts = self.color_parts()?;
         #[allow(
             clippy::cast_possible_truncation,

@@ -5,11 +5,12 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
-use crate::atmosphere::{Fog, SkySphere};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
-use crate::source::Diagnostic;
+use crate::pattern::Map;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
 use std::rc::Rc;
@@ -29,7 +30,11 @@ impl Reader<'_> {
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
-            return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            if !error.message.is_empty() && error.hints.is_empty() {
+                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+            }
+            return Err(error);
         }
         let place = Declaring {
             symbol,
@@ -171,6 +176,10 @@ impl Reader<'_> {
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
         let symbol = self.identifier("a name after `#undef`")?;
+        if let Some(&Value::File(handle)) = self.scopes.get(symbol) {
+            self.scopes.undefine(symbol);
+            return self.close_file(handle, self.taken_span());
+        }
         if !self.scopes.undefine(symbol) {
             let name = self.names.spelling(symbol).to_owned();
             self.warning(Diagnostic::warning(
@@ -203,14 +212,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn run_include(&mut self) -> Parse<()> {
-        let token = self.peek()?;
-        let name = if token.kind == Kind::String {
-            self.pass();
-            self.last_tokens.string_raw(token.value).into_owned()
-        } else {
-            self.string()?
-        };
+        let name = self.file_name()?;
         let from = self.taken_span();
+        self.publish_files(from)?;
         let depth = self
             .frames
             .iter()
@@ -233,6 +237,8 @@ impl Reader<'_> {
             Err(mut error) => {
                 self.lacks_file = true;
                 error.span = Some(from);
+                error.code = Some(Code::MissingFile);
+                self.suggest_include(&mut error, &name);
                 return Err(self.with_trace(*error));
             }
         };
@@ -292,15 +298,21 @@ impl Reader<'_> {
         let text = self.string()?;
         match word {
             Word::Error => {
-                Err(self.with_trace(Diagnostic::error(span, text.trim_end().to_owned())))
+                // What follows was written for a scene that is right so far.
+                self.is_over = true;
+                let text = match text.trim_end() {
+                    "" => "the scene stops itself here",
+                    text => text,
+                };
+                Err(self.with_trace(Diagnostic::error(span, text).with_code(Code::Author)))
             }
             Word::Warning => {
-                self.warning(Diagnostic::warning(span, text.trim_end().to_owned()));
+                let warning = Diagnostic::warning(span, text.trim_end().to_owned());
+                self.warning(warning.with_code(Code::Author));
                 Ok(())
             }
             _ => {
-                self.messages.push_str(&text);
-                if self.messages.len() <= limits::MESSAGES {
+                if self.say(&text) <= limits::MESSAGES {
                     return Ok(());
                 }
                 self.is_over = true;
@@ -348,6 +360,7 @@ impl Reader<'_> {
                 }
             }
             Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::File(_)) => Err(self.expected_here(what)),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
                 Element::new("texture", self.texture_layers()?),
             ))),
@@ -373,6 +386,16 @@ impl Reader<'_> {
                 let pigment = Pigment::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("pigment", pigment))))
             }
+            Word::ColorMap | Word::ColourMap => {
+                self.pass();
+                let map = Map::read_colors(self)?;
+                Ok(Some(Value::Element(Element::new("color_map", map))))
+            }
+            Word::PigmentMap => {
+                self.pass();
+                let map = Pigment::read_map(self)?;
+                Ok(Some(Value::Element(Element::new("pigment_map", map))))
+            }
             Word::Finish => {
                 self.pass();
                 let default = self.default_layer.finish.clone();
@@ -396,6 +419,11 @@ impl Reader<'_> {
                 self.pass();
                 let fog = Fog::read(self)?;
                 Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::Rainbow => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                Ok(Some(Value::Element(Element::new("rainbow", rainbow))))
             }
             Word::SkySphere => {
                 self.pass();

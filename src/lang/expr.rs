@@ -16,7 +16,7 @@ use std::rc::Rc;
 impl Reader<'_> {
     /// A float at the additive level.
     pub(super) fn number_at_sum(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.sum()?;
         self.only_float(number, start)
     }
@@ -35,15 +35,14 @@ impl Reader<'_> {
     }
 
     /// The place of the next token.
-    pub(super) fn start_span(&mut self) -> crate::source::Span {
-        // A faulty directive is reported by whoever reads on.
-        let _ = self.peek();
-        self.here_span()
+    pub(super) fn start_span(&mut self) -> Parse<crate::source::Span> {
+        self.peek()?;
+        Ok(self.here_span())
     }
 
     /// The value of a condition: comparisons of numbers or of strings, logic, `? :`.
     pub(super) fn condition_value(&mut self) -> Parse<f64> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.full()?;
         self.only_float(number, start)
     }
@@ -271,10 +270,10 @@ impl Reader<'_> {
             len: 0,
         };
         loop {
-            let start = self.start_span();
+            let start = self.start_span()?;
             if number.len > 0 && !self.begins_number()? {
                 let error = self.expected_here("`>` or a further component of the vector");
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                return Err(self.with_opened(error, '>', opened));
             }
             let component = self.sum()?;
             number.v[usize::from(number.len)] = self.only_float(component, start)?;
@@ -284,8 +283,11 @@ impl Reader<'_> {
                 break;
             }
             if number.len == 5 {
-                let error = self.expected_here("`>` after five components");
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                let mut error = self.expected_here("`>` after five components");
+                if !error.message.is_empty() {
+                    error.hints = vec!["A vector has two to five components.".to_owned()];
+                }
+                return Err(self.with_opened(error, '>', opened));
             }
         }
         if number.len == 1 {
@@ -383,7 +385,7 @@ impl Reader<'_> {
 
     /// A vector of `len` components at the additive level; a float stands for all of them.
     pub(super) fn vector_of(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span();
+        let start = self.start_span()?;
         let number = self.sum()?;
         if number.len > len {
             let wanted = Number { v: [0.0; 5], len };

@@ -37,8 +37,9 @@ impl Reader<'_> {
                 Number::float(f64::from(left.as_bytes().cmp(right.as_bytes()) as i8))
             }
             Word::FileExists => {
-                let file = self.string()?;
-                Number::truth(self.sources.has_include(&file, name.file))
+                let file = self.file_name()?;
+                self.publish_files(name)?;
+                Number::truth(self.sources.has_data(&file, name.file))
             }
             Word::Dimensions | Word::DimensionSize => self.dimensions(word)?,
             Word::Min | Word::Max => self.extremum(word)?,
@@ -60,6 +61,8 @@ impl Reader<'_> {
                 Number::vector(rotation(by) * v)
             }
             Word::MinExtent | Word::MaxExtent => self.extent(word)?,
+            Word::Trace => self.trace()?,
+            Word::Inside => self.inside()?,
             Word::VaxisRotate => {
                 let (v, axis) = self.two_vectors()?;
                 self.take_mark(',')?;
@@ -75,7 +78,8 @@ impl Reader<'_> {
     /// The `)` of a call; a comma there means too many arguments.
     pub(super) fn end_of_call(&mut self, word: Word, open: Span) -> Parse<()> {
         if self.peek()?.is_mark(',') {
-            return Err(self.error_here(format!("`{word}` takes no further argument here")));
+            let error = self.error_here(format!("`{word}` takes no further argument"));
+            return Err(Box::new(error.with_hint("Write `)` before the comma.")));
         }
         self.expect_end(
             ')',
@@ -89,7 +93,8 @@ impl Reader<'_> {
             let a = self.number_at_sum()?;
             self.take_mark(',')?;
             if self.peek()?.is_mark(')') {
-                return Err(self.error_here(format!("`{word}` takes two arguments, found one")));
+                let error = self.error_here(format!("`{word}` takes two arguments, found one"));
+                return Err(Box::new(error.with_hint(format!("Write `{word}(a, b)`."))));
             }
             let b = self.number_at_sum()?;
             return two(word, a, b).map(Number::float).map_err(|message| {

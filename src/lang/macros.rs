@@ -19,6 +19,13 @@ pub(super) struct Macro {
     defined: Span,
 }
 
+impl Macro {
+    /// The names of what it is given.
+    pub(super) fn parameters(&self) -> &[Symbol] {
+        &self.parameters
+    }
+}
+
 /// What a call gives for one parameter.
 enum Argument {
     Reference((Symbol, usize)),
@@ -41,7 +48,12 @@ impl Reader<'_> {
         let name = self.identifier("a name after `#macro`")?;
         let mut parameters = Vec::new();
         if !self.take_raw_mark('(') {
-            return Err(self.expected_here("`(` after the macro's name"));
+            let name = self.taken_span();
+            let text = self.source_text(name).to_owned();
+            let error = self.expected_behind(name, "`(` after the macro's name");
+            return Err(Box::new(error.with_hint(format!(
+                "Write `#macro {text}()` if it takes nothing."
+            ))));
         }
         loop {
             self.take_raw_mark(',');
@@ -55,7 +67,7 @@ impl Reader<'_> {
             body: self.here.at,
             end,
             parameters,
-            defined: span,
+            defined: span.to(self.taken_span()),
         };
         self.scopes.declare(name, Value::Macro(Rc::new(defined)));
         self.here.at = end as usize;
@@ -92,8 +104,9 @@ impl Reader<'_> {
         )?;
         let kind = Entered::Macro {
             back: self.here.clone(),
-            call,
+            call: call.to(self.taken_span()),
             name,
+            called: Rc::clone(called),
         };
         self.frames.push(Frame {
             home: Rc::clone(&called.tokens),
@@ -122,7 +135,12 @@ impl Reader<'_> {
     ) -> Parse<Vec<Argument>> {
         let spelling = self.names.spelling(name).to_owned();
         if !self.take_mark('(')? {
-            return Err(self.expected_here(&format!("`(` after the macro `{spelling}`")));
+            let mut error = self.expected_here(&format!("`(` after the macro `{spelling}`"));
+            if !error.message.is_empty() {
+                error.hints = vec![self.call_form(name, called)];
+                *error = error.with_label(called.defined, "defined here");
+            }
+            return Err(error);
         }
         let mut arguments = Vec::with_capacity(called.parameters.len());
         let wanted = called.parameters.len();
@@ -132,7 +150,11 @@ impl Reader<'_> {
                     "the macro `{spelling}` takes {wanted} {}, found a further one",
                     arguments_word(wanted)
                 ));
-                return Err(Box::new(error.with_label(called.defined, "defined here")));
+                return Err(Box::new(
+                    error
+                        .with_label(called.defined, "defined here")
+                        .with_hint(self.call_form(name, called)),
+                ));
             }
             arguments.push(self.macro_argument()?);
             self.take_mark(',')?;
@@ -147,10 +169,18 @@ impl Reader<'_> {
                         arguments_word(wanted)
                     ),
                 )
-                .with_label(called.defined, "defined here"),
+                .with_label(called.defined, "defined here")
+                .with_hint(self.call_form(name, called)),
             ));
         }
         Ok(arguments)
+    }
+
+    /// How a macro is called.
+    fn call_form(&self, name: Symbol, called: &Macro) -> String {
+        let spelling = |&symbol: &Symbol| self.names.spelling(symbol);
+        let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
+        format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
 
     /// A bare identifier goes by reference, everything else by value.

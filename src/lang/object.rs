@@ -7,7 +7,7 @@ use crate::interior::Interior;
 use crate::math::shorten;
 use crate::scene::{Attached, Kind, LightGroup, Object, Operation};
 use crate::shape::Shape;
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind as Tok, Symbol};
 use crate::texture::{Layer, Material, Texture};
 use std::sync::Arc;
@@ -82,8 +82,8 @@ impl Reader<'_> {
                 Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
                 Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
                 None => {
-                    let message = format!("`{word}` is not built yet");
-                    return Err(self.with_trace(Diagnostic::error(start, message)));
+                    let error = Diagnostic::error(start, format!("`{word}` is not built yet"));
+                    return Err(self.with_trace(error.with_code(Code::NotBuilt)));
                 }
             },
         };
@@ -102,9 +102,20 @@ impl Reader<'_> {
             && error.message.starts_with("expected")
             && error.hints.is_empty()
             && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+        if !is_ours {
+            return error;
+        }
+        if let Some(sign) = self.subtracting_sign(depth) {
+            let text = "this sign adds or subtracts, and makes one value of two";
+            return Box::new(
+                error
+                    .with_label(sign, text)
+                    .with_hint("Write `,` before the sign, to begin a value of its own."),
+            );
+        }
         match Self::usage(word) {
-            Some(usage) if is_ours => Box::new(error.with_hint(format!("Write {usage}."))),
-            _ => error,
+            Some(usage) => Box::new(error.with_hint(format!("Write {usage}."))),
+            None => error,
         }
     }
 
@@ -336,7 +347,9 @@ impl Reader<'_> {
 
     /// "`word` is not built yet" at the token at hand.
     pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
-        self.error_here(format!("`{word}` is not built yet"))
+        let message = format!("`{word}` is not built yet");
+        let error = Diagnostic::error(self.here_span(), message);
+        self.with_trace(error.with_code(Code::NotBuilt))
     }
 }
 

@@ -1,17 +1,20 @@
 //! The reader: everything that reading a scene keeps.
 
+use super::Heard;
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::files::Files;
 use super::limits;
+use super::probe::Probe;
 use super::scope::Scopes;
 use super::value::{Number, Value};
-use crate::args::Parse;
+use crate::args::{Parse, Word};
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Diagnostic, FileId, Severity, Sources};
+use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,6 +25,8 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
+    pub(super) probe: &'a mut dyn Probe,
+    listener: &'a mut dyn FnMut(Heard<'_>),
     pub(super) names: Names,
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
@@ -32,7 +37,7 @@ pub(super) struct Reader<'a> {
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
-    pub(super) blocks: Vec<crate::source::Span>,
+    pub(super) blocks: Vec<Span>,
     /// Where the statement being read began.
     pub(super) statement_start: (FileId, usize),
     /// How deep the expression being read is nested.
@@ -43,7 +48,7 @@ pub(super) struct Reader<'a> {
     pub(super) declaring: Option<Declaring>,
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
-    pub(super) without_semicolon: Option<(crate::source::Span, Place, usize)>,
+    pub(super) without_semicolon: Option<(Span, Place, usize)>,
     pub(super) budget: Budget,
     /// Whether a limit was met behind which nothing more is read.
     pub(super) is_over: bool,
@@ -52,18 +57,22 @@ pub(super) struct Reader<'a> {
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
     pub(super) streams: Vec<u32>,
+    /// What `#fopen` opened.
+    pub(super) files: Files,
     pub(super) version: f64,
     pub(super) has_version: bool,
     pub(super) now: f64,
     pub(super) default_layer: Layer,
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
-    pub(super) camera: Option<Camera>,
+    pub(super) camera: Option<(Camera, Span)>,
+    /// Whether a light source has been read.
+    pub(super) has_light: bool,
     pub(super) background: Option<Color>,
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
-    pub(super) messages: String,
+    messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
 }
@@ -77,6 +86,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
+    pub dependencies: Vec<Dependency>,
 }
 
 const NO_ROOM: &str = "this file needs more memory than there is";
@@ -91,10 +102,12 @@ impl<'a> Reader<'a> {
         file: FileId,
         sources: &'a mut Sources,
         options: &'a ReadOptions,
+        probe: &'a mut dyn Probe,
+        listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
         if !budget.has_room_for(sources.text(file)) {
-            let span = crate::source::Span::new(file, 0, 0);
+            let span = Span::new(file, 0, 0);
             return Err(vec![Diagnostic::error(span, NO_ROOM)]);
         }
         let mut names = Names::new();
@@ -105,6 +118,8 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             sources,
             options,
+            probe,
+            listener,
             names,
             tokenized: FxHashMap::default(),
             last: (file, 0),
@@ -123,6 +138,7 @@ impl<'a> Reader<'a> {
             undeclared: FxHashSet::default(),
             lacks_file: false,
             streams: Vec::new(),
+            files: Files::default(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
             now: days_since_2000(),
@@ -130,6 +146,7 @@ impl<'a> Reader<'a> {
             default_texture: Arc::new(Texture::from(Layer::default())),
             default_camera: Camera::default(),
             camera: None,
+            has_light: false,
             background: None,
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
@@ -205,7 +222,7 @@ impl<'a> Reader<'a> {
             self.errors += 1;
         }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
-            self.findings.push(finding);
+            self.keep(finding);
         }
     }
 
@@ -214,22 +231,37 @@ impl<'a> Reader<'a> {
         let is_known =
             |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
         if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
-            self.findings.push(warning);
+            self.keep(warning);
         }
+    }
+
+    fn keep(&mut self, finding: Diagnostic) {
+        (self.listener)(Heard::Found(&finding, self.sources));
+        self.findings.push(finding);
+    }
+
+    /// Writes text of `#debug` and the like; gives how much was written so far, in bytes.
+    pub(super) fn say(&mut self, text: &str) -> usize {
+        (self.listener)(Heard::Said(text));
+        self.messages.push_str(text);
+        self.messages.len()
     }
 
     /// The scene that was read.
     pub(super) fn finish(mut self) -> Reading {
-        if self.errors == 0 && self.objects.is_empty() {
-            self.warning(Diagnostic::warning(None, "no objects in scene"));
+        if self.errors == 0 {
+            self.close_files();
         }
+        self.doubt_the_whole();
         let version = if self.has_version {
             self.version
         } else {
             VERSION_OF_SCENES_WITHOUT
         };
         let scene = (self.errors == 0).then(|| Scene {
-            camera: self.camera.unwrap_or(self.default_camera),
+            camera: self
+                .camera
+                .map_or(self.default_camera, |(camera, _)| camera),
             objects: self.objects,
             background: Background {
                 color: self.background,
@@ -242,7 +274,49 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            dependencies: self.sources.dependencies().to_vec(),
         }
+    }
+}
+
+impl Reader<'_> {
+    /// What is missing from the scene as a whole. Only what is certain: a picture that is black by intention has no
+    /// camera of its own, and a light may come of ambient colours.
+    fn doubt_the_whole(&mut self) {
+        if self.errors > 0 {
+            return;
+        }
+        if self.objects.is_empty() {
+            self.warning(Diagnostic::warning(None, "no objects in scene"));
+            return;
+        }
+        if self.camera.is_none() && self.default_camera == Camera::default() {
+            self.warning(
+                Diagnostic::warning(None, "no camera: it stands at the origin and looks along z")
+                    .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
+            );
+        }
+        if !self.has_light && !self.may_glow() {
+            self.warning(
+                Diagnostic::warning(
+                    None,
+                    "no light source: only the default ambient light is seen",
+                )
+                .with_hint("Write `light_source { <4, 6, -8>, rgb 1 }`."),
+            );
+        }
+    }
+
+    /// Whether anything but lights may be bright: what an include file declares, and words for light of its own.
+    fn may_glow(&self) -> bool {
+        let glows = |word: Word| {
+            matches!(
+                word,
+                Word::Ambient | Word::Emission | Word::AmbientLight | Word::Radiosity | Word::Media
+            )
+        };
+        let tokens = &self.here.tokens.tokens;
+        !self.tokenized.is_empty() || tokens.iter().any(|token| token.word().is_some_and(glows))
     }
 }
 

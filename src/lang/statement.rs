@@ -6,15 +6,18 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word};
-use crate::atmosphere::{Fog, SkySphere};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
+use crate::pattern::read_noise_generator;
 use crate::scene::Object;
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
 use std::sync::Arc;
 
+/// How many waves there may be: each costs time at each point.
+const WAVES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// POV-Ray's bounds of `max_trace_level`.
 const TRACE_LEVELS: std::ops::RangeInclusive<f64> = 1.0..=256.0;
 
@@ -26,8 +29,14 @@ impl Reader<'_> {
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
+                    let error = self.with_trace(*error);
                     self.record(*error);
-                    if self.is_over || self.errors >= limits::ERRORS {
+                    if self.is_over {
+                        return;
+                    }
+                    if self.errors >= limits::ERRORS {
+                        let message = format!("nothing is read behind {} errors", limits::ERRORS);
+                        self.warning(Diagnostic::warning(None, message));
                         return;
                     }
                     self.recover();
@@ -48,13 +57,14 @@ impl Reader<'_> {
         match token.word() {
             Some(Word::Camera) => {
                 self.pass();
+                let at = self.taken_span();
                 let base = self.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                if self.camera.replace(camera).is_some() {
-                    self.warning(Diagnostic::warning(
-                        self.taken_span(),
-                        "more than one camera; the last one counts",
-                    ));
+                if let Some((_, first)) = self.camera.replace((camera, at)) {
+                    self.warning(
+                        Diagnostic::warning(at, "more than one camera; the last one counts")
+                            .with_label(first, "this one does not count"),
+                    );
                 }
             }
             Some(Word::Background) => {
@@ -67,6 +77,11 @@ impl Reader<'_> {
                 self.pass();
                 let fog = Fog::read(self)?;
                 self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::Rainbow) => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                self.atmosphere.rainbows.push(rainbow);
             }
             Some(Word::SkySphere) => {
                 self.pass();
@@ -101,6 +116,11 @@ impl Reader<'_> {
         }
         let token = self.raw();
         match token.word() {
+            Some(word) if is_part(word) => {
+                let error = self.expected_here("an object or a statement");
+                let hint = format!("`{word}` stands in the `{{` and `}}` of an object.");
+                Err(Box::new(error.with_hint(hint)))
+            }
             Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
             _ if token.is_mark('}') => Err(self.with_trace(
                 Diagnostic::error(self.here_span(), "this `}` closes nothing")
@@ -243,12 +263,16 @@ impl Reader<'_> {
                 self.pass();
                 self.globals.ambient_light = self.color_value()?.rgb;
             }
+            Word::NoiseGenerator => {
+                self.pass();
+                self.globals.noise_generator = read_noise_generator(self)?;
+            }
+            Word::NumberOfWaves => {
+                self.pass();
+                self.globals.number_of_waves = self.number_of_waves()?;
+            }
             // These matter only to features that are refused by name where they are used.
-            Word::NumberOfWaves
-            | Word::MaxIntersections
-            | Word::HfGray16
-            | Word::MmPerUnit
-            | Word::NoiseGenerator => {
+            Word::MaxIntersections | Word::HfGray16 | Word::MmPerUnit => {
                 self.pass();
                 self.float_or(1.0)?;
             }
@@ -268,6 +292,21 @@ impl Reader<'_> {
             _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
         }
         Ok(())
+    }
+
+    fn number_of_waves(&mut self) -> Parse<u32> {
+        let number = self.float()?.trunc();
+        if !WAVES.contains(&number) {
+            let text = format!("`number_of_waves` runs from 1 to {}", WAVES.end());
+            self.warning(Diagnostic::warning(self.taken_span(), text));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let number = number.clamp(*WAVES.start(), *WAVES.end()) as u32;
+        Ok(number)
     }
 
     fn gamma(&mut self) -> Parse<Gamma> {
@@ -328,14 +367,7 @@ impl Reader<'_> {
     fn is_at_new_statement(&self) -> bool {
         let token = self.raw();
         let begins = match token.word() {
-            Some(
-                Word::Texture
-                | Word::Pigment
-                | Word::Finish
-                | Word::Normal
-                | Word::Interior
-                | Word::Material,
-            ) => false,
+            Some(word) if is_part(word) => false,
             Some(word) => matches!(word.class(), Class::Shape | Class::Statement | Class::Csg),
             None => token
                 .symbol()
@@ -403,4 +435,18 @@ impl Reader<'_> {
         }
         self.skip_token();
     }
+}
+
+/// Whether a word begins a part of objects, which stands nowhere else.
+fn is_part(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Texture
+            | Word::Pigment
+            | Word::Finish
+            | Word::Normal
+            | Word::Interior
+            | Word::InteriorTexture
+            | Word::Material
+    )
 }

@@ -56,10 +56,10 @@ pub fn hashed(number: i32) -> i32 {
 
 /// A number below 4096 that belongs to a cell of space and looks random.
 #[must_use]
-pub fn hashed_cell(cell: [i64; 3]) -> usize {
+pub fn hashed_cell(cell: [i64; 3]) -> u32 {
     let [x, y, z] = cell.map(wrapped);
     let row = usize::from(TABLE[x]) ^ y;
-    usize::from(TABLE[usize::from(TABLE[row]) ^ z])
+    u32::from(TABLE[usize::from(TABLE[row]) ^ z])
 }
 
 /// The lowest twelve bits of a number.

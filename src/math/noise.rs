@@ -34,6 +34,12 @@ pub enum NoiseGenerator {
     Perlin(&'static Perlin),
 }
 
+impl PartialEq for NoiseGenerator {
+    fn eq(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
+    }
+}
+
 /// How octaves of noise are summed; in single precision as POV-Ray keeps it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octaves {

@@ -175,6 +175,16 @@ impl Object {
         })
     }
 
+    /// Whether it has an inside: no part of it is a patch or a light.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        match &self.kind {
+            Kind::Shape(shape) => shape.is_solid(),
+            Kind::Light { .. } => false,
+            Kind::Csg { children, .. } => children.iter().all(|child| child.is_solid()),
+        }
+    }
+
     /// Gives the object something that only its later transforms move.
     #[must_use]
     pub fn attach<T>(&self, what: T) -> Attached<T> {

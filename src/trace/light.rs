@@ -3,7 +3,7 @@
 use super::area::Lamps;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen, Way};
+use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
 use crate::light::Arrival;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
@@ -26,6 +26,8 @@ pub(super) struct Lit<'p> {
     pub(super) view: DVec3,
     pub(super) departure: &'p Departure,
     pub(super) path: &'p Path,
+    /// By light, what lies between, as far as that is known.
+    pub(super) ways: &'p [Option<Way>],
     pub(super) is_double_illuminated: bool,
     /// The numbers of the lights that shine on it.
     pub(super) lights: &'p [u32],
@@ -154,12 +156,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let ray = Ray::new(lit.point, arrival.to_light);
         let distance = arrival.distance;
-        let mut query = Query {
-            ray,
-            from: Some(*lit.departure),
-            far: self.world.reach(ray.at(distance), distance),
-            seen: Seen::Shadow,
-        };
+        let mut query = shadow_query(self.world, lit.departure, ray, distance);
         let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
             return Rgb::BLACK;
         };
@@ -169,7 +166,8 @@ impl Tracer<'_> {
             return arriving;
         }
         let minds_air = source.media_attenuation && !self.world.fogs.is_empty();
-        match self.world.way(&query, light, scratch) {
+        let known = lit.ways.get(light as usize).copied().flatten();
+        match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
             Way::Free | Way::Filtered => {}
             Way::Blocked => return Rgb::BLACK,
@@ -180,8 +178,10 @@ impl Tracer<'_> {
             let hit = self.world.nearest(&query, scratch);
             if minds_air {
                 let length = hit.map_or(left, |hit| hit.t);
-                if let Some(air) = self.air(&query.ray, length, &inside) {
-                    arriving *= air.factor;
+                if let Some(fog) = self.fog(&query.ray, length)
+                    && self.is_in_air(&inside)
+                {
+                    arriving *= fog.factor;
                 }
             }
             let Some(hit) = hit else {
@@ -243,6 +243,28 @@ pub(super) fn shine(shining: &Shining, lit: &Lit, coat: &Coat, scratch: &mut Scr
 fn grain(scratch: &mut Scratch) -> f64 {
     scratch.crand = hash::next(scratch.crand);
     f64::from(scratch.crand) / f64::from(u32::MAX)
+}
+
+/// The question what lies between a point and a light.
+pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: f64) -> Query {
+    Query {
+        ray,
+        from: Some(*from),
+        far: world.reach(ray.at(distance), distance),
+        seen: Seen::Shadow,
+    }
+}
+
+/// Whether light at this cosine to the normal can matter to a surface.
+pub(super) fn faces(surface: &Surface, cosine: f64) -> bool {
+    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
+    let mut layers = textures
+        .into_iter()
+        .flatten()
+        .flat_map(|texture| texture.layers());
+    cosine >= NOTHING
+        || surface.flags.double_illuminate
+        || layers.any(|layer| layer.finish.diffuse_back != 0.0)
 }
 
 pub(super) fn is_nothing(light: Rgb) -> bool {

@@ -6,6 +6,7 @@
 
 mod air;
 mod area;
+mod block;
 mod lens;
 mod light;
 mod passage;
@@ -13,9 +14,11 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use crate::atmosphere::{self, Tint, WAY_TO_NOTHING};
+use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, InteriorId, Query, Scratch, Seen, World};
+pub use block::{BLOCK, BlockScratch};
+use air::Air;
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use smallvec::SmallVec;
@@ -77,7 +80,7 @@ struct Passed {
     factor: Rgb,
     transmit: f32,
     reflected: Rgb,
-    air: Option<Tint>,
+    air: Option<Air>,
 }
 
 /// The tracer of one world at one quality.
@@ -99,7 +102,7 @@ impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
         let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
-        let minds_interiors = !is_all_opaque || has_fresnel || !world.fogs.is_empty();
+        let minds_interiors = !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -126,8 +129,7 @@ impl<'w> Tracer<'w> {
     /// pixels. Where the camera has no ray the sample is black and lets everything through.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
-        scratch.stream = Stream::of_sample(x, y);
-        scratch.crand = seed_of_sample(x, y);
+        begin_sample(x, y, scratch);
         match &self.world.lens {
             Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
             None => {
@@ -139,47 +141,63 @@ impl<'w> Tracer<'w> {
 
     /// What a ray of the camera sees, or nothing where the camera has none.
     fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
-        let Some(ray) = ray else {
-            return Sample {
+        match ray {
+            Some(ray) => self.trace(self.camera_path(ray), None, scratch),
+            None => Sample {
                 rgb: Rgb::BLACK,
                 transmit: 1.0,
-            };
-        };
+            },
+        }
+    }
+
+    fn camera_path(&self, ray: Ray) -> Path {
         let inside = if self.minds_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
             Inside::from_slice(&self.around_camera)
         };
-        let path = Path {
+        Path {
             ray,
             from: None,
             seen: Seen::Image,
             level: 0,
             weight: 1.0,
             inside,
-        };
-        self.trace(path, scratch)
+        }
     }
 
-    /// What a ray sees.
-    fn trace(&self, mut path: Path, scratch: &mut Scratch) -> Sample {
+    /// What a ray sees. `first` is what it meets first and what lies between there and the lights, where that is known.
+    fn trace(
+        &self,
+        mut path: Path,
+        mut first: Option<(Option<Hit>, &[Option<Way>])>,
+        scratch: &mut Scratch,
+    ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
         let end = loop {
             if !self.is_worth(&path) || passed.len() == MOST_PASSED {
                 break Sample::BLACK;
             }
-            let query = Query {
-                ray: path.ray,
-                from: path.from,
-                far: f64::INFINITY,
-                seen: path.seen,
-            };
-            let Some(hit) = self.world.nearest(&query, scratch) else {
-                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside);
+            let (hit, ways) = first.take().unwrap_or_else(|| {
+                let query = Query {
+                    ray: path.ray,
+                    from: path.from,
+                    far: f64::INFINITY,
+                    seen: path.seen,
+                };
+                (self.world.nearest(&query, scratch), &[])
+            });
+            let Some(hit) = hit else {
+                let air = self.air(
+                    &path.ray,
+                    WAY_TO_NOTHING,
+                    &path.inside,
+                    &mut scratch.stream,
+                );
                 break self.behind_everything(&path).through(air);
             };
-            let air = self.air(&path.ray, hit.t, &path.inside);
-            let view = self.shade(&path, &hit, scratch);
+            let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);
+            let view = self.shade(&path, &hit, ways, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
@@ -250,6 +268,12 @@ impl Background {
             transmit: (sky.factor * self.transmission).grey(),
         }
     }
+}
+
+/// Starts the random numbers of a sample.
+fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
+    scratch.stream = Stream::of_sample(x, y);
+    scratch.crand = seed_of_sample(x, y);
 }
 
 /// The background for camera rays and for mirror images.
