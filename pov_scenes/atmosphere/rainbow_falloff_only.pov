@@ -1,4 +1,4 @@
-// `falloff_angle` alone lets the arc fade until it is half around.
+// `falloff_angle` alone does not end the arc.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2, -9> look_at <0, 2, 0> angle 80 }

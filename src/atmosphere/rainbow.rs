@@ -8,10 +8,12 @@ use crate::math::noise::smooth;
 use crate::pattern::Map;
 use crate::source::{Diagnostic, Span};
 use glam::DVec3;
-use std::f64::consts::PI;
 
 /// A direction or an angle below this is none, and the last colour of the arc ends so far before its edge.
 const NOTHING: f64 = 1e-10;
+/// The two angles of arcs that give none, in radians: beyond any angle. With `falloff_angle` alone the arc fades
+/// towards this one, which is to say hardly (measured).
+const EVERYWHERE: f64 = 360.0;
 /// The `distance` of rainbows that give none.
 const FAR: f64 = 1e7;
 
@@ -57,8 +59,8 @@ impl Rainbow {
             width: 0.0,
             distance: FAR,
             jitter: 0.0,
-            arc_angle: PI,
-            falloff_angle: PI,
+            arc_angle: EVERYWHERE,
+            falloff_angle: EVERYWHERE,
             right: DVec3::ZERO,
         }
     }
@@ -246,10 +248,8 @@ mod tests {
     fn colours_lie_around_the_angle() {
         let rainbow = read("{ direction <0, 0, 2> angle 40 width 4 }").unwrap();
         assert!(tint(&rainbow, 37.9, 0.0).is_none() && tint(&rainbow, 42.1, 0.0).is_none());
-        let middle = tint(&rainbow, 40.0, 200.0);
-        // Without angles of its own the arc ends half around.
-        assert!(middle.is_none());
-        let middle = tint(&rainbow, 40.0, 50.0).expect("it is there");
+        // Without angles of its own the arc goes all around.
+        let middle = tint(&rainbow, 40.0, 170.0).expect("it is there");
         assert_eq!(middle.factor, Rgb::BLACK);
         assert!((middle.added.r - 0.5).abs() < 1e-6);
     }
