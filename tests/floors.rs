@@ -38,6 +38,11 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("texture", "function"),
     // The sky is painted with pigments.
     ("atmosphere", "texture"),
+    // The colours of a rainbow are a map.
+    ("atmosphere", "pattern"),
+    // The bokeh of a camera is painted with a pigment.
+    ("camera", "texture"),
+    ("camera", "pattern"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
     // The triangles of a mesh have textures of their own.

@@ -6,7 +6,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
-use crate::atmosphere::{Fog, SkySphere};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
@@ -494,6 +494,11 @@ impl Reader<'_> {
                 self.pass();
                 let fog = Fog::read(self)?;
                 Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::Rainbow => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                Ok(Some(Value::Element(Element::new("rainbow", rainbow))))
             }
             Word::SkySphere => {
                 self.pass();

@@ -9,6 +9,7 @@ pub(crate) mod enclosed;
 pub(crate) mod exact;
 pub mod hash;
 pub(crate) mod hyperbolic;
+mod jitter;
 pub(crate) mod lanes;
 pub mod mersenne;
 pub mod noise;
@@ -23,6 +24,7 @@ mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
+pub use jitter::jitter;
 pub use ray::Ray;
 pub use spline::{Spline, SplineKind};
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};
