@@ -15,6 +15,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod height_field;
+mod julia_fractal;
 mod mesh;
 mod mesh2;
 mod mesh_build;
@@ -36,6 +37,7 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use julia_fractal::JuliaFractal;
 pub use mesh::Mesh;
 pub use plane::Plane;
 pub use skin::{Share, Shares, Skin};
@@ -292,6 +294,8 @@ shapes! {
     BicubicPatch from BicubicPatch,
     /// `text`
     Text from Text,
+    /// `julia_fractal`
+    JuliaFractal from JuliaFractal,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.

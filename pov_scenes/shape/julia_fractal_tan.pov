@@ -1,0 +1,11 @@
+// A Julia fractal of the function tan.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1, 1.5, -4> look_at 0 angle 45 }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+julia_fractal {
+  <-0.1, 0.4, -0.2, 0.3>
+  hypercomplex tan max_iteration 6 precision 30
+  pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
+ scale 0.5 }
