@@ -24,8 +24,8 @@
 
 pub mod accel;
 pub mod args;
-pub mod bitmap;
 pub mod atmosphere;
+pub mod bitmap;
 pub mod camera;
 pub mod cli;
 pub mod color;

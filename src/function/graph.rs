@@ -78,7 +78,9 @@ pub(super) struct Loop {
 impl Select {
     /// The parts that are computed each by itself.
     pub(super) fn parts(&self) -> impl Iterator<Item = &Block> {
-        [&self.negative, &self.zero].into_iter().chain(&self.positive)
+        [&self.negative, &self.zero]
+            .into_iter()
+            .chain(&self.positive)
     }
 }
 

@@ -230,12 +230,14 @@ pub fn read_of_point(args: &mut dyn Args) -> Parse<Arc<Function>> {
             function.parameters()
         )
     } else if !function.is_scalar() {
-        "a function that gives one number is wanted here, this one gives a vector or colour".to_owned()
+        "a function that gives one number is wanted here, this one gives a vector or colour"
+            .to_owned()
     } else {
         return Ok(function);
     };
     Err(Box::new(
-        Diagnostic::error(args.last_span(), wrong)
-            .with_hint("Declare it first, and write a formula that calls it: `function { F(x, y, z).gray }`."),
+        Diagnostic::error(args.last_span(), wrong).with_hint(
+            "Declare it first, and write a formula that calls it: `function { F(x, y, z).gray }`.",
+        ),
     ))
 }

@@ -202,7 +202,9 @@ impl Program {
         let mut cost = 0u64;
         for (at, op) in self.ops.iter().enumerate() {
             around.retain(|(end, _)| at < *end);
-            let times = around.iter().fold(1u64, |n, (_, rounds)| n.saturating_mul(*rounds));
+            let times = around
+                .iter()
+                .fold(1u64, |n, (_, rounds)| n.saturating_mul(*rounds));
             let one = match op {
                 Op::Call { at, .. } => self.calls[*at as usize].function.cost(),
                 Op::Loop { at: site, .. } => {

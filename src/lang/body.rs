@@ -447,7 +447,11 @@ impl Reader<'_> {
         let value = self.body_expression(body);
         body.variables.pop();
         let block = body.graph.close(value?);
-        self.expect_end(')', &format!("an operator or `)` at the end of `{word}(...)`"), open)?;
+        self.expect_end(
+            ')',
+            &format!("an operator or `)` at the end of `{word}(...)`"),
+            open,
+        )?;
         Ok(body.graph.repeat(fold, variable, (from, to), block))
     }
 }

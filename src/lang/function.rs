@@ -226,7 +226,13 @@ impl Reader<'_> {
             return Ok(Arc::new(Function::of(computes)));
         }
         let parameters = named.map_or_else(
-            || vec![Name::Word(Word::X), Name::Word(Word::Y), Name::Word(Word::Z)],
+            || {
+                vec![
+                    Name::Word(Word::X),
+                    Name::Word(Word::Y),
+                    Name::Word(Word::Z),
+                ]
+            },
             |named| named.0,
         );
         let count = parameters.len();

@@ -72,7 +72,11 @@ mod tests {
             (atanh(-0.3), -0.309_519_604_203_111_75),
         ];
         for (found, expected) in known {
-            assert_eq!(found.to_bits(), f64::to_bits(expected), "{found} {expected}");
+            assert_eq!(
+                found.to_bits(),
+                f64::to_bits(expected),
+                "{found} {expected}"
+            );
         }
         assert!(acosh(0.5).is_nan() && atanh(1.5).is_nan() && asinh(f64::NAN).is_nan());
         assert!(atanh(1.0).is_infinite() && acosh(1.0) == 0.0);

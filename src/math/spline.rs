@@ -225,7 +225,10 @@ mod tests {
 
     fn close(spline: &Spline, t: f64, expected: f64) {
         let found = spline.at(t)[0];
-        assert!((found - expected).abs() < 1e-6, "at {t}: {found}, not {expected}");
+        assert!(
+            (found - expected).abs() < 1e-6,
+            "at {t}: {found}, not {expected}"
+        );
     }
 
     /// Printed by POV-Ray 3.7.
@@ -234,9 +237,15 @@ mod tests {
         let points = [(0.0, 0.0), (1.0, 3.0), (2.0, 1.0), (3.5, 2.0), (5.0, 3.0)];
         let known = [
             (SplineKind::Linear, [0.75, 2.4, 1.466_667, 2.333_333]),
-            (SplineKind::Quadratic, [1.218_75, 2.925, 0.869_333, 2.333_333]),
+            (
+                SplineKind::Quadratic,
+                [1.218_75, 2.925, 0.869_333, 2.333_333],
+            ),
             (SplineKind::Cubic, [3.0, 2.6835, 1.201_185, 2.0]),
-            (SplineKind::Natural, [1.095_424, 2.681_75, 0.881_778, 2.519_841]),
+            (
+                SplineKind::Natural,
+                [1.095_424, 2.681_75, 0.881_778, 2.519_841],
+            ),
         ];
         for (kind, values) in known {
             for (t, value) in [0.25, 1.3, 2.7, 4.0].into_iter().zip(values) {
@@ -258,17 +267,29 @@ mod tests {
         close(&spline(Quadratic, &two), 1.3, 0.45);
         close(&spline(Natural, &two), 1.3, 0.45);
         close(&spline(Cubic, &two), 9.0, 1.5);
-        close(&spline(Cubic, &[(0.0, 0.0), (1.0, 3.0), (2.0, 1.0)]), 0.2, 3.0);
+        close(
+            &spline(Cubic, &[(0.0, 0.0), (1.0, 3.0), (2.0, 1.0)]),
+            0.2,
+            3.0,
+        );
     }
 
     /// Printed by POV-Ray 3.7.
     #[test]
     fn equal_keys_replace_but_for_the_last() {
         use SplineKind::Linear;
-        close(&spline(Linear, &[(0.0, 0.0), (1.0, 10.0), (1.0, 20.0)]), 1.0, 10.0);
+        close(
+            &spline(Linear, &[(0.0, 0.0), (1.0, 10.0), (1.0, 20.0)]),
+            1.0,
+            10.0,
+        );
         let earlier = [(0.0, 0.0), (2.0, 50.0), (1.0, 10.0), (1.0, 20.0)];
         close(&spline(Linear, &earlier), 1.0, 20.0);
-        close(&spline(Linear, &[(0.0, 0.0), (0.0, 5.0), (2.0, 50.0)]), 0.0, 5.0);
+        close(
+            &spline(Linear, &[(0.0, 0.0), (0.0, 5.0), (2.0, 50.0)]),
+            0.0,
+            5.0,
+        );
     }
 
     #[test]

@@ -57,11 +57,15 @@ mod tests {
         fs::write(folder.path().join("a.png"), [1, 2]).unwrap();
         let mut sources = Sources::new(vec![folder.path().to_owned()]);
         let scene = sources.add_text("x", "");
-        let first = sources.find_bytes("the file", "a", scene, &[".png"]).unwrap();
+        let first = sources
+            .find_bytes("the file", "a", scene, &[".png"])
+            .unwrap();
         let second = sources.find_bytes("the file", "a.png", scene, &[]).unwrap();
         assert_eq!(*first, [1, 2]);
         assert!(Arc::ptr_eq(&first, &second));
-        let error = sources.find_bytes("the file", "a", scene, &[".gif"]).unwrap_err();
+        let error = sources
+            .find_bytes("the file", "a", scene, &[".gif"])
+            .unwrap_err();
         assert!(error.message.starts_with("cannot find the file `a` in "));
     }
 }

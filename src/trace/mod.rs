@@ -16,11 +16,11 @@ mod tests;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-pub use block::{BLOCK, BlockScratch};
-use air::Air;
 use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
+use air::Air;
+pub use block::{BLOCK, BlockScratch};
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -102,7 +102,8 @@ impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
         let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
-        let minds_interiors = !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
+        let minds_interiors =
+            !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -188,12 +189,7 @@ impl<'w> Tracer<'w> {
                 (self.world.nearest(&query, scratch), &[])
             });
             let Some(hit) = hit else {
-                let air = self.air(
-                    &path.ray,
-                    WAY_TO_NOTHING,
-                    &path.inside,
-                    &mut scratch.stream,
-                );
+                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside, &mut scratch.stream);
                 break self.behind_everything(&path).through(air);
             };
             let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);

@@ -142,8 +142,7 @@ fn boy_surface(p: &[f64]) -> f64 {
     let last = -81.0 * round * round - 72.0 * zz * round
         + 108.0 * root * x * z * (x * x - 3.0 * y * y)
         + 4.0 * zz * zz;
-    let value = 64.0 * cube(rest * z)
-        - 48.0 * rest * rest * zz * (3.0 * round + 2.0 * zz)
+    let value = 64.0 * cube(rest * z) - 48.0 * rest * rest * zz * (3.0 * round + 2.0 * zz)
         + 12.0 * rest * z * third
         + (9.0 * round - 2.0 * zz) * last;
     limited(p[3] * p[4] * value)

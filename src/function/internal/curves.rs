@@ -14,17 +14,26 @@ pub(super) static LIST: &[Internal] = &[
     Internal::new(1, "f_algbr_cyl2", 5, |p| {
         let (x, y) = plane(p, 5);
         let (xx, yy) = (x * x, y * y);
-        cut(-p[3] * (yy - 2.0 * yy * y + yy * yy - 3.0 * xx * y + 2.0 * xx * xx), p[4])
+        cut(
+            -p[3] * (yy - 2.0 * yy * y + yy * yy - 3.0 * xx * y + 2.0 * xx * xx),
+            p[4],
+        )
     }),
     Internal::new(2, "f_algbr_cyl3", 5, |p| {
         let (x, y) = plane(p, 5);
         let (xx, yy) = (x * x, y * y);
-        cut(-p[3] * (yy - x * yy - 2.0 * xx * y + xx * yy + xx * xx), p[4])
+        cut(
+            -p[3] * (yy - x * yy - 2.0 * xx * y + xx * yy + xx * xx),
+            p[4],
+        )
     }),
     Internal::new(3, "f_algbr_cyl4", 5, |p| {
         let (x, y) = plane(p, 5);
         let (xx, yy) = (x * x, y * y);
-        cut(p[3] * (yy * y - yy * yy - 3.0 * xx * y - 2.0 * xx * yy - xx * xx), p[4])
+        cut(
+            p[3] * (yy * y - yy * yy - 3.0 * xx * y - 2.0 * xx * yy - xx * xx),
+            p[4],
+        )
     }),
     Internal::new(15, "f_devils_curve_2d", 6, |p| {
         let (x, y) = plane(p, 6);

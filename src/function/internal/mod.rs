@@ -34,7 +34,12 @@ impl fmt::Debug for Internal {
 
 impl Internal {
     /// A row of the lists: `N` is three for the point and one for each further parameter.
-    const fn new(number: u16, name: &'static str, extra: usize, formula: fn(&[f64]) -> f64) -> Self {
+    const fn new(
+        number: u16,
+        name: &'static str,
+        extra: usize,
+        formula: fn(&[f64]) -> f64,
+    ) -> Self {
         Internal {
             number,
             name,
@@ -108,11 +113,23 @@ mod tests {
     fn values_are_those_of_pov_ray() {
         let known = [
             (value(61, &[1.0, 2.0, 3.0, 1.0]), 2.741_657_386_774),
-            (value(27, &[-0.8794, 0.9635, -0.5519, 1.0]), 0.471_309_927_238),
+            (
+                value(27, &[-0.8794, 0.9635, -0.5519, 1.0]),
+                0.471_309_927_238,
+            ),
             (value(28, &[0.1972, 0.742, -1.3218, 1.0]), 0.200_219_790_374),
-            (value(53, &[0.5104, -0.2544, 1.2333, 1.0]), 0.486_517_621_494),
-            (value(43, &[1.3413, 0.0032, -0.4423, 1.0]), -1.688_290_509_747),
-            (value(78, &[-1.3825, -1.1099, -1.4974, 1.0]), 0.913_278_597_911),
+            (
+                value(53, &[0.5104, -0.2544, 1.2333, 1.0]),
+                0.486_517_621_494,
+            ),
+            (
+                value(43, &[1.3413, 0.0032, -0.4423, 1.0]),
+                -1.688_290_509_747,
+            ),
+            (
+                value(78, &[-1.3825, -1.1099, -1.4974, 1.0]),
+                0.913_278_597_911,
+            ),
         ];
         for (found, expected) in known {
             assert!((found - expected).abs() < 1e-11, "{found}, not {expected}");

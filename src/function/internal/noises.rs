@@ -120,7 +120,11 @@ fn ridge(p: &[f64]) -> f64 {
         at *= lambda;
         size *= omega;
         // The last one may be a part.
-        let part = if octave + 1.0 > octaves { octaves.fract() } else { 1.0 };
+        let part = if octave + 1.0 > octaves {
+            octaves.fract()
+        } else {
+            1.0
+        };
         sum += part * size * folded(at);
         sizes += part * size;
         octave += 1.0;

@@ -67,7 +67,18 @@ fn comma(p: &[f64]) -> f64 {
 /// A thread wound about a torus, with grooves.
 fn helical_torus(p: &[f64]) -> f64 {
     let (x, y, z) = (p[0], p[1], p[2]);
-    let [major, loops, twist, fatness, threshold, minor, spread, period, depth, phase] = p[3..13]
+    let [
+        major,
+        loops,
+        twist,
+        fatness,
+        threshold,
+        minor,
+        spread,
+        period,
+        depth,
+        phase,
+    ] = p[3..13]
     else {
         return 0.0;
     };
@@ -128,7 +139,10 @@ fn hex_x(p: &[f64]) -> f64 {
         for column in [column - 1.0, column, column + 1.0] {
             let across = x - width * (column + shift);
             let (half, tilted) = (across / 2.0, down * HALF_ROOT_3);
-            let size = across.abs().max((half + tilted).abs()).max((half - tilted).abs());
+            let size = across
+                .abs()
+                .max((half + tilted).abs())
+                .max((half - tilted).abs());
             nearest = nearest.min(size);
         }
     }
