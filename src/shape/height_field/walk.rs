@@ -122,7 +122,7 @@ impl Field {
 
     /// The height of the plane of a triangle.
     #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
-    fn ground(&self, point: DVec3, face: u32) -> f64 {
+    pub(super) fn ground(&self, point: DVec3, face: u32) -> f64 {
         let (x, z, is_far) = self.cell(face);
         let (u, v) = (point.x - x as f64, point.z - z as f64);
         let (right, up) = (self.height(x + 1, z), self.height(x, z + 1));
