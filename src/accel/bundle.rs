@@ -188,8 +188,8 @@ impl Bundle {
     fn farthest(&self) -> f32 {
         let mut farthest = [f32::NEG_INFINITY; LANES];
         for group in &self.groups {
-            for i in 0..LANES {
-                farthest[i] = larger(group.end[i], farthest[i]);
+            for (farthest, end) in farthest.iter_mut().zip(group.end) {
+                *farthest = larger(end, *farthest);
             }
         }
         farthest.into_iter().fold(f32::NEG_INFINITY, larger)
@@ -297,9 +297,9 @@ impl Group {
                 .map(|lanes| lanes.iter().sum::<f32>() / LANES as f32),
         );
         let mut off = [0.0; LANES];
-        for i in 0..LANES {
+        for (i, off) in off.iter_mut().enumerate() {
             let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
-            off[i] = x * x + y * y + z * z;
+            *off = x * x + y * y + z * z;
         }
         let farthest = off.into_iter().fold(0.0, larger);
         (middle, farthest.sqrt() + 4.0 * DOUBT)
@@ -441,9 +441,9 @@ impl Kernel for PyramidAndNode<'_> {
             met &= dot(all(normal), corner).not_above(E::all(pyramid.offsets[side]));
         }
         let mut near_sq = E::all(0.0);
-        for axis in 0..3 {
-            let below = E::load(&planes[axis][0]).minus(E::all(pyramid.high[axis]));
-            let above = E::all(pyramid.low[axis]).minus(E::load(&planes[axis][1]));
+        for (axis, [low, high]) in planes.iter().enumerate() {
+            let below = E::load(low).minus(E::all(pyramid.high[axis]));
+            let above = E::all(pyramid.low[axis]).minus(E::load(high));
             let gap = below.larger(above).larger(E::all(0.0));
             near_sq = near_sq.plus(gap.times(gap));
         }

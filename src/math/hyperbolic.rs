@@ -27,7 +27,7 @@ pub(crate) fn asinh(x: f64) -> f64 {
 /// The inverse of `cosh`; not a number below 1.
 pub(crate) fn acosh(x: f64) -> f64 {
     if x < 1.0 {
-        (x - x) / (x - x)
+        f64::NAN
     } else if x >= LARGE {
         x.ln() + LN_2
     } else if x > 2.0 {
@@ -49,7 +49,7 @@ pub(crate) fn atanh(x: f64) -> f64 {
     } else if a < 1.0 {
         0.5 * ((a + a) / (1.0 - a)).ln_1p()
     } else if a > 1.0 {
-        return (x - x) / (x - x);
+        return f64::NAN;
     } else {
         return x / 0.0;
     };

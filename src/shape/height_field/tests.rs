@@ -16,8 +16,7 @@ fn field(width: usize, rows: &[u16], water: f64, is_smooth: bool) -> HeightField
 fn hills(width: usize, water: f64) -> HeightField {
     let mut rng = check::Random::new(7);
     let rows: Vec<u16> = (0..width * width)
-        .map(|_| (rng.vector(0.5).x + 0.5) * 60000.0)
-        .map(|height| u16::try_from(height as i64).unwrap())
+        .map(|_| u16::try_from(rng.bits() % 60_000).unwrap())
         .collect();
     field(width, &rows, water, false)
 }
