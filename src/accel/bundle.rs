@@ -28,6 +28,8 @@ pub struct Bundle {
     /// In the frame of the tree.
     origin: DVec3,
     groups: Vec<Group>,
+    /// How many rays there are; the last group may have room for more.
+    count: usize,
     cones: Vec<Cones>,
     pyramid: Pyramid,
     /// Frame lengths of world lengths.
@@ -98,6 +100,7 @@ impl Bundle {
         if !is_near || count == 0 || !self.scale.is_normal() {
             return false;
         }
+        self.count = count;
         self.groups.clear();
         self.groups.resize(count.div_ceil(LANES), Group::EMPTY);
         let mut last = Vec3::ZERO;
@@ -235,6 +238,10 @@ impl Bundle {
                 while rays != 0 {
                     let lane = rays.trailing_zeros() as usize;
                     rays &= rays - 1;
+                    // Sizes without end meet what has none as well: the empty places behind the last ray.
+                    if place * LANES + lane >= self.count {
+                        break;
+                    }
                     #[allow(clippy::cast_possible_truncation, reason = "a bundle has few rays")]
                     if let Some(end) = visit((place * LANES + lane) as u32) {
                         let end = frame_end(end, self.scale);
