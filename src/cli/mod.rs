@@ -1,6 +1,6 @@
 //! The command line: POV-Ray's switches and ini files, a few long options beside them, and commands by name.
 //!
-//! `povr scene.pov +W320 ...` draws, as `povray` would. `povr NAME ...` is the command of that name in [`COMMANDS`]: one
+//! `povr scene.pov +W320 ...` draws, as `povray` would. `povr NAME ...` is the command of that name in `COMMANDS`: one
 //! file each. What was typed goes into `Typed` option by option, later ones winning; `settings` decides what that means.
 //! Arguments that begin with `--`, and `-o`, are read by clap; all others as POV-Ray reads them. Both kinds may be mixed.
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.

@@ -2,7 +2,7 @@
 //!
 //! Each is a formula of a point and of the extra parameters that functions.inc describes. The formulas were found from
 //! the shapes' mathematics and by fitting, and compared with the values that POV-Ray 3.7 prints at many points.
-//! Most of the algebraic surfaces are cut off at [`LIMIT`]: they grow fast away from the surface.
+//! Most of the algebraic surfaces are cut off at `LIMIT`: they grow fast away from the surface.
 
 mod algebraic;
 mod curves;
