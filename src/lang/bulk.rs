@@ -4,6 +4,7 @@
 //! that cannot go on with an expression. Everything else (a name, an operator, a directive) is left to the reader of
 //! expressions.
 
+use super::cursor::Place;
 use super::reader::Reader;
 use crate::syntax::{Kind, Tokens};
 use std::rc::Rc;
@@ -27,8 +28,10 @@ impl Reader<'_> {
             self.here.at = after;
         }
         if self.here.at > start {
-            self.last = (tokens.file, self.here.at - 1);
-            self.last_tokens = tokens;
+            self.last = Place {
+                tokens,
+                at: self.here.at - 1,
+            };
         }
     }
 }

@@ -22,7 +22,7 @@ impl Reader<'_> {
             self.string()?;
         }
         let symbol = self.identifier("a name to declare")?;
-        let name_span = self.taken_span();
+        let name = self.start_taken();
         if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
             return self.declare_item(symbol);
         }
@@ -59,7 +59,8 @@ impl Reader<'_> {
                 self.assign(symbol, Value::Poison, is_local);
                 let spelling = self.names.spelling(symbol).to_owned();
                 let error = self.expected_here(&format!("a value for `{spelling}`"));
-                Err(Box::new(error.with_label(name_span, "declared here")))
+                let name = self.span_of(name);
+                Err(Box::new(error.with_label(name, "declared here")))
             }
             Err(error) => {
                 self.assign(symbol, Value::Poison, is_local);
@@ -205,7 +206,7 @@ impl Reader<'_> {
         let token = self.peek()?;
         let name = if token.kind == Kind::String {
             self.pass();
-            self.last_tokens.string_raw(token.value).into_owned()
+            self.last.tokens.string_raw(token.value).into_owned()
         } else {
             self.string()?
         };
@@ -259,11 +260,7 @@ impl Reader<'_> {
             back: self.here.clone(),
             from,
         };
-        self.frames.push(Frame {
-            home: Rc::clone(&tokens),
-            end: u32::MAX,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&tokens), u32::MAX, kind);
         self.scopes.enter();
         self.here = Place { tokens, at: 0 };
         Ok(())

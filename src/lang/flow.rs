@@ -1,6 +1,6 @@
 //! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
 
-use super::cursor::{Entered, Frame, Place};
+use super::cursor::{Entered, Frame, Place, Start};
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
@@ -186,11 +186,7 @@ impl Reader<'_> {
     /// Enters the group of the directive at `index` of the file at hand.
     fn enter(&mut self, index: usize, kind: Entered) {
         let (_, end) = self.group(index);
-        self.frames.push(Frame {
-            home: Rc::clone(&self.here.tokens),
-            end,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&self.here.tokens), end, kind);
     }
 
     fn innermost(&self) -> Option<&Entered> {
@@ -255,11 +251,12 @@ impl Reader<'_> {
 
     fn run_while(&mut self, index: usize) -> Parse<()> {
         let home = Rc::clone(&self.here.tokens);
-        let span = home.span(index);
-        self.count_round(index, self.group(index).1, span)?;
+        let (_, end) = self.group(index);
+        self.count_round(index, end, Start::of(&home, index))?;
         if self.condition()? {
             return Ok(());
         }
+        let span = home.span(index);
         self.stay_in(&home, span)?;
         self.frames.pop();
         let (_, end) = self.group(index);
@@ -405,7 +402,7 @@ impl Reader<'_> {
                     self.here.at = body;
                     self.here.tokens = Rc::clone(&frame.home);
                     let end = frame.end;
-                    self.count_round(body, end, span)?;
+                    self.count_round(body, end, self.start_taken())?;
                 }
                 self.scopes
                     .declare(variable, Value::Number(Number::float(value)));
@@ -448,9 +445,9 @@ impl Reader<'_> {
     }
 
     /// Counts the tokens from `from` to the `#end` of a loop, which are read once more.
-    fn count_round(&mut self, from: usize, end: u32, span: Span) -> Parse<()> {
+    fn count_round(&mut self, from: usize, end: u32, at: Start) -> Parse<()> {
         let end = (end as usize).min(self.here.tokens.tokens.len());
-        self.count_again(end.saturating_sub(from), span)
+        self.count_again(end.saturating_sub(from), at)
     }
 
     /// The bracketed condition of `#if`, `#elseif` or `#while`.
@@ -460,7 +457,7 @@ impl Reader<'_> {
 
     fn number_in_parentheses(&mut self) -> Parse<f64> {
         self.expect_mark('(', "`(`")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let value = self.condition_value()?;
         self.expect_end(')', "an operator or `)`", open)?;
         Ok(value)

@@ -1,12 +1,13 @@
 //! Macros: text that is put in place of its call.
 
-use super::cursor::{Entered, Frame, Place};
+use super::cursor::{Entered, Place, Start};
 use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Parse, Word};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol, Tokens};
+use smallvec::SmallVec;
 use std::rc::Rc;
 
 /// A declared macro.
@@ -24,6 +25,9 @@ enum Argument {
     Reference((Symbol, usize)),
     Value(Value),
 }
+
+/// Few macros have more parameters than this.
+type Arguments = SmallVec<[Argument; 6]>;
 
 impl Reader<'_> {
     /// `#macro Name(A, B) ... #end`: keeps the place of the body and goes behind its `#end`.
@@ -74,32 +78,26 @@ impl Reader<'_> {
 
     /// The call at hand: reads its arguments and enters the body.
     pub(super) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
-        let call = self.here_span();
         self.pass();
+        let call = self.start_taken();
         let arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
         if self.scopes.depth() as usize >= limits::CALLS {
             return Err(self.with_trace(
                 Diagnostic::error(
-                    call,
+                    self.span_of(call),
                     format!("macros call each other more than {} deep", limits::CALLS),
                 )
                 .with_hint("A macro that calls itself needs an `#if` that ends the recursion."),
             ));
         }
-        self.count_again(
-            called.end as usize - called.body.min(called.end as usize),
-            call,
-        )?;
+        let length = (called.end as usize).saturating_sub(called.body);
+        self.count_again(length, call)?;
         let kind = Entered::Macro {
             back: self.here.clone(),
             call,
             name,
         };
-        self.frames.push(Frame {
-            home: Rc::clone(&called.tokens),
-            end: called.end,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
         for (&parameter, argument) in called.parameters.iter().zip(arguments) {
             match argument {
@@ -114,20 +112,17 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn macro_arguments(
-        &mut self,
-        name: Symbol,
-        called: &Macro,
-        call: Span,
-    ) -> Parse<Vec<Argument>> {
-        let spelling = self.names.spelling(name).to_owned();
+    fn macro_arguments(&mut self, name: Symbol, called: &Macro, call: Start) -> Parse<Arguments> {
         if !self.take_mark('(')? {
-            return Err(self.expected_here(&format!("`(` after the macro `{spelling}`")));
+            let spelling = self.names.spelling(name);
+            let what = format!("`(` after the macro `{spelling}`");
+            return Err(self.expected_here(&what));
         }
-        let mut arguments = Vec::with_capacity(called.parameters.len());
+        let mut arguments = Arguments::new();
         let wanted = called.parameters.len();
         while !self.take_mark(')')? {
             if arguments.len() == wanted {
+                let spelling = self.names.spelling(name);
                 let error = self.error_here(format!(
                     "the macro `{spelling}` takes {wanted} {}, found a further one",
                     arguments_word(wanted)
@@ -139,9 +134,10 @@ impl Reader<'_> {
         }
         if arguments.len() < wanted {
             let found = arguments.len();
+            let spelling = self.names.spelling(name);
             return Err(self.with_trace(
                 Diagnostic::error(
-                    call,
+                    self.span_of(call),
                     format!(
                         "the macro `{spelling}` takes {wanted} {}, found {found}",
                         arguments_word(wanted)

@@ -17,6 +17,7 @@ mod limits;
 mod macros;
 mod object;
 mod reader;
+mod replay;
 mod scope;
 mod similar;
 mod statement;

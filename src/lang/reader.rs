@@ -3,6 +3,7 @@
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
 use super::limits;
+use super::replay::{Recording, Replays};
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
@@ -25,9 +26,8 @@ pub(super) struct Reader<'a> {
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
     pub(super) here: Place,
-    /// The token last taken: its file and index, and the tokens it is one of.
-    pub(super) last: (FileId, usize),
-    pub(super) last_tokens: Rc<Tokens>,
+    /// The token last taken.
+    pub(super) last: Place,
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
@@ -43,6 +43,9 @@ pub(super) struct Reader<'a> {
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
     pub(super) without_semicolon: Option<(crate::source::Span, Place, usize)>,
+    pub(super) replays: Replays,
+    /// The steps of the expression being read, if they can be kept.
+    pub(super) recording: Option<Recording>,
     pub(super) budget: Budget,
     /// Whether a limit was met behind which nothing more is read.
     pub(super) is_over: bool,
@@ -105,8 +108,10 @@ impl<'a> Reader<'a> {
             options,
             names,
             tokenized: FxHashMap::default(),
-            last: (file, 0),
-            last_tokens: Rc::clone(&tokens),
+            last: Place {
+                tokens: Rc::clone(&tokens),
+                at: 0,
+            },
             here: Place { tokens, at: 0 },
             frames: Vec::new(),
             scopes: Scopes::default(),
@@ -116,6 +121,8 @@ impl<'a> Reader<'a> {
             nesting: 0,
             declaring: None,
             without_semicolon: None,
+            replays: Replays::default(),
+            recording: None,
             budget,
             is_over: false,
             undeclared: FxHashSet::default(),

@@ -23,10 +23,10 @@ impl Reader<'_> {
         match token.kind {
             Kind::String => {
                 self.pass();
-                if let Some(escape) = self.last_tokens.bad_escape(token.value) {
+                if let Some(escape) = self.last.tokens.bad_escape(token.value) {
                     return Err(self.bad_escape(escape));
                 }
-                Ok(self.last_tokens.string(token.value))
+                Ok(self.last.tokens.string(token.value))
             }
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 Some(Value::Text(text)) => {
@@ -61,8 +61,8 @@ impl Reader<'_> {
     fn string_function(&mut self, word: Word) -> Parse<String> {
         self.pass();
         let name = self.taken_span();
-        self.expect_mark('(', &format!("`(` after `{word}`"))?;
-        let open = self.taken_span();
+        self.expect_call(word)?;
+        let open = self.start_taken();
         let text = match word {
             Word::Concat => {
                 let mut text = self.string()?;

@@ -17,5 +17,5 @@ mod tests;
 
 pub use lexer::tokenize;
 pub use names::{Names, Symbol};
-pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens};
+pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
 pub use word::{Class, Word};

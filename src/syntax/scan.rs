@@ -32,6 +32,19 @@ pub(super) fn number_end(text: &[u8], start: usize) -> usize {
     end_of(text, end + 1 + sign, is_part)
 }
 
+/// The end of the string whose first quote stands at `start`.
+pub(super) fn string_end(text: &[u8], start: usize) -> usize {
+    let mut at = start + 1;
+    loop {
+        match text.get(at) {
+            None => return text.len(),
+            Some(b'"') => return at + 1,
+            Some(b'\\') => at += 2,
+            Some(_) => at += 1,
+        }
+    }
+}
+
 fn end_of(text: &[u8], start: usize, is_part: impl Fn(u8) -> bool) -> usize {
     let tail = text.get(start..).unwrap_or_default();
     start + tail.iter().take_while(|&&byte| is_part(byte)).count()

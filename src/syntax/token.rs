@@ -196,6 +196,26 @@ impl Tokens {
     }
 }
 
+/// The place of the token of a text that begins at a byte; of a directive only its `#`.
+#[must_use]
+pub fn span_at(file: FileId, text: &str, start: u32) -> Span {
+    let at = start as usize;
+    let bytes = text.as_bytes();
+    let end = match bytes.get(at) {
+        Some(&byte) if scan::is_letter(byte) => scan::word_end(bytes, at),
+        Some(b'"') => scan::string_end(bytes, at),
+        Some(b'<' | b'>' | b'!') if bytes.get(at + 1) == Some(&b'=') => at + 2,
+        _ => match scan::number_end(bytes, at) {
+            end if end > at => end,
+            _ => {
+                let letter = text.get(at..).and_then(|rest| rest.chars().next());
+                at + letter.map_or(0, char::len_utf8)
+            }
+        },
+    };
+    Span::new(file, start, u32::try_from(end).unwrap_or(u32::MAX))
+}
+
 struct Escape {
     /// What it stands for, if anything.
     value: Option<char>,
