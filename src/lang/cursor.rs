@@ -106,14 +106,21 @@ impl Reader<'_> {
     }
 
     /// The next token, which stays where it is. Directives before it have run.
-    #[inline]
+    #[inline(always)]
     pub(super) fn peek(&mut self) -> Parse<Token> {
         let token = self.raw();
+        match token.kind {
+            Kind::Name | Kind::Word | Kind::Directive | Kind::End => self.peek_word(token),
+            _ => Ok(token),
+        }
+    }
+
+    /// The same where the token at hand might not be the next one.
+    fn peek_word(&mut self, token: Token) -> Parse<Token> {
         let stays = match token.kind {
             Kind::Name => !self.scopes.is_macro(Symbol(token.value)),
             Kind::Word => !is_bare_directive(token),
-            Kind::Directive | Kind::End => false,
-            _ => true,
+            _ => false,
         };
         if stays {
             return Ok(token);
@@ -122,6 +129,7 @@ impl Reader<'_> {
     }
 
     /// Goes through macro calls, directives and the ends of files to the next token.
+    #[inline(never)]
     fn peek_through(&mut self, mut token: Token) -> Parse<Token> {
         loop {
             match token.kind {
@@ -130,12 +138,13 @@ impl Reader<'_> {
                         return Ok(token);
                     };
                     let called = Rc::clone(called);
-                    self.spoil();
                     self.call_macro(Symbol(token.value), &called)?;
                 }
                 Kind::Directive if self.ends_declaration(token) => return Ok(token),
                 Kind::Directive => {
-                    self.spoil();
+                    if !(self.is_end(token) && self.is_in_noted_call()) {
+                        self.spoil();
+                    }
                     self.run_directive(token)?;
                 }
                 Kind::Word if is_bare_directive(token) => {
@@ -152,6 +161,10 @@ impl Reader<'_> {
             }
             token = self.raw();
         }
+    }
+
+    fn is_end(&self, token: Token) -> bool {
+        self.here.tokens.directives[token.value as usize].word == Some(Word::End)
     }
 
     /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
@@ -218,6 +231,11 @@ impl Reader<'_> {
         })
     }
 
+    /// Where the token at hand begins.
+    pub(super) fn start_here(&self) -> Start {
+        Start::of(&self.here.tokens, self.here.at)
+    }
+
     /// Where the token last taken begins.
     pub(super) fn start_taken(&self) -> Start {
         Start::of(&self.last.tokens, self.last.at)
@@ -234,7 +252,7 @@ impl Reader<'_> {
     }
 
     /// Takes the next token if it is a punctuation mark.
-    #[inline]
+    #[inline(always)]
     pub(super) fn take_mark(&mut self, mark: char) -> Parse<bool> {
         let is_it = self.peek()?.is_mark(mark);
         if is_it {

@@ -3,6 +3,7 @@
 use super::cursor::{Declaring, Entered, Frame, Place};
 use super::limits;
 use super::reader::Reader;
+use super::replay::Level;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::camera::Camera;
@@ -313,7 +314,14 @@ impl Reader<'_> {
 
     /// A value of any kind, if one begins at hand: what may stand behind `#declare X =`.
     pub(super) fn value(&mut self, what: &str) -> Parse<Option<Value>> {
+        self.replayed(Level::Value, |reader| reader.read_value(what))
+    }
+
+    fn read_value(&mut self, what: &str) -> Parse<Option<Value>> {
         let token = self.peek()?;
+        if !self.begins_number()? {
+            self.spoil();
+        }
         match token.kind {
             Kind::Number => Ok(Some(Value::Number(self.sum()?))),
             Kind::String => Ok(Some(Value::Text(self.string()?.into()))),
@@ -333,6 +341,10 @@ impl Reader<'_> {
             None => Err(self.expected_here(what)),
             Some(Value::Number(_)) => self.number_or_color().map(Some),
             Some(Value::Array(_)) => {
+                if self.raw_ahead(1).is_mark('[') && self.begins_number()? {
+                    return self.number_or_color().map(Some);
+                }
+                self.spoil();
                 let before = self.here.clone();
                 match self.array_or_item()? {
                     Value::Number(_) => {

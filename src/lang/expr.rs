@@ -333,7 +333,7 @@ impl Reader<'_> {
             Some(Value::Number(number)) => {
                 let number = *number;
                 self.pass();
-                self.note(Op::Name(symbol, number.len));
+                self.note_name(symbol, number.len);
                 Ok(number)
             }
             Some(Value::Array(array)) => {

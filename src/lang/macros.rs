@@ -3,6 +3,7 @@
 use super::cursor::{Entered, Place, Start};
 use super::limits;
 use super::reader::Reader;
+use super::replay::Source;
 use super::value::Value;
 use crate::args::{Parse, Word};
 use crate::source::{Diagnostic, Span};
@@ -26,8 +27,19 @@ enum Argument {
     Value(Value),
 }
 
-/// Few macros have more parameters than this.
-type Arguments = SmallVec<[Argument; 6]>;
+impl Macro {
+    /// The names of its parameters.
+    pub(super) fn parameters(&self) -> &[Symbol] {
+        &self.parameters
+    }
+}
+
+/// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
+#[derive(Default)]
+struct Arguments {
+    values: SmallVec<[Argument; 6]>,
+    sources: SmallVec<[Option<Source>; 6]>,
+}
 
 impl Reader<'_> {
     /// `#macro Name(A, B) ... #end`: keeps the place of the body and goes behind its `#end`.
@@ -99,12 +111,13 @@ impl Reader<'_> {
         };
         self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
-        for (&parameter, argument) in called.parameters.iter().zip(arguments) {
+        for (&parameter, argument) in called.parameters.iter().zip(arguments.values) {
             match argument {
                 Argument::Reference(target) => self.scopes.alias(parameter, target),
                 Argument::Value(value) => self.scopes.local(parameter, value),
             }
         }
+        self.note_call(name, called, length, &arguments.sources);
         self.here = Place {
             tokens: Rc::clone(&called.tokens),
             at: called.body,
@@ -118,10 +131,10 @@ impl Reader<'_> {
             let what = format!("`(` after the macro `{spelling}`");
             return Err(self.expected_here(&what));
         }
-        let mut arguments = Arguments::new();
+        let mut arguments = Arguments::default();
         let wanted = called.parameters.len();
         while !self.take_mark(')')? {
-            if arguments.len() == wanted {
+            if arguments.values.len() == wanted {
                 let spelling = self.names.spelling(name);
                 let error = self.error_here(format!(
                     "the macro `{spelling}` takes {wanted} {}, found a further one",
@@ -129,11 +142,11 @@ impl Reader<'_> {
                 ));
                 return Err(Box::new(error.with_label(called.defined, "defined here")));
             }
-            arguments.push(self.macro_argument()?);
+            self.macro_argument(&mut arguments)?;
             self.take_mark(',')?;
         }
-        if arguments.len() < wanted {
-            let found = arguments.len();
+        if arguments.values.len() < wanted {
+            let found = arguments.values.len();
             let spelling = self.names.spelling(name);
             return Err(self.with_trace(
                 Diagnostic::error(
@@ -150,7 +163,7 @@ impl Reader<'_> {
     }
 
     /// A bare identifier goes by reference, everything else by value.
-    fn macro_argument(&mut self) -> Parse<Argument> {
+    fn macro_argument(&mut self, arguments: &mut Arguments) -> Parse<()> {
         let token = self.peek()?;
         let behind = self.raw_ahead(1);
         let ends =
@@ -160,11 +173,18 @@ impl Reader<'_> {
             && let Some(target) = self.scopes.target(Symbol(token.value))
         {
             self.pass();
-            return Ok(Argument::Reference(target));
+            let source = self.note_reference(Symbol(token.value));
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(source);
+            return Ok(());
         }
         let what = "an argument of the macro";
         match self.value(what)? {
-            Some(value) => Ok(Argument::Value(value)),
+            Some(value) => {
+                arguments.sources.push(self.note_argument(&value));
+                arguments.values.push(Argument::Value(value));
+                Ok(())
+            }
             None => Err(self.expected_here(what)),
         }
     }

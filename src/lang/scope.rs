@@ -130,6 +130,11 @@ impl Scopes {
         self.bind(symbol, depth, Held::Alias(target.0, at));
     }
 
+    /// The place of the binding that a symbol has now in its stack of bindings.
+    pub(super) fn top(&self, symbol: Symbol) -> Option<usize> {
+        self.stacks.get(symbol.0 as usize)?.len().checked_sub(1)
+    }
+
     /// What an alias made now would stand for.
     pub(super) fn target(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
         self.owner(symbol)
