@@ -4,6 +4,8 @@ use super::{Finish, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::math::{Step, shorten};
 use crate::syntax::Class;
+use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// The last language version in which upper layers do not filter but only transmit.
 const LAST_WITHOUT_FILTER: f64 = 3.1;
@@ -14,19 +16,19 @@ pub struct Layer {
     /// The colour.
     pub pigment: Pigment,
     /// The answer to light.
-    pub finish: Finish,
+    pub finish: Arc<Finish>,
 }
 
 /// What a surface looks like: layers, the lowest first, never none.
 #[derive(Clone, Debug)]
 pub struct Texture {
-    layers: Vec<Layer>,
+    layers: SmallVec<[Layer; 1]>,
 }
 
 impl From<Layer> for Texture {
     fn from(layer: Layer) -> Self {
         Texture {
-            layers: vec![layer],
+            layers: SmallVec::from_buf([layer]),
         }
     }
 }
@@ -45,7 +47,7 @@ impl Layer {
             }
             Word::Finish => {
                 args.accept(word)?;
-                self.finish = Finish::read(args, &self.finish)?;
+                self.finish = Arc::new(Finish::read(args, &self.finish)?);
             }
             Word::Normal => return Err(not_built(args, word)),
             _ => return Ok(false),
@@ -55,7 +57,7 @@ impl Layer {
 
     /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
     pub fn transform(&mut self, step: &Step) {
-        self.pigment.steps.push(*step);
+        self.pigment.steps.push(step.clone());
         shorten(&mut self.pigment.steps, 0);
     }
 }

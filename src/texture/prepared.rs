@@ -46,7 +46,7 @@ impl PreparedTexture {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after),
             quick_color: layer.pigment.quick_color,
-            finish: layer.finish.clone(),
+            finish: Finish::clone(&layer.finish),
         };
         let layers: Vec<_> = texture.layers().iter().rev().map(prepare).collect();
         PreparedTexture {
@@ -97,7 +97,7 @@ impl PreparedPigment {
         match &pigment.kind {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
             PigmentKind::List(pattern, colors) => {
-                let steps: Vec<Step> = pigment.steps.iter().chain(after).copied().collect();
+                let steps: Vec<Step> = pigment.steps.iter().chain(after).cloned().collect();
                 PreparedPigment::List {
                     pattern: pattern.clone(),
                     colors: colors.clone(),
