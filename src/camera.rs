@@ -258,7 +258,7 @@ impl Camera {
         let Some(forward) = (point - self.location).try_normalize() else {
             return Err(Box::new(
                 Diagnostic::error(at, "`look_at` is the same point as `location`")
-                    .with_hint("move one of the two: the camera needs a direction"),
+                    .with_hint("Move one of the two: the camera needs a direction."),
             ));
         };
         let mut sideways = self.sky.cross(forward);

@@ -96,6 +96,47 @@ impl Color {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
 
+    /// The colour on the way from this one (`share` 0) to another (1): differences in single precision, the rest in
+    /// double and rounded once, as POV-Ray blends.
+    #[must_use]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision, as in POV-Ray"
+    )]
+    pub fn blended(&self, to: &Color, share: f64) -> Color {
+        let blend = |a: f32, b: f32| (f64::from(a) + share * f64::from(b - a)) as f32;
+        Color {
+            rgb: Rgb {
+                r: blend(self.rgb.r, to.rgb.r),
+                g: blend(self.rgb.g, to.rgb.g),
+                b: blend(self.rgb.b, to.rgb.b),
+            },
+            filter: blend(self.filter, to.filter),
+            transmit: blend(self.transmit, to.transmit),
+        }
+    }
+
+    /// The mean of colours by weight; clear black where the weights add up to nothing.
+    #[must_use]
+    pub fn average(weighted: impl Iterator<Item = (f32, Color)>) -> Color {
+        let mut sum = Color::default();
+        let mut total = 0.0;
+        for (weight, color) in weighted {
+            total += weight;
+            sum.rgb += color.rgb * weight;
+            sum.filter += color.filter * weight;
+            sum.transmit += color.transmit * weight;
+        }
+        if total == 0.0 {
+            return Color::default();
+        }
+        Color {
+            rgb: sum.rgb.map(|channel| channel / total),
+            filter: sum.filter / total,
+            transmit: sum.transmit / total,
+        }
+    }
+
     /// Whether anything at all shows through.
     #[must_use]
     pub fn is_transparent(self) -> bool {

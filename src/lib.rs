@@ -9,7 +9,7 @@
 //! without any file. The reading wing ([`source`], [`syntax`], [`lang`]) fills it; the drawing wing ([`accel`],
 //! [`compile`], [`trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
 //!
-//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`]) live below both wings: one file
+//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`]) live below both wings: one file
 //! each, with its mathematics, what it reads through [`args::Args`], and what it answers to rays.
 //!
 //! Decisions that the code rests on:
@@ -24,6 +24,7 @@
 
 pub mod accel;
 pub mod args;
+pub mod atmosphere;
 pub mod camera;
 pub mod cli;
 pub mod color;
@@ -46,126 +47,132 @@ pub mod texture;
 pub mod trace;
 
 use compile::World;
-use options::{Failure, Input, Picture, ReadOptions, RenderOptions};
-use scene::Scene;
-use source::print::{Styling, annotated, pov_line};
-use source::{Diagnostic, Severity, Sources};
+use glam::DVec3;
+use lang::Heard;
+use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
+use scene::{Object, Scene};
+use source::{Diagnostic, Message, Severity, Sources};
+use std::sync::Arc;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 256 << 20;
 
-/// Reads, compiles and renders a scene. `progress` is told the number of pixels finished since it was last told.
+/// Reads, compiles and renders a scene. `listen` hears what the scene says and what is found in it, as soon as it is.
 ///
 /// # Errors
-/// When the scene cannot be read: all findings of the run, ready to print.
+/// When the scene cannot be read.
 pub fn draw(
     input: &Input,
     read: &ReadOptions,
     render: &RenderOptions,
-    progress: &(dyn Fn(u64) + Sync),
+    listen: &Listen<'_>,
 ) -> Result<Picture, Failure> {
-    let prepared = std::thread::scope(|scope| {
-        let reader = std::thread::Builder::new()
-            .name("reader".to_owned())
-            .stack_size(STACK_BYTES);
-        match reader.spawn_scoped(scope, || prepare(input, read, render)) {
-            Ok(reader) => reader
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            Err(error) => Err(failure(format!(
-                "no memory for the stack of the reader: {error}"
-            ))),
-        }
+    let (world, working) = with_deep_stack(listen, || {
+        let scene = read_scene(input, read, listen)?;
+        Ok(prepared(&scene, render))
     })?;
-    let Prepared {
-        world,
-        working,
-        warnings,
-        said,
-    } = prepared;
+    let progress = |pixels| listen(Event::Drawn(pixels));
     let film = match render.threads {
-        None => render::render(&world, render, progress),
+        None => render::render(&world, render, &progress),
         Some(threads) => match rayon::ThreadPoolBuilder::new()
             .num_threads(threads.max(1))
             .build()
         {
-            Ok(pool) => pool.install(|| render::render(&world, render, progress)),
-            Err(error) => return Err(failure(format!("no threads to draw with: {error}"))),
+            Ok(pool) => pool.install(|| render::render(&world, render, &progress)),
+            Err(error) => return Err(failure(format!("no threads to draw with: {error}"), listen)),
         },
     };
     Ok(Picture {
         film,
         working,
-        warnings,
-        said,
         statistics: String::new(),
     })
 }
 
-/// An error in POV-Ray's one line, for programs that look for it, and then with the lines of the scene, for people.
-fn in_full(error: &Diagnostic, sources: &Sources) -> String {
-    format!(
-        "{}\n{}",
-        pov_line(error, sources),
-        annotated(error, sources, Styling::Plain)
-    )
+/// Reads a scene and draws nothing. All that can be wrong in a scene is found by reading: compiling cannot fail.
+///
+/// # Errors
+/// When the scene could not be drawn.
+pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
+    with_deep_stack(listen, || read_scene(input, read, listen).map(drop))
 }
 
-fn failure(error: String) -> Failure {
+/// Does something on a stack that is deep enough for scenes that nest deep.
+fn with_deep_stack<T: Send>(
+    listen: &Listen<'_>,
+    work: impl FnOnce() -> Result<T, Failure> + Send,
+) -> Result<T, Failure> {
+    std::thread::scope(|scope| {
+        let reader = std::thread::Builder::new()
+            .name("reader".to_owned())
+            .stack_size(STACK_BYTES);
+        match reader.spawn_scoped(scope, work) {
+            Ok(reader) => reader
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            Err(error) => {
+                let message = format!("no memory for the stack of the reader: {error}");
+                Err(failure(message, listen))
+            }
+        }
+    })
+}
+
+/// A failure that has nothing to do with the scene.
+fn failure(message: String, listen: &Listen<'_>) -> Failure {
+    let error = Message::new(&Diagnostic::error(None, message), &Sources::default());
+    listen(Event::Found(&error));
     Failure {
-        warnings: Vec::new(),
         errors: vec![error],
-        said: String::new(),
     }
 }
 
-/// A scene read and compiled.
-struct Prepared {
-    world: World,
-    working: Option<color::Gamma>,
-    warnings: Vec<String>,
-    said: String,
+/// The drawing wing as the reading wing sees it.
+#[derive(Default)]
+struct OwnObjects(compile::Probed);
+
+impl lang::Probe for OwnObjects {
+    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir)
+    }
+
+    fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
+        self.0.is_inside(object, point)
+    }
 }
 
-fn prepare(
-    input: &Input,
-    options: &ReadOptions,
-    render: &RenderOptions,
-) -> Result<Prepared, Failure> {
+fn prepared(scene: &Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
+    (compile::compile(scene, render), scene.working_gamma())
+}
+
+fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Result<Scene, Failure> {
     let mut sources = Sources::new(options.library_paths.clone());
+    let mut errors = Vec::new();
+    let mut found = |finding: &Diagnostic, sources: &Sources| {
+        let message = Message::new(finding, sources);
+        listen(Event::Found(&message));
+        if message.severity == Severity::Error {
+            errors.push(message);
+        }
+    };
     let file = match input {
-        Input::File(path) => match sources.load_file(path) {
-            Ok(file) => file,
-            Err(error) => return Err(failure(in_full(&error, &sources))),
-        },
-        Input::Text { name, text } => sources.add_text(name.clone(), text),
+        Input::File(path) => sources.load_file(path),
+        Input::Text { name, text } => Ok(sources.add_text(name.clone(), text)),
     };
-    let reading = lang::evaluate(file, &mut sources, options);
-    let of = |severity: Severity| {
-        reading
-            .findings
-            .iter()
-            .filter(move |finding| finding.severity == severity)
+    let scene = match file {
+        Ok(file) => {
+            let mut hear = |heard: Heard<'_>| match heard {
+                Heard::Said(text) => listen(Event::Said(text)),
+                Heard::Found(finding, sources) => found(finding, sources),
+            };
+            let mut probe = OwnObjects::default();
+            lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear).scene
+        }
+        Err(error) => {
+            found(&error, &sources);
+            None
+        }
     };
-    let warnings = of(Severity::Warning)
-        .map(|warning| pov_line(warning, &sources))
-        .collect();
-    let Some(scene) = reading.scene else {
-        let errors = of(Severity::Error)
-            .map(|error| in_full(error, &sources))
-            .collect();
-        return Err(Failure {
-            warnings,
-            errors,
-            said: reading.messages,
-        });
-    };
-    let working = Scene::working_gamma(&scene);
-    Ok(Prepared {
-        world: compile::compile(&scene, render),
-        working,
-        warnings,
-        said: reading.messages,
-    })
+    scene.ok_or(Failure { errors })
 }

@@ -5,8 +5,5 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = env::args_os().skip(1);
-    povr::cli::run(
-        arguments.map(|a| a.to_string_lossy().into_owned()),
-        &povr::draw,
-    )
+    povr::cli::run(arguments.map(|a| a.to_string_lossy().into_owned()))
 }

@@ -1,10 +1,26 @@
 //! What a drawing starts from and what comes of it: plain types between the command line and the stages.
 
+use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::color::Gamma;
 use crate::film::Film;
+use crate::source::Message;
+
+/// What reading and drawing say while they are at work.
+#[derive(Clone, Copy, Debug)]
+pub enum Event<'a> {
+    /// Text that the scene writes by `#debug`, `#render` or `#statistics`, to be written as it is.
+    Said(&'a str),
+    /// A finding about the scene, in the order of finding.
+    Found(&'a Message),
+    /// So many pixels have been finished since the last event of this kind. Comes from any thread.
+    Drawn(u64),
+}
+
+/// Who hears what happens.
+pub type Listen<'a> = dyn Fn(Event<'_>) + Sync + 'a;
 
 /// Where the scene's text comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,6 +41,8 @@ pub enum Input {
 pub struct ReadOptions {
     /// Folders searched for included and other files after the current one, in this order.
     pub library_paths: Vec<PathBuf>,
+    /// Folders into which and below which a scene may write files; none lets it write nothing.
+    pub writable: Vec<PathBuf>,
     /// Names declared before the scene is read.
     pub declares: Vec<(String, f64)>,
     /// The language version in force at the start; `None` leaves it to the scene.
@@ -131,10 +149,6 @@ pub struct Picture {
     pub film: Film,
     /// The working space they are in; `None` for a scene without gamma handling, whose values are stored as they are.
     pub working: Option<Gamma>,
-    /// What was doubtful in the scene, each ready to print.
-    pub warnings: Vec<String>,
-    /// What the scene itself says by `#debug` and its like, to be written as it is.
-    pub said: String,
     /// What `--stats` prints; may be empty.
     pub statistics: String,
 }
@@ -142,19 +156,25 @@ pub struct Picture {
 /// Why a scene was not drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// What was doubtful before, each ready to print.
-    pub warnings: Vec<String>,
-    /// What is wrong, each ready to print.
-    pub errors: Vec<String>,
-    /// What the scene had said by then.
-    pub said: String,
+    /// What is wrong. Who listened has heard it.
+    pub errors: Vec<Message>,
 }
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines: Vec<&str> = self.errors.iter().map(|e| e.pov_line.as_str()).collect();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl std::error::Error for Failure {}
 
 impl Default for ReadOptions {
     /// A still picture of 800 by 600 pixels, as on Debian.
     fn default() -> Self {
         ReadOptions {
             library_paths: Vec::new(),
+            writable: Vec::new(),
             declares: Vec::new(),
             version: None,
             include_header: None,

@@ -9,7 +9,15 @@ const FLOORS: &[&[&str]] = &[
     &["math", "source", "color"],
     &["syntax", "accel", "film"],
     &["args", "options"],
-    &["shape", "pattern", "light", "camera", "interior", "texture"],
+    &[
+        "shape",
+        "pattern",
+        "light",
+        "camera",
+        "interior",
+        "atmosphere",
+        "texture",
+    ],
     &["output", "compare"],
     &["scene"],
     &["lang", "compile"],
@@ -23,8 +31,12 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     // A texture is made of patterns, and a material holds an interior beside its texture.
     ("texture", "pattern"),
     ("texture", "interior"),
+    // The sky is painted with pigments.
+    ("atmosphere", "texture"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
+    // The triangles of a mesh have textures of their own.
+    ("shape", "texture"),
 ];
 
 fn floor_of(room: &str) -> Option<usize> {

@@ -7,10 +7,14 @@
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
 
 mod build;
+mod bundle;
 mod node;
+
+pub use bundle::Bundle;
 
 use crate::math::{Bounds, Ray};
 use build::Entry;
+use bundle::Ball;
 use glam::DVec3;
 use node::{Cell, Child, Frame, FrameRay, Node, WIDTH};
 
@@ -19,6 +23,10 @@ use node::{Cell, Child, Frame, FrameRay, Node, WIDTH};
 pub struct Bvh {
     nodes: Vec<Node>,
     frame: Frame,
+    /// A ball around each item, for bundles; empty if none will come.
+    balls: Vec<Ball>,
+    /// The box of each item, for bundles; empty if the items are balls.
+    cells: Vec<Cell>,
 }
 
 /// A place still to be visited, with the earliest parameter of the ray in it.
@@ -95,7 +103,38 @@ impl Bvh {
         Bvh {
             nodes: build::build(&mut entries),
             frame,
+            balls: Vec::new(),
+            cells: Vec::new(),
         }
+    }
+
+    /// The tree over these boxes, made ready for bundles of rays, and the items in the order of the tree. That order is
+    /// what it then knows them by, so that neighbours can be kept together. `radius` gives the radius of an item that is
+    /// a ball about the middle of its box.
+    ///
+    /// # Panics
+    /// For 2³¹ − 1 boxes or more.
+    #[must_use]
+    pub fn build_in_order(
+        bounds: &[Bounds],
+        radius: impl Fn(usize) -> Option<f64>,
+    ) -> (Self, Vec<u32>) {
+        let mut tree = Bvh::build(bounds);
+        let mut order = Vec::with_capacity(bounds.len());
+        for node in &mut tree.nodes {
+            node.renumber(&mut order);
+        }
+        let all = order
+            .iter()
+            .map(|&item| (&bounds[item as usize], radius(item as usize)));
+        tree.balls = all
+            .clone()
+            .map(|(bounds, radius)| Ball::new(&tree.frame, bounds, radius))
+            .collect();
+        if all.clone().any(|(_, radius)| radius.is_none()) {
+            tree.cells = all.map(|(bounds, _)| tree.frame.cell(bounds)).collect();
+        }
+        (tree, order)
     }
 
     /// Visits, roughly front to back, the items whose boxes the ray may meet from `from` to `to`, both included.
@@ -155,7 +194,10 @@ impl Bvh {
     /// The memory the tree takes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of::<Self>() + self.nodes.capacity() * size_of::<Node>()
+        size_of::<Self>()
+            + self.nodes.capacity() * size_of::<Node>()
+            + self.balls.capacity() * size_of::<Ball>()
+            + self.cells.capacity() * size_of::<Cell>()
     }
 
     fn root(&self) -> Option<Child> {
@@ -193,7 +235,18 @@ fn enter_node(
     (from, to): (f32, f32),
     pending: &mut Stack<Pending>,
 ) -> Option<Child> {
-    let (enter, mut met) = node.meet(ray, from, to);
+    let (enter, met) = node.meet(ray, from, to);
+    nearest_child(node, &enter, met, pending)
+}
+
+/// The nearest of the marked children, one bit each. The others go on the stack, the next nearest on top.
+#[inline(always)]
+fn nearest_child(
+    node: &Node,
+    enter: &[f32; WIDTH],
+    mut met: u32,
+    pending: &mut Stack<Pending>,
+) -> Option<Child> {
     let mut found = [Pending::default(); WIDTH];
     let mut count = 0;
     while met != 0 {

@@ -126,6 +126,16 @@ impl Frame {
         }
     }
 
+    /// A point in this frame.
+    pub(super) fn place(&self, point: DVec3) -> DVec3 {
+        (point - self.centre) * self.scale
+    }
+
+    /// The length in this frame of a unit of length.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// A box rounded outward; unknown ends become infinite.
     pub(super) fn cell(&self, bounds: &Bounds) -> Cell {
         let low = (bounds.min - self.centre) * self.scale;
@@ -246,6 +256,12 @@ impl Node {
         self.children[place] = child;
     }
 
+    /// By axis and end (low, high), the planes of the eight boxes.
+    #[inline(always)]
+    pub(super) fn planes(&self) -> &[[[f32; WIDTH]; 2]; 3] {
+        &self.planes
+    }
+
     #[inline]
     pub(super) fn child(&self, place: usize) -> Child {
         self.children[place]
@@ -256,6 +272,17 @@ impl Node {
         for child in &mut self.children {
             if let Some(node) = child.node() {
                 *child = Child::of_node(node + by);
+            }
+        }
+    }
+
+    /// Calls its items by their place at the end of `order`, which they are added to.
+    pub(super) fn renumber(&mut self, order: &mut Vec<u32>) {
+        for child in &mut self.children {
+            if child.node().is_none() && *child != Child::NOTHING {
+                let place = u32::try_from(order.len()).expect("items are counted in 31 bits");
+                order.push(child.item());
+                *child = Child::of_item(place);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The tree against a plain search through all boxes.
 
-use super::Bvh;
+use super::{Bundle, Bvh};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::Eased;
 use crate::math::random::Random;
@@ -257,4 +257,60 @@ fn memory_stays_below_sixty_bytes_an_item() {
         "{} bytes an item",
         bytes / boxes.len()
     );
+}
+
+#[test]
+fn rays_from_one_point_find_together_what_they_find_alone() {
+    for (size, at) in [
+        (1.0, DVec3::ZERO),
+        (1e-20, DVec3::splat(1e-19)),
+        (1e12, DVec3::X * 3e12),
+    ] {
+        let spheres = spheres(700, size, at);
+        let bounds = bounds_of(&spheres);
+        let known = |place: usize| (place % 3 != 0).then(|| spheres[place].radius);
+        let (tree, order) = Bvh::build_in_order(&bounds, known);
+        let mut rng = Random::new(23);
+        let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
+        for round in 0..60 {
+            let origin = at + rng.vector(if round % 2 == 0 { 4.0 } else { 1.0 }) * size;
+            let middle = at + rng.vector(1.0) * size - origin;
+            let count = 1 + round * 4;
+            let rays: Vec<Ray> = (0..count)
+                .map(|_| {
+                    Ray::new(
+                        origin,
+                        (middle + rng.vector(0.4) * middle.length()).normalize(),
+                    )
+                })
+                .collect();
+            let far = |i: usize| {
+                if i % 5 == 4 {
+                    2.0 * size
+                } else {
+                    f64::INFINITY
+                }
+            };
+            let dirs = rays.iter().enumerate().map(|(i, ray)| (ray.dir, far(i)));
+            if !bundle.fill(&tree, origin, dirs) {
+                continue;
+            }
+            together += 1;
+            let mut best = vec![None; rays.len()];
+            tree.together(&mut bundle, |place, ray| {
+                let t = spheres[order[place as usize] as usize].hit(&rays[ray as usize])?;
+                let slot: &mut Option<f64> = &mut best[ray as usize];
+                let is_better = t < far(ray as usize) && slot.is_none_or(|least| t < least);
+                is_better.then(|| *slot.insert(t))
+            });
+            for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
+                let alone = nearest_of_all(&spheres, ray)
+                    .map(|(_, t)| t)
+                    .filter(|&t| t < far(i));
+                assert_eq!(best, alone);
+                found += u32::from(best.is_some());
+            }
+        }
+        assert!(together > 40 && found > 1000, "{together} {found}");
+    }
 }

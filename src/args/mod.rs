@@ -8,7 +8,7 @@ pub use crate::syntax::Word;
 pub use steps::transform_step;
 
 use crate::color::Color;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -23,6 +23,14 @@ pub type Parse<T> = Result<T, Box<Diagnostic>>;
 pub trait Args {
     /// A number.
     fn float(&mut self) -> Parse<f64>;
+    /// A number in single precision, where POV-Ray keeps one so.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the caller asks for single precision"
+    )]
+    fn single(&mut self) -> Parse<f32> {
+        self.float().map(|number| number as f32)
+    }
     /// A number if one begins here, otherwise `default`: `metallic`, `no_shadow off`.
     fn float_or(&mut self, default: f64) -> Parse<f64>;
     /// A vector of two; a number stands for both components.
@@ -43,6 +51,16 @@ pub trait Args {
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
         let _ = (len, take);
     }
+    /// Takes a number, with an optional comma before it, if it is written as a literal and nothing can go on with it
+    /// into an expression. `None` says nothing: whoever calls this for speed reads on with [`Args::float`].
+    fn literal_number(&mut self) -> Option<f64> {
+        None
+    }
+    /// Reads the block of a texture behind its word, as a value of the type of textures. What the block does not say is
+    /// as in the default texture.
+    fn texture_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        Err(self.expected("a texture"))
+    }
     /// Passes a comma if one is next, and says whether.
     fn comma(&mut self) -> Parse<bool>;
     /// The next token if it is a reserved word; it is not taken.
@@ -51,6 +69,8 @@ pub trait Args {
     fn accept(&mut self, word: Word) -> Parse<bool>;
     /// Takes the next token if it is this punctuation mark (`[`, `]`, `,`, `(`, ...).
     fn accept_mark(&mut self, mark: char) -> Parse<bool>;
+    /// Whether the next token is this punctuation mark; it is not taken.
+    fn at_mark(&mut self, mark: char) -> Parse<bool>;
     /// Takes `{`.
     fn open(&mut self) -> Parse<()>;
     /// Takes `}` if it is next.
@@ -92,5 +112,6 @@ pub fn not_built(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
     } else {
         args.last_span()
     };
-    Box::new(Diagnostic::error(at, format!("`{word}` is not built yet")))
+    let error = Diagnostic::error(at, format!("`{word}` is not built yet"));
+    Box::new(error.with_code(Code::NotBuilt))
 }

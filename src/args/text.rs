@@ -186,6 +186,10 @@ impl Args for TextArgs {
         Ok(self.take(mark.encode_utf8(&mut [0; 4])))
     }
 
+    fn at_mark(&mut self, mark: char) -> Parse<bool> {
+        Ok(self.peek() == mark.to_string())
+    }
+
     fn open(&mut self) -> Parse<()> {
         if self.take("{") {
             Ok(())

@@ -62,7 +62,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Continue_Trace", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Continue, on, s); Ok(()) }),
     ("Create_Ini", IDLE),
     ("Cyclic_Animation", IDLE),
-    ("Debug_Console", IDLE),
+    ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),
     ("Debug_File", IDLE),
     ("Declare", declare),
     ("Display", SCREEN),

@@ -4,6 +4,9 @@ use std::str::FromStr;
 
 use clap::{CommandFactory, Parser};
 
+use super::COMMANDS;
+use super::error::CliError;
+use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use crate::options::LeastDistance;
 
@@ -13,10 +16,10 @@ use crate::options::LeastDistance;
     name = "povr",
     version,
     override_usage = "povr [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE.pov",
-    after_help = SWITCHES,
+    after_help = commands(),
     disable_version_flag = true
 )]
-struct Modern {
+pub(super) struct Modern {
     /// Write to this very file; its ending chooses the type. `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<String>,
@@ -29,6 +32,14 @@ struct Modern {
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
+    /// The form of errors and warnings
+    #[arg(
+        long,
+        value_name = "povray|human|short|json",
+        value_enum,
+        hide_possible_values = true
+    )]
+    message_format: Option<MessageFormat>,
     /// Print what was done and how long it took
     #[arg(long)]
     stats: bool,
@@ -78,48 +89,81 @@ impl FromStr for Size {
     }
 }
 
-/// How many arguments from the first on belong to this face; 0 if the first does not.
-pub(super) fn length(arguments: &[String]) -> usize {
+/// How many arguments from the first on belong to a face; 0 if the first does not.
+pub(super) fn length<Face: CommandFactory>(arguments: &[String]) -> usize {
     let Some(first) = arguments.first() else {
         return 0;
     };
+    let takes_value = |is_it: &dyn Fn(&clap::Arg) -> bool| {
+        Face::command()
+            .get_arguments()
+            .any(|a| is_it(a) && a.get_action().takes_values())
+    };
     let takes_value = match first.strip_prefix("--") {
         Some(name) if name.contains('=') => false,
-        Some(name) => Modern::command()
-            .get_arguments()
-            .any(|a| a.get_long() == Some(name) && a.get_action().takes_values()),
-        None if first == "-o" => true,
+        Some(name) => takes_value(&|a| a.get_long() == Some(name)),
+        None if first == "-o" && takes_value(&|a| a.get_short() == Some('o')) => true,
         None if matches!(first.as_str(), "-h" | "-help" | "-version" | "-?") => false,
         None => return 0,
     };
     (1 + usize::from(takes_value)).min(arguments.len())
 }
 
-/// Takes in one option of this face with its value.
+/// One option of a face with its value.
 ///
 /// # Errors
 /// What clap has to say: a refusal, or the text of `--help` or `--version`.
-pub(super) fn read(typed: &mut Typed, option: &[String]) -> Result<(), clap::Error> {
+pub(super) fn parse<Face: Parser>(option: &[String]) -> Result<Face, clap::Error> {
     let words = option.iter().map(|word| match word.as_str() {
         "-help" | "-?" => "--help",
         "-version" => "--version",
         other => other,
     });
-    let given = Modern::try_parse_from(std::iter::once("povr").chain(words))?;
-    if let Some(output) = given.output {
-        typed.output = Output::Exact(output);
-        typed.to_file = true;
+    Face::try_parse_from(std::iter::once("povr").chain(words))
+}
+
+/// What clap printed: an answer, or a refusal.
+pub(super) fn printed(said: &clap::Error) -> Result<String, CliError> {
+    let text = said.render().to_string();
+    if said.use_stderr() {
+        let text = text.trim_end();
+        Err(CliError::new(text.strip_prefix("error: ").unwrap_or(text)))
+    } else {
+        Ok(text)
     }
-    if let Some(Size(width, height)) = given.size {
-        (typed.width, typed.height) = (width, height);
+}
+
+impl Modern {
+    /// Takes in what was given.
+    pub(super) fn set(self, typed: &mut Typed) {
+        if let Some(output) = self.output {
+            typed.output = Output::Exact(output);
+            typed.to_file = true;
+        }
+        if let Some(Size(width, height)) = self.size {
+            (typed.width, typed.height) = (width, height);
+        }
+        if let Some(threads) = self.threads {
+            typed.threads = Some(usize::from(threads));
+        }
+        if let Some(format) = self.message_format {
+            typed.message_format = format;
+        }
+        typed.quiet |= self.quiet;
+        typed.stats |= self.stats;
+        if self.pov_distances {
+            typed.least_distance = LeastDistance::PovRay;
+        }
     }
-    if let Some(threads) = given.threads {
-        typed.threads = Some(usize::from(threads));
-    }
-    typed.quiet |= given.quiet;
-    typed.stats |= given.stats;
-    if given.pov_distances {
-        typed.least_distance = LeastDistance::PovRay;
-    }
-    Ok(())
+}
+
+/// The commands, for the help of the program: a line each.
+fn commands() -> String {
+    let lines = COMMANDS
+        .iter()
+        .map(|command| format!("  povr {:<17}{}\n", command.name, command.about));
+    format!(
+        "Commands, each with its own --help:\n{}\n{SWITCHES}",
+        lines.collect::<String>()
+    )
 }

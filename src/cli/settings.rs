@@ -1,9 +1,11 @@
 //! What is to be done, decided from what was typed.
 
+use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::error::CliError;
+use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
 use crate::options::{Antialias, ReadOptions, RenderOptions};
@@ -45,6 +47,10 @@ pub enum Scene {
 pub struct Talk {
     /// Warnings.
     pub warnings: bool,
+    /// What the scene writes by `#debug`.
+    pub debugs: bool,
+    /// The form of errors and warnings.
+    pub format: MessageFormat,
     /// Progress lines and notes.
     pub verbose: bool,
     /// Nothing but errors.
@@ -72,21 +78,13 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
     };
     Ok(Settings {
         scene,
-        read: ReadOptions {
-            library_paths,
-            declares: typed.declares,
-            version: typed.version,
-            include_header: typed.include_header,
-            width: typed.width,
-            height: typed.height,
-            clock: typed.clock.unwrap_or(0.0),
-            clock_on: typed.clock.is_some(),
-            ..ReadOptions::default()
-        },
+        read: read_options(&typed, library_paths),
         render,
         output,
         talk: Talk {
             warnings: typed.warnings,
+            debugs: typed.debugs,
+            format: typed.message_format,
             verbose: typed.verbose,
             quiet: typed.quiet,
             stats: typed.stats,
@@ -101,6 +99,23 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             .map(|said| format!("povr: note: `{said}` has no effect here"))
             .collect(),
     })
+}
+
+/// What reading takes from what was typed.
+pub(super) fn read_options(typed: &Typed, library_paths: Vec<PathBuf>) -> ReadOptions {
+    ReadOptions {
+        library_paths,
+        // As Debian's povray.conf has it.
+        writable: vec![PathBuf::from("."), env::temp_dir()],
+        declares: typed.declares.clone(),
+        version: typed.version,
+        include_header: typed.include_header.clone(),
+        width: typed.width,
+        height: typed.height,
+        clock: typed.clock.unwrap_or(0.0),
+        clock_on: typed.clock.is_some(),
+        ..ReadOptions::default()
+    }
 }
 
 fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
@@ -171,7 +186,7 @@ fn stretch(
 }
 
 /// The scene's file: as named, with `.pov`, in the current folder or one of the library's.
-fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, CliError> {
+pub(super) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, CliError> {
     let current = [PathBuf::new()];
     current
         .iter()

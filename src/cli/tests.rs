@@ -1,10 +1,11 @@
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::draw::{Draw, carry_out};
 use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
-use crate::options::{Antialias, Method};
+use crate::options::{Antialias, Event, Failure, Input, Method, Picture, ReadOptions};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The settings of a command line, without any ini file around it.
@@ -497,7 +498,7 @@ fn help_and_version_are_texts() {
 }
 
 /// The settings of a scene in a temporary folder, and what carrying them out with a small film says.
-fn carried_out(extra: &[&str], draw: &Draw) -> (tempfile::TempDir, Result<(), Vec<String>>) {
+fn carried_out(extra: &[&str], draw: &Draw) -> (tempfile::TempDir, Result<ExitCode, CliError>) {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
     let arguments = [extra, &[scene.as_str(), "+W4", "+H3", "-GA"]].concat();
@@ -514,36 +515,27 @@ fn white(read: &ReadOptions, alpha: bool) -> Picture {
     Picture {
         film,
         working: Some(Gamma::LINEAR),
-        warnings: Vec::new(),
-        said: String::new(),
         statistics: String::new(),
     }
 }
 
 #[test]
 fn a_drawn_scene_becomes_a_file() {
-    let (here, done) = carried_out(&["+UA"], &|input, read, render, progress| {
+    let (here, done) = carried_out(&["+UA"], &|input, read, render, listen| {
         assert!(matches!(input, Input::File(path) if path.ends_with("s.pov")));
-        progress(u64::from(render.width * render.height));
+        listen(Event::Drawn(u64::from(render.width * render.height)));
         Ok(white(read, render.alpha))
     });
-    assert_eq!(done, Ok(()));
+    assert_eq!(done, Ok(ExitCode::SUCCESS));
     let image = image::open(here.path().join("s.png")).expect("a picture");
     assert_eq!((image.width(), image.height()), (4, 3));
     assert!(image.color().has_alpha());
 }
 
 #[test]
-fn a_failed_drawing_leaves_no_file_and_passes_its_messages_on() {
-    const MESSAGE: &str = "File 's.pov' line 4: Parse Error: Expected a number.";
-    let (here, done) = carried_out(&[], &|_, _, _, _| {
-        Err(Failure {
-            warnings: Vec::new(),
-            errors: vec![MESSAGE.to_owned()],
-            said: String::new(),
-        })
-    });
-    assert_eq!(done, Err(vec![MESSAGE.to_owned()]));
+fn a_failed_drawing_leaves_no_file() {
+    let (here, done) = carried_out(&[], &|_, _, _, _| Err(Failure { errors: Vec::new() }));
+    assert_eq!(done, Ok(ExitCode::FAILURE));
     assert!(!here.path().join("s.png").exists());
 }
 
@@ -551,9 +543,9 @@ fn a_failed_drawing_leaves_no_file_and_passes_its_messages_on() {
 fn a_folder_that_is_not_there_is_named_with_a_remedy() {
     let (_here, done) = carried_out(&["+O/none/x.png"], &|_, read, _, _| Ok(white(read, false)));
     assert_eq!(
-        done,
-        Err(vec![
-            "povr: cannot write `/none/x.png`: no such file or directory\n  hint: the folder `/none` does not exist: create it, or name another file with `+O`".to_owned()
-        ])
+        done.map_err(|refusal| refusal.to_string()),
+        Err(
+            "cannot write `/none/x.png`: no such file or directory\n  hint: the folder `/none` does not exist: create it, or name another file with `+O`".to_owned()
+        )
     );
 }

@@ -3,6 +3,7 @@
 use crate::options::{Antialias, LeastDistance};
 use std::path::PathBuf;
 
+use super::report::MessageFormat;
 use crate::color::Gamma;
 use crate::output::Format;
 
@@ -35,6 +36,8 @@ pub(super) struct Typed {
     pub(super) verbose: bool,
     pub(super) quiet: bool,
     pub(super) warnings: bool,
+    pub(super) debugs: bool,
+    pub(super) message_format: MessageFormat,
     pub(super) stats: bool,
     pub(super) least_distance: LeastDistance,
     pub(super) is_antialiased: bool,
@@ -98,6 +101,8 @@ impl Default for Typed {
             verbose: false,
             quiet: false,
             warnings: true,
+            debugs: true,
+            message_format: MessageFormat::Povray,
             stats: false,
             least_distance: LeastDistance::default(),
             is_antialiased: false,

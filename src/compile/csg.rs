@@ -130,6 +130,36 @@ pub(super) struct Found {
 }
 
 impl Program {
+    /// Whether inside and outside of an operand are exchanged, by itself or by what it is part of; no operand of that
+    /// number is not.
+    pub(super) fn is_inverse(&self, operand: u32) -> bool {
+        let Some(operand) = self.operands.get(operand as usize) else {
+            return false;
+        };
+        let (mut is_inverse, mut above) = (operand.is_inverse, operand.parent);
+        while above != NONE {
+            let node = &self.nodes[above as usize];
+            is_inverse ^= node.is_inverse;
+            above = node.parent;
+        }
+        is_inverse
+    }
+
+    /// Follows its leaves, and those of what bounds it, to their new places.
+    pub(super) fn move_leaves(&mut self, places: &[u32]) {
+        if let Some(place) = places.get(self.first as usize) {
+            self.first = *place;
+        }
+        for gate in &mut self.gates {
+            gate.bound.move_leaves(places);
+        }
+    }
+
+    /// How many leaves it has.
+    pub(super) fn len(&self) -> u32 {
+        u32::try_from(self.operands.len()).unwrap_or(u32::MAX)
+    }
+
     /// The first surface shown at `from < t <= to` for which `wanted` holds.
     pub(super) fn nearest(
         &self,

@@ -4,18 +4,20 @@
 use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::{Extent, Leaf};
+use super::lights::{LightList, Lights};
 use super::world::{Flags, Surface};
 use crate::light::Light;
 use crate::math::{Bounds, Step};
+use crate::pattern::Settings;
 use crate::scene::{Attached, Kind, Object, Operation};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// What the tree of the world holds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Item {
     /// A shape by itself.
     Leaf(u32),
@@ -33,7 +35,9 @@ pub(super) struct Flat {
     pub(super) bounds: Vec<Bounds>,
     pub(super) surfaces: Vec<Surface>,
     pub(super) interiors: Interiors,
-    pub(super) lights: Vec<Light>,
+    /// What patterns take from the whole scene.
+    settings: Settings,
+    pub(super) lights: Lights,
     /// By address.
     prepared: FxHashMap<usize, Arc<PreparedTexture>>,
     last_surface: Option<u32>,
@@ -41,6 +45,17 @@ pub(super) struct Flat {
     gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
     /// Bounds of the operands of the combination being built.
     operand_bounds: Vec<Bounds>,
+    /// What the lights of the object being taken in hold.
+    held: Vec<(Holds, Arc<Object>, Heritage)>,
+}
+
+/// Why a light holds an object.
+#[derive(Debug)]
+enum Holds {
+    /// To look like it.
+    Look,
+    /// To be projected through it: the light of this number.
+    Projector(u32),
 }
 
 /// What an object hands down to its children.
@@ -50,6 +65,12 @@ struct Heritage {
     inside_texture: Option<Placed>,
     interior: Option<InteriorId>,
     flags: Flags,
+    /// The lights that shine on it.
+    lights: LightList,
+    /// Whether lights outside of the light group around it do so; `None` outside of all groups.
+    global_lights: Option<bool>,
+    /// The list of the light group that it is, which takes in its own lights.
+    group: Option<LightList>,
     /// The transforms of everything above, innermost first.
     steps: Arc<[Step]>,
 }
@@ -62,6 +83,14 @@ struct Placed {
 }
 
 impl Flat {
+    /// Nothing yet; `settings` are what patterns take from the whole scene.
+    pub(super) fn new(settings: Settings) -> Self {
+        Flat {
+            settings,
+            ..Flat::default()
+        }
+    }
+
     /// Takes in one object of the scene's top level.
     pub(super) fn add(&mut self, object: &Object) {
         let nothing = Heritage {
@@ -69,16 +98,28 @@ impl Flat {
             inside_texture: None,
             interior: None,
             flags: Flags::default(),
+            lights: LightList::default(),
+            global_lights: None,
+            group: None,
             steps: Arc::from([]),
         };
         self.add_below(object, &nothing);
+        while let Some((holds, object, around)) = self.held.pop() {
+            match holds {
+                Holds::Look => self.add_below(&object, &around),
+                Holds::Projector(light) => {
+                    let (program, _) = self.program(&object, &around);
+                    self.lights.project(light, program);
+                }
+            }
+        }
     }
 
     fn add_below(&mut self, object: &Object, above: &Heritage) {
         let below = self.heritage(object, above);
         let is_plain = object.clipped_by.is_empty() && !is_gated(object);
         match &object.kind {
-            Kind::Light(light) => self.lights.push(placed(light, &below.steps)),
+            Kind::Light { .. } => self.add_light(&object.kind, above, below),
             Kind::Csg {
                 operation: Operation::Union,
                 children,
@@ -88,7 +129,7 @@ impl Flat {
                 }
             }
             Kind::Shape(shape) if is_plain && !object.is_inverse => {
-                let surface = self.surface(&below);
+                let surface = self.surface(&below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Surface);
                 if !bounds.is_empty() {
@@ -97,6 +138,26 @@ impl Flat {
                 }
             }
             _ => self.add_program(object, above),
+        }
+    }
+
+    /// Takes in a light; what it holds waits until the object around it is complete.
+    fn add_light(&mut self, light: &Kind, above: &Heritage, below: Heritage) {
+        let Kind::Light {
+            light,
+            looks_like,
+            projected_through,
+        } = light
+        else {
+            return;
+        };
+        let light = self.lights.add(placed(light, &below.steps), above.group);
+        if let Some(object) = projected_through {
+            let holds = Holds::Projector(light);
+            self.held.push((holds, Arc::clone(object), below.clone()));
+        }
+        if let Some(object) = looks_like {
+            self.held.push((Holds::Look, Arc::clone(object), below));
         }
     }
 
@@ -208,12 +269,16 @@ impl Flat {
     ) -> Bounds {
         let (parent, is_inverse) = place;
         match &object.kind {
-            Kind::Light(light) => {
-                self.lights.push(placed(light, &below.steps));
+            Kind::Light { .. } => {
+                let outside = Heritage {
+                    group: None,
+                    ..below.clone()
+                };
+                self.add_light(&object.kind, &outside, below.clone());
                 Bounds::EMPTY
             }
             Kind::Shape(shape) => {
-                let surface = self.surface(below);
+                let surface = self.surface(below, shape.skins());
                 let (leaf, bounds) =
                     Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
                 self.leaves.push(leaf);
@@ -321,7 +386,18 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         let own = &object.flags;
+        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
+        self.interiors.set_hollow(interior, is_hollow);
+        let global_lights = object.light_group.map_or(above.global_lights, |group| {
+            Some(above.global_lights.unwrap_or(group.global_lights))
+        });
+        let group = object
+            .light_group
+            .map(|_| self.lights.group(global_lights.unwrap_or(true)));
         Heritage {
+            lights: group.unwrap_or(above.lights),
+            global_lights,
+            group,
             texture: place(&object.texture, &above.texture),
             inside_texture: place(&object.interior_texture, &above.inside_texture),
             interior: Some(interior),
@@ -329,7 +405,7 @@ impl Flat {
                 no_shadow: own.no_shadow || above.flags.no_shadow,
                 no_image: own.no_image || above.flags.no_image,
                 no_reflection: own.no_reflection || above.flags.no_reflection,
-                hollow: own.hollow.unwrap_or(above.flags.hollow),
+                hollow: is_hollow,
                 double_illuminate: own.double_illuminate || above.flags.double_illuminate,
             },
             steps: joined(&object.steps, &above.steps),
@@ -337,20 +413,29 @@ impl Flat {
     }
 
     /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    fn surface(&mut self, looks: &Heritage) -> u32 {
+    fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
         let texture = match &looks.texture {
             Some(placed) => self.prepare(placed),
-            None => Arc::new(Texture::from(Layer::default()).prepare(&[])),
+            None => Arc::new(Texture::from(Layer::default()).prepare(&[], &self.settings)),
         };
         let inside_texture = looks
             .inside_texture
             .as_ref()
             .map(|placed| self.prepare(placed));
+        let skin = |skin: &Skin| {
+            self.prepare(&Placed {
+                texture: Arc::clone(&skin.0),
+                steps: Arc::clone(&looks.steps),
+            })
+        };
+        let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
         let surface = Surface {
             texture,
             inside_texture,
+            skins,
             interior,
+            lights: looks.lights,
             flags: looks.flags,
         };
         if let Some(last) = self
@@ -369,10 +454,10 @@ impl Flat {
     fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
         if !placed.texture.depends_on_place() {
             let key = Arc::as_ptr(&placed.texture).addr();
-            let fresh = || Arc::new(placed.texture.prepare(&[]));
+            let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
             return Arc::clone(self.prepared.entry(key).or_insert_with(fresh));
         }
-        Arc::new(placed.texture.prepare(&placed.steps))
+        Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
     }
 }
 

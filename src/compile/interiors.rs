@@ -20,6 +20,8 @@ impl InteriorId {
 #[derive(Debug, Default)]
 pub struct Interiors {
     written: Vec<Interior>,
+    /// Whether they are those of hollow objects; first the written ones, then the others.
+    hollow: [Vec<bool>; 2],
     unnamed: u32,
     default: Interior,
 }
@@ -60,6 +62,31 @@ impl Interiors {
                 interior.take_from_finishes(finishes);
                 self.written(interior)
             }
+        }
+    }
+
+    /// Says whether the object of an interior is hollow.
+    pub(super) fn set_hollow(&mut self, id: InteriorId, is_hollow: bool) {
+        let (kind, number) = Self::place(id);
+        let known = &mut self.hollow[kind];
+        if known.len() <= number {
+            known.resize(number + 1, false);
+        }
+        known[number] = is_hollow;
+    }
+
+    /// Whether the atmosphere goes on in an interior.
+    #[must_use]
+    pub fn is_hollow(&self, id: InteriorId) -> bool {
+        let (kind, number) = Self::place(id);
+        self.hollow[kind].get(number).copied().unwrap_or(false)
+    }
+
+    fn place(id: InteriorId) -> (usize, usize) {
+        if id.0 < UNNAMED {
+            (0, id.0 as usize)
+        } else {
+            (1, (id.0 - UNNAMED) as usize)
         }
     }
 

@@ -1,7 +1,7 @@
 //! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
 
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
-use crate::shape::{Geometry, Root, Shape, Start};
+use crate::shape::{Geometry, Root, Shape, Shares, Start};
 use glam::{DAffine3, DVec3};
 
 /// Which bounds of a shape are asked for.
@@ -127,12 +127,26 @@ impl Leaf {
         )
     }
 
+    /// The shares of the shape's own textures at a world point of a piece of its surface.
+    pub(super) fn shares(&self, point: DVec3, face: u32) -> Shares {
+        self.shape.shares(self.point_to_object(point), face)
+    }
+
     fn to_world(&self, normal: DVec3) -> DVec3 {
         match &self.object_from_world {
             Some(matrix) => normal_from_inverse(matrix, normal),
             None => normal,
         }
         .normalize_or_zero()
+    }
+
+    /// The radius of a leaf that is a ball about the middle of its bounds.
+    #[must_use]
+    pub fn ball_radius(&self) -> Option<f64> {
+        match (&self.shape, &self.object_from_world) {
+            (Shape::Sphere(sphere), None) => Some(sphere.radius),
+            _ => None,
+        }
     }
 
     /// The memory of this leaf in bytes, its matrix included.

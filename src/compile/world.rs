@@ -4,15 +4,19 @@ use super::csg::{Found, Program, Sweep, hide_departure};
 use super::flatten::{Flat, Item};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
-use crate::accel::Bvh;
+use super::lights::{LightList, Lights};
+use super::order::{Finder, Numbered};
+use crate::accel::Bundle;
+use crate::atmosphere::{Fog, PreparedSky};
 use crate::camera::Camera;
 use crate::color::{Color, Rgb};
-use crate::light::Light;
 use crate::math::lanes::with_widest;
+use crate::math::mersenne::Stream;
+use crate::math::noise::NoiseGenerator;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
-use crate::shape::{Crossing, Geometry, Root};
+use crate::shape::{Crossing, Geometry, Root, Shape, Shares};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -40,8 +44,12 @@ pub struct Surface {
     pub texture: Arc<PreparedTexture>,
     /// The texture seen from inside, if the scene gives one.
     pub inside_texture: Option<Arc<PreparedTexture>>,
+    /// The textures that pieces of the shape have of their own, moved like the layers.
+    pub skins: Vec<Arc<PreparedTexture>>,
     /// The interior of the object.
     pub interior: InteriorId,
+    /// The lights that shine on it.
+    pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
 }
@@ -54,9 +62,12 @@ impl Surface {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             _ => false,
         };
+        let same_skins = self.skins.is_empty() && other.skins.is_empty();
         same_inside
+            && same_skins
             && Arc::ptr_eq(&self.texture, &other.texture)
             && self.interior == other.interior
+            && self.lights == other.lights
             && self.flags == other.flags
     }
 
@@ -68,6 +79,7 @@ impl Surface {
                 .inside_texture
                 .as_ref()
                 .is_none_or(|texture| texture.is_opaque())
+            && self.skins.iter().all(|texture| texture.is_opaque())
     }
 }
 
@@ -130,10 +142,18 @@ pub struct Query {
 /// Buffers that a thread keeps between questions.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    sweep: Sweep,
+    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    pub lamps: Vec<Option<Rgb>>,
+    /// The random numbers of the sample at hand.
+    pub stream: Stream,
+    /// The state of the generator that `crand` draws from.
+    pub crand: u32,
+    pub(super) sweep: Sweep,
     roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
+    pub(super) bundle: Bundle,
+    pub(super) bests: Vec<Option<Best>>,
 }
 
 /// What lies between a point and a light.
@@ -150,6 +170,8 @@ pub enum Way {
 /// The settings of shading.
 #[derive(Clone, Debug)]
 pub struct Globals {
+    /// The noise of what is uneven.
+    pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
     /// `max_trace_level`.
@@ -177,13 +199,17 @@ pub struct World {
     /// The camera.
     pub camera: Camera,
     /// The lights, in the order of the scene.
-    pub lights: Vec<Light>,
+    pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
     pub interiors: Interiors,
     /// The colour of rays that hit nothing.
     pub background: Color,
+    /// The sky in front of it.
+    pub sky: Option<PreparedSky>,
+    /// The fogs, none that does nothing.
+    pub fogs: Vec<Fog>,
     /// The settings of shading.
     pub globals: Globals,
     leaves: Vec<Leaf>,
@@ -191,9 +217,7 @@ pub struct World {
     items: Vec<Item>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     boxes: Vec<Bounds>,
-    tree: Bvh,
-    bounded: Vec<u32>,
-    unbounded: Vec<u32>,
+    finder: Finder,
     ties_by_box: bool,
     is_opaque: bool,
     /// For each surface, whether nothing can be seen through it.
@@ -204,15 +228,15 @@ pub struct World {
 }
 
 /// The best surface on a ray so far.
-#[derive(Clone, Copy)]
-struct Best {
-    found: Found,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Best {
+    pub(super) found: Found,
     item: u32,
 }
 
 impl World {
-    pub(super) fn new(scene: &Scene, flat: Flat, options: &RenderOptions) -> World {
-        let (tree, bounded, unbounded) = super::tree(&flat);
+    pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
+        let finder = Finder::new(&mut flat);
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
@@ -220,7 +244,20 @@ impl World {
         World {
             camera: scene.camera.clone(),
             background: scene.background.color.unwrap_or(transparent),
+            sky: scene
+                .atmosphere
+                .sky_sphere
+                .as_ref()
+                .map(|sky| sky.prepare(&scene.pattern_settings(), scene.version >= 3.7)),
+            fogs: scene
+                .atmosphere
+                .fogs
+                .iter()
+                .filter(|fog| fog.exists())
+                .cloned()
+                .collect(),
             globals: Globals {
+                noise: NoiseGenerator::default(),
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
@@ -242,9 +279,7 @@ impl World {
             leaves: flat.leaves,
             programs: flat.programs,
             items: flat.items,
-            tree,
-            bounded,
-            unbounded,
+            finder,
         }
     }
 
@@ -262,20 +297,38 @@ impl World {
     fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
-        for &item in &self.unbounded {
+        for &item in &self.finder.unbounded {
             far = self.try_item(item, query, far, &mut best, scratch);
         }
-        self.tree.nearest(
+        self.nearest_bounded(query, &mut best, scratch);
+        best
+    }
+
+    /// Makes `best` the nearest of itself and all bounded items.
+    #[inline(always)]
+    pub(super) fn nearest_bounded(
+        &self,
+        query: &Query,
+        best: &mut Option<Best>,
+        scratch: &mut Scratch,
+    ) {
+        let far = best.map_or(query.far, |best| best.found.root.t);
+        self.finder.tree.nearest(
             &query.ray,
             0.0,
             far,
             #[inline(always)]
             |number, far| {
-                let item = self.bounded[number as usize];
-                self.try_item(item, query, far, &mut best, scratch)
+                let item = self.finder.bounded[number as usize];
+                self.try_item(item, query, far, best, scratch)
             },
         );
-        best
+    }
+
+    /// How the items are found.
+    #[inline(always)]
+    pub(super) fn finder(&self) -> &Finder {
+        &self.finder
     }
 
     /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
@@ -287,9 +340,16 @@ impl World {
         }
     }
 
+    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
+    /// the ray, since it misses what the light is projected through.
+    #[must_use]
+    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+        self.lights.reach(light, &self.leaves, query, scratch)
+    }
+
     /// What lies on a ray to the light of this number.
     #[must_use]
-    pub fn way(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -297,32 +357,35 @@ impl World {
     }
 
     #[inline(always)]
-    fn way_found(&self, query: &Query, light: usize, scratch: &mut Scratch) -> Way {
+    pub(super) fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        let light = light as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }
         let mut way = Way::Free;
         // Neighbouring points are often in the shadow of the same object.
         let last = scratch.blockers[light];
-        if (last as usize) < self.items.len() && self.blocks(last, query, &mut way, scratch) {
+        if let Some(&item) = self.items.get(last as usize)
+            && self.blocks(Numbered { number: last, item }, query, &mut way, scratch)
+        {
             return Way::Blocked;
         }
-        for &item in &self.unbounded {
+        for &item in &self.finder.unbounded {
             if self.blocks(item, query, &mut way, scratch) {
-                scratch.blockers[light] = item;
+                scratch.blockers[light] = item.number;
                 return Way::Blocked;
             }
         }
-        let is_blocked = self.tree.any(
+        let is_blocked = self.finder.tree.any(
             &query.ray,
             0.0,
             query.far,
             #[inline(always)]
             |number| {
-                let item = self.bounded[number as usize];
+                let item = self.finder.bounded[number as usize];
                 let blocks = self.blocks(item, query, &mut way, scratch);
                 if blocks {
-                    scratch.blockers[light] = item;
+                    scratch.blockers[light] = item.number;
                 }
                 blocks
             },
@@ -332,7 +395,13 @@ impl World {
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
     #[inline(always)]
-    fn blocks(&self, item: u32, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+    pub(super) fn blocks(
+        &self,
+        item: Numbered,
+        query: &Query,
+        way: &mut Way,
+        scratch: &mut Scratch,
+    ) -> bool {
         let found = self.find(
             item,
             query,
@@ -362,11 +431,11 @@ impl World {
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut interiors = SmallVec::new();
         let mut numbers: Vec<u32> = Vec::new();
-        self.tree.around(point, |number| {
-            numbers.push(self.bounded[number as usize]);
+        self.finder.tree.around(point, |number| {
+            numbers.push(self.finder.bounded[number as usize].number);
             false
         });
-        numbers.extend(&self.unbounded);
+        numbers.extend(self.finder.unbounded.iter().map(|item| item.number));
         let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
         numbers.sort_unstable_by_key(|&number| (is_bounded(number), number));
         for number in numbers {
@@ -383,6 +452,42 @@ impl World {
             }
         }
         interiors
+    }
+
+    /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
+    /// away.
+    pub(super) fn is_inverse(&self, leaf: u32) -> bool {
+        let behind = self
+            .programs
+            .partition_point(|program| program.first <= leaf);
+        let program = behind.checked_sub(1).map(|at| &self.programs[at]);
+        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+    }
+
+    /// The shape of a primitive.
+    pub(super) fn shape(&self, leaf: u32) -> &Shape {
+        &self.leaves[leaf as usize].shape
+    }
+
+    /// Whether a point lies in any object.
+    #[must_use]
+    pub fn holds(&self, point: DVec3) -> bool {
+        let holds = |number: u32| match self.items[number as usize] {
+            Item::Leaf(leaf) => self.leaves[leaf as usize].contains(point),
+            Item::Program(program) => self.programs[program as usize].contains(&self.leaves, point),
+        };
+        let mut unbounded = self.finder.unbounded.iter();
+        unbounded.any(|item| holds(item.number))
+            || self.finder.tree.around(point, |place| {
+                holds(self.finder.bounded[place as usize].number)
+            })
+    }
+
+    /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
+    #[must_use]
+    pub fn shares(&self, hit: &Hit) -> Shares {
+        let Departure { leaf, face, .. } = hit.departure;
+        self.leaves[leaf as usize].shares(hit.point, face)
     }
 
     /// The primitives of the world.
@@ -403,9 +508,9 @@ impl World {
 
     /// Tries one item; gives the new far limit.
     #[inline(always)]
-    fn try_item(
+    pub(super) fn try_item(
         &self,
-        item: u32,
+        item: Numbered,
         query: &Query,
         far: f64,
         best: &mut Option<Best>,
@@ -422,13 +527,16 @@ impl World {
             Some(best) => {
                 found.root.t < best.found.root.t
                     || (found.root.t == best.found.root.t
-                        && self.comes_first(item, best.item, &query.ray))
+                        && self.comes_first(item.number, best.item, &query.ray))
             }
         };
         if !is_better {
             return far;
         }
-        *best = Some(Best { found, item });
+        *best = Some(Best {
+            found,
+            item: item.number,
+        });
         found.root.t
     }
 
@@ -445,7 +553,7 @@ impl World {
     #[inline(always)]
     fn find(
         &self,
-        item: u32,
+        item: Numbered,
         query: &Query,
         far: f64,
         scratch: &mut Scratch,
@@ -453,7 +561,7 @@ impl World {
     ) -> Option<Found> {
         let from = self.least_distance(query);
         let mut wanted = |found: &Found| self.is_seen(found, query.seen) && wanted(found);
-        match self.items[item as usize] {
+        match item.item {
             Item::Program(number) => {
                 let program = &self.programs[number as usize];
                 let departure = query.from.as_ref();
@@ -505,7 +613,7 @@ impl World {
         a < b
     }
 
-    fn hit(&self, query: &Query, found: &Found) -> Hit {
+    pub(super) fn hit(&self, query: &Query, found: &Found) -> Hit {
         let leaf = &self.leaves[found.leaf as usize];
         let Root {
             t, face, crossing, ..

@@ -7,6 +7,7 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
+use crate::texture::Texture;
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -56,6 +57,19 @@ impl Args for Reader<'_> {
 
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
         self.take_literal_vectors(len, take);
+    }
+
+    fn literal_number(&mut self) -> Option<f64> {
+        self.take_literal_number()
+    }
+
+    fn texture_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let default = self.default_layer.clone();
+        Ok(Arc::new(Texture::read(self, &default)?))
+    }
+
+    fn at_mark(&mut self, mark: char) -> Parse<bool> {
+        Ok(self.peek()?.is_mark(mark))
     }
 
     fn comma(&mut self) -> Parse<bool> {

@@ -24,6 +24,11 @@ impl Reader<'_> {
             return Err(self.expected_here("a value"));
         };
         self.end_of_declaration(matches!(value, Value::Number(_)))?;
+        self.set_item(symbol, at, value)
+    }
+
+    /// Gives an item of the array of this name a value.
+    pub(super) fn set_item(&mut self, symbol: Symbol, at: usize, value: Value) -> Parse<()> {
         // An array that has another name as well is copied.
         let copied = match self.scopes.get(symbol) {
             Some(Value::Array(array)) if Rc::strong_count(array) > 1 => array.items.len(),

@@ -8,7 +8,7 @@ use super::limits;
 use super::reader::Reader;
 use crate::args::Parse;
 use crate::scene::Object;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use std::fs;
 
 /// What a run may take, and what it has taken.
@@ -223,7 +223,7 @@ impl Reader<'_> {
     /// The error after which nothing more is read.
     fn fatal(&mut self, error: Diagnostic) -> Box<Diagnostic> {
         self.is_over = true;
-        self.with_trace(error)
+        self.with_trace(error.with_code(Code::Limit))
     }
 }
 

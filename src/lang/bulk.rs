@@ -6,7 +6,7 @@
 
 use super::cursor::Place;
 use super::reader::Reader;
-use crate::syntax::{Kind, Tokens};
+use crate::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
 
 /// The most components of a vector.
@@ -34,6 +34,41 @@ impl Reader<'_> {
             };
         }
     }
+
+    /// Takes a literal number with an optional comma before it.
+    pub(super) fn take_literal_number(&mut self) -> Option<f64> {
+        let tokens = Rc::clone(&self.here.tokens);
+        let token = |at: usize| tokens.tokens.get(at).copied();
+        let mut at = self.here.at;
+        at += usize::from(token(at)?.is_mark(','));
+        let (number, after) = signed(&tokens, at)?;
+        if !ends_item(token(after)?) {
+            return None;
+        }
+        self.here.at = after;
+        self.last = Place {
+            tokens,
+            at: after - 1,
+        };
+        Some(number)
+    }
+}
+
+/// The number at a token, perhaps with a sign, and the token behind it.
+fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
+    let is_negative = tokens.tokens.get(at)?.is_mark('-');
+    at += usize::from(is_negative);
+    let number = tokens.tokens.get(at)?;
+    if number.kind != Kind::Number {
+        return None;
+    }
+    let value = *tokens.numbers.get(number.value as usize)?;
+    Some((if is_negative { -value } else { value }, at + 1))
+}
+
+/// Whether no expression can go on with this token.
+fn ends_item(behind: Token) -> bool {
+    [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark))
 }
 
 /// The vector at a token and the token behind it.
@@ -47,24 +82,13 @@ fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; M
     }
     let mut vector = [0.0; MOST];
     for (i, component) in vector.get_mut(..len)?.iter_mut().enumerate() {
-        at += 1;
-        let is_negative = token(at)?.is_mark('-');
-        at += usize::from(is_negative);
-        let number = token(at)?;
-        if number.kind != Kind::Number {
-            return None;
-        }
-        let value = *tokens.numbers.get(number.value as usize)?;
-        *component = if is_negative { -value } else { value };
-        at += 1;
+        (*component, at) = signed(tokens, at + 1)?;
         let separator = if i + 1 == len { '>' } else { ',' };
         if !token(at)?.is_mark(separator) {
             return None;
         }
     }
-    let behind = token(at + 1)?;
-    let is_ended = [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark));
-    is_ended.then_some((vector, at + 1))
+    ends_item(token(at + 1)?).then_some((vector, at + 1))
 }
 
 #[cfg(test)]

@@ -5,10 +5,11 @@
 //! call has been opened; readers never see any of that.
 
 use super::limits;
+use super::macros::Macro;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Parse, Word};
-use crate::source::{Diagnostic, FileId, Label, Span};
+use crate::source::{Code, Diagnostic, FileId, Span};
 use crate::syntax::{self, Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
@@ -71,15 +72,18 @@ pub(super) enum Entered {
     If,
     /// The chosen part of a `#switch`.
     Switch,
-    /// A `#while`, with the place of its condition.
-    While { condition: usize },
+    /// A `#while`, with the place of its condition, and which round it is in.
+    While { condition: usize, rounds: u64 },
     /// A `#for`.
     For(Box<super::flow::For>),
     /// A macro call.
     Macro {
         back: Place,
         call: Start,
+        /// The last token of the call.
+        called_to: Start,
         name: Symbol,
+        called: Rc<Macro>,
     },
     /// An include file.
     Include { back: Place, from: Span },
@@ -282,19 +286,15 @@ impl Reader<'_> {
 
     /// Takes the mark that closes what was opened at `open`, or says what should have stood there.
     pub(super) fn expect_end(&mut self, mark: char, what: &str, open: Start) -> Parse<()> {
-        self.expect_mark(mark, what).map_err(|error| {
-            let open = self.span_of(open);
-            let opened = self.source_text(open).to_owned();
-            Box::new(error.with_label(open, format!("this `{opened}` is still open")))
-        })
+        self.expect_mark(mark, what)
+            .map_err(|error| self.with_opened(error, mark, open))
     }
 
     /// Takes the `{` of an element and remembers it for messages.
     pub(super) fn open_block(&mut self) -> Parse<()> {
         if !self.take_mark('{')? {
             let element = self.taken_span();
-            let after = self.source_text(element).to_owned();
-            let error = self.expected_here(&format!("`{{` after `{after}`"));
+            let error = self.no_block(element);
             // Its `}` is to be passed over as well.
             self.blocks.push(element);
             return Err(error);
@@ -326,20 +326,25 @@ impl Reader<'_> {
             return self.consequence();
         }
         let found = self.describe(token);
-        let mut diagnostic =
-            Diagnostic::error(self.here_span(), format!("expected {what}, found {found}"));
+        // The end of the file is told where the text ends, not behind the blank lines that follow it.
+        let place = match (token.kind, self.here.at.checked_sub(1)) {
+            (Kind::End, Some(last)) => {
+                let last = self.here.tokens.span(last);
+                Span::new(last.file, last.end, last.end)
+            }
+            _ => self.here_span(),
+        };
+        let mut diagnostic = Diagnostic::error(place, format!("expected {what}, found {found}"));
+        if token.kind == Kind::Name && self.scopes.get(Symbol(token.value)).is_none() {
+            diagnostic.code = Some(Code::Undeclared);
+        }
         if let Some(remedy) = self.remedy(token, what) {
             diagnostic = diagnostic.with_hint(remedy);
         }
         if let Some(&open) = self.blocks.last()
             && (token.kind == Kind::End || what.contains("`}`"))
         {
-            diagnostic = diagnostic.with_label(open, "this `{` is still open");
-            if let Some((start, end)) = self.swallowed_end(open) {
-                diagnostic = diagnostic
-                    .with_label(start, "the `}` of this `{` may be the one that is missing")
-                    .with_label(end, "it ends here");
-            }
+            diagnostic = self.with_block(diagnostic, token, open);
         }
         self.with_trace(diagnostic)
     }
@@ -352,28 +357,6 @@ impl Reader<'_> {
     /// An error at the token last taken.
     pub(super) fn error_taken(&self, message: impl Into<String>) -> Box<Diagnostic> {
         self.with_trace(Diagnostic::error(self.taken_span(), message))
-    }
-
-    /// The diagnostic with the calls and includes that lead to it, innermost first.
-    pub(super) fn with_trace(&self, mut diagnostic: Diagnostic) -> Box<Diagnostic> {
-        if diagnostic.trace.is_empty() {
-            for frame in self.frames.iter().rev().take(limits::TRACE) {
-                match &frame.kind {
-                    Entered::Macro { call, name, .. } => diagnostic.trace.push(Label {
-                        span: self.span_of(*call),
-                        text: format!("in the macro `{}`, called here", self.names.spelling(*name)),
-                    }),
-                    Entered::Include { from, .. } => {
-                        diagnostic.trace.push(Label {
-                            span: *from,
-                            text: "in the file included here".to_owned(),
-                        });
-                    }
-                    _ => {}
-                }
-            }
-        }
-        Box::new(diagnostic)
     }
 
     /// The author's words for a token.

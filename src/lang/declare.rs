@@ -6,10 +6,12 @@ use super::reader::Reader;
 use super::replay::Level;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
-use crate::source::Diagnostic;
+use crate::pattern::Map;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
 use std::rc::Rc;
@@ -172,6 +174,10 @@ impl Reader<'_> {
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
         let symbol = self.identifier("a name after `#undef`")?;
+        if let Some(&Value::File(handle)) = self.scopes.get(symbol) {
+            self.scopes.undefine(symbol);
+            return self.close_file(handle, self.taken_span());
+        }
         if !self.scopes.undefine(symbol) {
             let name = self.names.spelling(symbol).to_owned();
             self.warning(Diagnostic::warning(
@@ -204,14 +210,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn run_include(&mut self) -> Parse<()> {
-        let token = self.peek()?;
-        let name = if token.kind == Kind::String {
-            self.pass();
-            self.last.tokens.string_raw(token.value).into_owned()
-        } else {
-            self.string()?
-        };
+        let name = self.file_name()?;
         let from = self.taken_span();
+        self.publish_files(from)?;
         let depth = self
             .frames
             .iter()
@@ -234,6 +235,8 @@ impl Reader<'_> {
             Err(mut error) => {
                 self.lacks_file = true;
                 error.span = Some(from);
+                error.code = Some(Code::MissingFile);
+                self.suggest_include(&mut error, &name);
                 return Err(self.with_trace(*error));
             }
         };
@@ -289,15 +292,21 @@ impl Reader<'_> {
         let text = self.string()?;
         match word {
             Word::Error => {
-                Err(self.with_trace(Diagnostic::error(span, text.trim_end().to_owned())))
+                // What follows was written for a scene that is right so far.
+                self.is_over = true;
+                let text = match text.trim_end() {
+                    "" => "the scene stops itself here",
+                    text => text,
+                };
+                Err(self.with_trace(Diagnostic::error(span, text).with_code(Code::Author)))
             }
             Word::Warning => {
-                self.warning(Diagnostic::warning(span, text.trim_end().to_owned()));
+                let warning = Diagnostic::warning(span, text.trim_end().to_owned());
+                self.warning(warning.with_code(Code::Author));
                 Ok(())
             }
             _ => {
-                self.messages.push_str(&text);
-                if self.messages.len() <= limits::MESSAGES {
+                if self.say(&text) <= limits::MESSAGES {
                     return Ok(());
                 }
                 self.is_over = true;
@@ -356,6 +365,7 @@ impl Reader<'_> {
                 }
             }
             Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::File(_)) => Err(self.expected_here(what)),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
                 Element::new("texture", self.texture_layers()?),
             ))),
@@ -381,6 +391,16 @@ impl Reader<'_> {
                 let pigment = Pigment::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("pigment", pigment))))
             }
+            Word::ColorMap | Word::ColourMap => {
+                self.pass();
+                let map = Map::read_colors(self)?;
+                Ok(Some(Value::Element(Element::new("color_map", map))))
+            }
+            Word::PigmentMap => {
+                self.pass();
+                let map = Pigment::read_map(self)?;
+                Ok(Some(Value::Element(Element::new("pigment_map", map))))
+            }
             Word::Finish => {
                 self.pass();
                 let default = self.default_layer.finish.clone();
@@ -400,6 +420,16 @@ impl Reader<'_> {
                 let material = Material::read(self, &default)?;
                 Ok(Some(Value::Element(Element::new("material", material))))
             }
+            Word::Fog => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::SkySphere => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                Ok(Some(Value::Element(Element::new("sky_sphere", sky))))
+            }
             Word::Camera => {
                 self.pass();
                 let camera = Camera::read(self, &Camera::default())?;
@@ -410,7 +440,7 @@ impl Reader<'_> {
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
             Word::Array => self.array_value().map(Some),
-            Word::LightSource => self.light_value().map(Some),
+            Word::LightSource => Ok(self.object()?.map(Value::Object)),
             _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
             _ => match word.class() {
                 Class::Shape | Class::Csg => Ok(self.object()?.map(Value::Object)),

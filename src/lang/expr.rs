@@ -300,8 +300,7 @@ impl Reader<'_> {
             let start = self.start()?;
             if number.len > 0 && !self.begins_number()? {
                 let error = self.expected_here("`>` or a further component of the vector");
-                let opened = self.span_of(opened);
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                return Err(self.with_opened(error, '>', opened));
             }
             let component = self.sum()?;
             number.v[usize::from(number.len)] = self.only_float(component, start)?;
@@ -312,8 +311,7 @@ impl Reader<'_> {
             }
             if number.len == 5 {
                 let error = self.expected_here("`>` after five components");
-                let opened = self.span_of(opened);
-                return Err(Box::new(error.with_label(opened, "this `<` is still open")));
+                return Err(self.with_opened(error, '>', opened));
             }
         }
         if number.len == 1 {

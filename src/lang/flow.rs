@@ -5,7 +5,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use crate::syntax::{Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
@@ -18,12 +18,28 @@ pub(super) struct For {
     /// Where the body begins.
     body: usize,
     variable: Symbol,
+    start: f64,
     value: f64,
     end: f64,
     step: f64,
 }
 
 impl For {
+    /// Where its body begins, behind its head.
+    pub(super) fn body(&self) -> usize {
+        self.body
+    }
+
+    /// Its variable.
+    pub(super) fn variable(&self) -> Symbol {
+        self.variable
+    }
+
+    /// Whether this is not its first round.
+    pub(super) fn has_gone_round(&self) -> bool {
+        (self.value - self.start).abs() > EQUAL
+    }
+
     fn is_over(&self) -> bool {
         if self.step > 0.0 {
             self.value > self.end + EQUAL
@@ -124,6 +140,7 @@ impl Reader<'_> {
                     index,
                     Entered::While {
                         condition: self.here.at,
+                        rounds: 1,
                     },
                 );
                 self.run_while(index)
@@ -140,13 +157,17 @@ impl Reader<'_> {
             Word::Include => self.run_include(),
             Word::Default => self.run_default(),
             Word::Version => self.run_version(),
+            Word::Fopen => self.run_fopen(),
+            Word::Fclose => self.run_fclose(),
+            Word::Read => self.run_read(),
+            Word::Write => self.run_write(),
             Word::Debug | Word::Warning | Word::Error | Word::Render | Word::Statistics => {
                 self.run_message(word, span)
             }
-            _ => Err(self.with_trace(Diagnostic::error(
-                span,
-                format!("`#{word}` is not built yet"),
-            ))),
+            _ => Err(self.with_trace(
+                Diagnostic::error(span, format!("`#{word}` is not built yet"))
+                    .with_code(Code::NotBuilt),
+            )),
         }
     }
 
@@ -287,6 +308,7 @@ impl Reader<'_> {
         let run = For {
             body: self.here.at,
             variable,
+            start,
             value: start,
             end,
             step,
@@ -383,7 +405,8 @@ impl Reader<'_> {
                 self.frames.pop();
                 Ok(())
             }
-            Entered::While { condition } => {
+            Entered::While { condition, rounds } => {
+                *rounds += 1;
                 self.here.at = *condition;
                 self.here.tokens = Rc::clone(&frame.home);
                 self.run_while(self.here.at - 1)

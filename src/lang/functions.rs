@@ -43,8 +43,9 @@ impl Reader<'_> {
                 Number::float(f64::from(left.as_bytes().cmp(right.as_bytes()) as i8))
             }
             Word::FileExists => {
-                let file = self.string()?;
-                Number::truth(self.sources.has_include(&file, name.file))
+                let file = self.file_name()?;
+                self.publish_files(name)?;
+                Number::truth(self.sources.has_data(&file, name.file))
             }
             Word::Dimensions | Word::DimensionSize => self.dimensions(word)?,
             Word::Min | Word::Max => self.extremum(word)?,
@@ -63,6 +64,8 @@ impl Reader<'_> {
                 vectors(word, a, b, self.number_at_sum()?)
             }
             Word::MinExtent | Word::MaxExtent => self.extent(word)?,
+            Word::Trace => self.trace()?,
+            Word::Inside => self.inside()?,
             _ => self.float_function(word, name)?,
         };
         self.end_of_call(word, open)?;
@@ -83,7 +86,7 @@ impl Reader<'_> {
     /// The `)` of a call; a comma there means too many arguments.
     pub(super) fn end_of_call(&mut self, word: Word, open: Start) -> Parse<()> {
         if self.peek()?.is_mark(',') {
-            return Err(self.error_here(format!("`{word}` takes no further argument here")));
+            return Err(self.error_here(format!("`{word}` takes no further argument")));
         }
         if self.take_mark(')')? {
             return Ok(());

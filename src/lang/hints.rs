@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::Word;
-use crate::source::Span;
+use crate::source::{Diagnostic, Span};
 use crate::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
 
 /// Folders hold so many include files at most that are searched for a name.
@@ -36,11 +36,13 @@ impl Reader<'_> {
             '=' if wanted.contains("the start of `#for`") => {
                 "Write `#for (I, first, last)`, with commas only."
             }
-            ',' if wanted.contains("modifier") => {
-                "Parts of a block stand without commas; remove it."
-            }
-            ';' if wanted.contains("modifier") || wanted.contains("statement") => {
+            ',' if wants_word(wanted) => "Parts of a block stand without commas; remove it.",
+            ';' if wants_word(wanted) => {
                 "Only declarations of numbers, and some directives, end with `;`; remove it."
+            }
+            '(' if wants_word(wanted) => "Parameters stand in `{` and `}`, or in none at all.",
+            '=' | ':' if wants_word(wanted) => {
+                "A value follows its word without a sign: `ambient 0.2`."
             }
             _ => return None,
         };
@@ -63,43 +65,111 @@ impl Reader<'_> {
     fn remedy_of_name(&self, symbol: Symbol, wanted: &str) -> Option<String> {
         let name = self.names.spelling(symbol);
         if let Some(value) = self.scopes.get(symbol) {
-            let element = match value {
-                Value::Element(element) => element.name,
-                Value::Object(_) => "object",
-                _ => return None,
-            };
-            let is_statement = wanted.contains("`}`") || wanted.contains("statement");
-            return is_statement.then(|| format!("Write `{element} {{ {name} }}`."));
+            return remedy_of_value(name, value, wanted);
         }
         let small = name.to_lowercase();
         if let Some(word) = Word::from_spelling(&small)
-            && matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+            && fits(word, wanted)
         {
             return Some(format!("Reserved words have small letters: `{small}`."));
         }
-        if let Some(file) = self.sources.library_file_that_declares(name, INCLUDE_FILES) {
+        if let Some(line) = self.declared_further_down(symbol) {
             return Some(format!(
-                "`{file}` declares `{name}`: write `#include \"{file}\"` above."
+                "`{name}` is declared only in line {line}: move that above this."
             ));
         }
-        Some(match self.similar_name(name) {
-            Some(near) => format!("Did you mean `{near}`?"),
-            None => format!("Declare `{name}` above, or include the file that does."),
+        if let Some(known) = self.sources.library_file_that_declares(name, INCLUDE_FILES) {
+            let file = known.file;
+            let include = format!("`{file}` declares `{name}`: write `#include \"{file}\"` above");
+            let is_color =
+                Word::from_spelling(&known.kind).is_some_and(|word| word.class() == Class::Color);
+            return Some(match is_color && wanted.ends_with("`texture`") {
+                true => format!("{include}, and `pigment {{ {name} }}` here, for it is a colour."),
+                false => format!("{include}."),
+            });
+        }
+        if let Some(near) = self.similar_name(name, wanted) {
+            return Some(format!("Did you mean `{near}`?"));
+        }
+        if let Some(translated) = super::foreign::translated(name) {
+            return Some(translated);
+        }
+        Some(match wants_word(wanted) && !wanted.contains("statement") {
+            true => format!("There is no word `{name}`, and nothing of that name is declared."),
+            false => format!("Declare `{name}` above, or include the file that does."),
         })
     }
 
-    /// A declared name or a reserved word that differs from this one by a letter or two.
-    fn similar_name(&self, wanted: &str) -> Option<String> {
-        let mut known: Vec<&str> = Word::all().map(Word::spelling).collect();
+    /// The line of the same file, below this one, that declares a name.
+    fn declared_further_down(&self, symbol: Symbol) -> Option<usize> {
+        let tokens = &self.here.tokens;
+        let declares = |pair: &[Token]| {
+            let [directive, name] = pair else {
+                return false;
+            };
+            name.symbol() == Some(symbol)
+                && directive.kind == Kind::Directive
+                && matches!(
+                    tokens.directives[directive.value as usize].word,
+                    Some(Word::Declare | Word::Local | Word::Macro)
+                )
+        };
+        let behind = tokens.tokens.get(self.here.at..)?;
+        let at = self.here.at + behind.windows(2).position(declares)?;
+        Some(self.sources.line_column(tokens.span(at)).0)
+    }
+
+    /// A declared name or a reserved word that differs from this one by a letter or two and could stand here.
+    fn similar_name(&self, name: &str, wanted: &str) -> Option<String> {
+        let words = Word::all().filter(|&word| fits(word, wanted));
+        let mut known: Vec<&str> = words.map(Word::spelling).collect();
         let declared = self.scopes.defined();
         known.extend(declared.map(|symbol| self.names.spelling(symbol)));
-        super::similar::nearest(wanted, known.into_iter()).map(str::to_owned)
+        super::similar::nearest(name, known.into_iter()).map(str::to_owned)
+    }
+
+    /// Adds the include file whose name is nearest to that of one which is not found.
+    pub(super) fn suggest_include(&self, error: &mut Diagnostic, name: &str) {
+        let files = self.sources.include_files(self.here.tokens.file);
+        let bare = |name: &str| name.strip_suffix(".inc").unwrap_or(name).to_owned();
+        let names: Vec<String> = files.iter().map(|file| bare(file)).collect();
+        let near = super::similar::nearest(&bare(name), names.iter().map(String::as_str));
+        // Who differs only in case has been named.
+        if let Some(near) = near.filter(|near| !near.eq_ignore_ascii_case(&bare(name))) {
+            error.hints = vec![format!("Did you mean `{near}.inc`?")];
+        }
     }
 
     /// The directive whose spelling is nearest.
     pub(super) fn similar_directive(wanted: &str) -> Option<&'static str> {
         let words = Word::all().filter(|word| word.class() == Class::Directive);
         super::similar::nearest(wanted, words.map(Word::spelling))
+    }
+
+    /// A sign in the parameters of the block at this depth that was probably meant to begin a value: `<0, 0, 0> -1`.
+    pub(super) fn subtracting_sign(&self, depth: usize) -> Option<Span> {
+        let open = *self.blocks.get(depth.checked_sub(1)?)?;
+        let tokens = &self.here.tokens;
+        if tokens.file != open.file {
+            return None;
+        }
+        let first = tokens
+            .tokens
+            .partition_point(|token| token.start <= open.start);
+        let text = tokens.text().as_bytes();
+        let is_blank = |at: usize| text.get(at).is_some_and(u8::is_ascii_whitespace);
+        let at = (first + 1..self.here.at).rfind(|&at| {
+            let token = tokens.tokens[at];
+            let start = token.start as usize;
+            let before = tokens.tokens[at - 1];
+            let is_behind_value =
+                !matches!(before.kind, Kind::Mark) || before.is_mark('>') || before.is_mark(')');
+            (token.is_mark('-') || token.is_mark('+'))
+                && is_behind_value
+                && is_blank(start - 1)
+                && !is_blank(start + 1)
+        })?;
+        Some(tokens.span(at))
     }
 
     /// How an object is written, for those who leave out a part of it.
@@ -119,34 +189,6 @@ impl Reader<'_> {
             Word::LightSource => "`light_source { <place>, colour ... }`",
             _ => return None,
         })
-    }
-
-    /// The opened `{` that the missing `}` belongs to, where the indentation tells: a block whose `}` begins a line
-    /// with less indentation than the line of its `{` has swallowed the `}` of the block around it.
-    pub(super) fn swallowed_end(&self, open: Span) -> Option<(Span, Span)> {
-        let tokens = &self.here.tokens;
-        if open.file != tokens.file || open.start > self.here_span().start {
-            return None;
-        }
-        let text = self.sources.text(open.file);
-        let mut inner: Vec<usize> = Vec::new();
-        let first = tokens
-            .tokens
-            .partition_point(|token| token.start <= open.start);
-        for at in first..self.here.at {
-            let token = tokens.tokens[at];
-            if token.is_mark('{') {
-                inner.push(at);
-            } else if token.is_mark('}') {
-                let (start, end) = (tokens.span(inner.pop()?), tokens.span(at));
-                let (opened, _) = indentation(text, start.start as usize);
-                let (closed, is_first) = indentation(text, end.start as usize);
-                if is_first && closed < opened {
-                    return Some((start, end));
-                }
-            }
-        }
-        None
     }
 
     /// The last directive of a file whose group has no `#end` there.
@@ -192,8 +234,57 @@ pub(super) fn opens_group(word: Word) -> bool {
     )
 }
 
+/// What to do about a value that cannot stand here.
+fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
+    let element = match value {
+        Value::Element(element) => element.name,
+        Value::Object(_) => "object",
+        _ => return None,
+    };
+    let is_part = ["texture", "pigment", "finish", "normal", "interior"]
+        .iter()
+        .any(|part| {
+            wanted.ends_with(&format!("`{part}`")) || wanted.contains(&format!("of `{part}`"))
+        });
+    Some(match element {
+        "object" if is_part => {
+            format!("`{name}` is drawn by `object {{ {name} }}`; it is no part of a texture.")
+        }
+        "object" if wants_value(wanted) => {
+            format!("`{name}` is drawn by `object {{ {name} }}`; a number must stand here.")
+        }
+        _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
+        _ => return None,
+    })
+}
+
+/// Whether a word of a block or a statement is wanted.
+fn wants_word(wanted: &str) -> bool {
+    wanted.contains("`}`") || wanted.contains("statement")
+}
+
+/// Whether a number or the like is wanted.
+fn wants_value(wanted: &str) -> bool {
+    wanted.starts_with("a number")
+}
+
+/// Whether a word may stand where something is wanted, as far as its class tells.
+fn fits(word: Word, wanted: &str) -> bool {
+    let is_value = matches!(word.class(), Class::Value | Class::Function);
+    if wants_value(wanted) {
+        is_value
+    } else if wanted.contains("statement") {
+        matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+    } else {
+        !wants_word(wanted) || !is_value && word.class() != Class::Directive
+    }
+}
+
 fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     let is_in = |block: &str| wanted.ends_with(block);
+    if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
+        return Some(format!("Directives begin with `#`: `#{word}`."));
+    }
     if word.class() == Class::Color && is_in("`texture`") {
         return Some("A colour stands in `pigment { }`.".to_owned());
     }
@@ -207,12 +298,4 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
         ));
     }
     None
-}
-
-/// How far the line of a byte is indented, and whether the byte is its first.
-fn indentation(text: &str, at: usize) -> (usize, bool) {
-    let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
-    let before = &text[line..at];
-    let indent = before.len() - before.trim_start().len();
-    (indent, indent == before.len())
 }

@@ -24,14 +24,20 @@ pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 pub(super) const STRING: usize = 10_000_000;
 /// Errors after which reading gives up.
 pub(super) const ERRORS: usize = 20;
-/// Calls and includes named in one message.
+/// Calls, loops and includes named in one message.
 pub(super) const TRACE: usize = 6;
+/// Values named in one step of that.
+pub(super) const TOLD: usize = 4;
 /// Characters of the scene quoted in one message.
 pub(super) const QUOTED: usize = 60;
 /// Shapes of one scene, each counted as often as it is drawn.
 pub(super) const LEAVES: u64 = 200_000_000;
 /// Layers of one texture.
 pub(super) const LAYERS: usize = 100_000;
+/// Files that a scene has open at once.
+pub(super) const FILES: usize = 64;
+/// Bytes that a scene writes to files in a run.
+pub(super) const WRITTEN: u64 = 1 << 30;
 /// Bytes that `#debug` and the like write in a run.
 pub(super) const MESSAGES: usize = 16 << 20;
 /// After so many bytes that may have been taken, memory is looked at, which takes as long as reading a hundred tokens.

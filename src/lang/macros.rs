@@ -21,17 +21,17 @@ pub(super) struct Macro {
     defined: Span,
 }
 
+impl Macro {
+    /// The names of what it is given.
+    pub(super) fn parameters(&self) -> &[Symbol] {
+        &self.parameters
+    }
+}
+
 /// What a call gives for one parameter.
 enum Argument {
     Reference((Symbol, usize)),
     Value(Value),
-}
-
-impl Macro {
-    /// The names of its parameters.
-    pub(super) fn parameters(&self) -> &[Symbol] {
-        &self.parameters
-    }
 }
 
 /// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
@@ -71,7 +71,7 @@ impl Reader<'_> {
             body: self.here.at,
             end,
             parameters,
-            defined: span,
+            defined: span.to(self.taken_span()),
         };
         self.scopes.declare(name, Value::Macro(Rc::new(defined)));
         self.here.at = end as usize;
@@ -107,7 +107,9 @@ impl Reader<'_> {
         let kind = Entered::Macro {
             back: self.here.clone(),
             call,
+            called_to: self.start_taken(),
             name,
+            called: Rc::clone(called),
         };
         self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
@@ -128,8 +130,12 @@ impl Reader<'_> {
     fn macro_arguments(&mut self, name: Symbol, called: &Macro, call: Start) -> Parse<Arguments> {
         if !self.take_mark('(')? {
             let spelling = self.names.spelling(name);
-            let what = format!("`(` after the macro `{spelling}`");
-            return Err(self.expected_here(&what));
+            let mut error = self.expected_here(&format!("`(` after the macro `{spelling}`"));
+            if !error.message.is_empty() {
+                error.hints = vec![self.call_form(name, called)];
+                *error = error.with_label(called.defined, "defined here");
+            }
+            return Err(error);
         }
         let mut arguments = Arguments::default();
         let wanted = called.parameters.len();
@@ -140,7 +146,11 @@ impl Reader<'_> {
                     "the macro `{spelling}` takes {wanted} {}, found a further one",
                     arguments_word(wanted)
                 ));
-                return Err(Box::new(error.with_label(called.defined, "defined here")));
+                return Err(Box::new(
+                    error
+                        .with_label(called.defined, "defined here")
+                        .with_hint(self.call_form(name, called)),
+                ));
             }
             self.macro_argument(&mut arguments)?;
             self.take_mark(',')?;
@@ -156,10 +166,18 @@ impl Reader<'_> {
                         arguments_word(wanted)
                     ),
                 )
-                .with_label(called.defined, "defined here"),
+                .with_label(called.defined, "defined here")
+                .with_hint(self.call_form(name, called)),
             ));
         }
         Ok(arguments)
+    }
+
+    /// How a macro is called.
+    fn call_form(&self, name: Symbol, called: &Macro) -> String {
+        let spelling = |&symbol: &Symbol| self.names.spelling(symbol);
+        let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
+        format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
     }
 
     /// A bare identifier goes by reference, everything else by value.

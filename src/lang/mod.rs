@@ -6,45 +6,80 @@ mod budget;
 mod bulk;
 mod color;
 mod cursor;
+mod data_file;
 mod declare;
 mod expr;
+mod files;
 mod flow;
+mod foreign;
 mod functions;
 #[cfg(test)]
 mod fuzz;
 mod hints;
+mod light;
 mod limits;
 mod macros;
 mod object;
+mod probe;
 mod reader;
 mod replay;
 mod scope;
 mod similar;
 mod statement;
 mod strings;
+mod trace;
+mod unclosed;
 mod value;
 
+pub use probe::{Blind, Probe};
 pub use reader::Reading;
 
 use crate::options::ReadOptions;
-use crate::source::{FileId, Sources};
+use crate::source::{Diagnostic, FileId, Sources};
 use reader::Reader;
 
-/// Reads the scene in `file`, which `sources` holds; includes are searched there too.
+/// What reading says while it is at work.
+#[derive(Clone, Copy, Debug)]
+pub enum Heard<'a> {
+    /// Text that the scene writes.
+    Said(&'a str),
+    /// A finding, with the texts it is about.
+    Found(&'a Diagnostic, &'a Sources),
+}
+
+/// Reads the scene in `file`, which `sources` holds; includes are searched there too. `trace` and `inside` find nothing.
 ///
 /// All findings of the run are given, errors as far as reading can go on behind them.
 #[must_use]
 pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    match Reader::new(file, sources, options) {
+    evaluate_with(file, sources, options, &mut Blind, &mut |_| {})
+}
+
+/// As [`evaluate`]; `probe` answers what the scene asks about its own objects, and `listener` is told what is found,
+/// and what the scene writes, as soon as that happens.
+pub fn evaluate_with(
+    file: FileId,
+    sources: &mut Sources,
+    options: &ReadOptions,
+    probe: &mut dyn Probe,
+    listener: &mut dyn FnMut(Heard<'_>),
+) -> Reading {
+    match Reader::new(file, sources, options, probe, listener) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
             reader.finish()
         }
-        Err(findings) => Reading {
-            scene: None,
-            findings,
-            messages: String::new(),
-        },
+        Err(findings) => {
+            for finding in &findings {
+                listener(Heard::Found(finding, sources));
+            }
+            Reading {
+                scene: None,
+                findings,
+                messages: String::new(),
+                dependencies: sources.dependencies().to_vec(),
+            }
+        }
     }
 }

@@ -1,14 +1,13 @@
 //! Objects, CSG and what they carry.
 
 use super::reader::Reader;
-use super::value::{Element, Value};
+use super::value::Value;
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::interior::Interior;
-use crate::light::Light;
 use crate::math::shorten;
-use crate::scene::{Attached, Kind, Object, Operation};
+use crate::scene::{Attached, Kind, LightGroup, Object, Operation};
 use crate::shape::Shape;
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind as Tok, Symbol};
 use crate::texture::{Layer, Material, Texture};
 use std::sync::Arc;
@@ -28,13 +27,13 @@ impl Reader<'_> {
             Word::Object => self.object_block()?,
             Word::LightSource => self.light()?,
             _ if word.class() == Class::Shape => self.shape(word)?,
-            Word::LightGroup => return Err(self.not_built(word)),
+            Word::LightGroup => self.csg(Operation::Union)?,
             _ => return Ok(None),
         };
         Ok(Some(Arc::new(object)))
     }
 
-    /// The object of the identifier at hand; a light counts as one.
+    /// The object of the identifier at hand.
     pub(super) fn object_of_name(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         if token.kind != Tok::Name {
@@ -43,11 +42,8 @@ impl Reader<'_> {
         let value = match self.scopes.get(Symbol(token.value)) {
             Some(Value::Array(_)) => self.array_or_item()?,
             Some(Value::Poison) => return Err(self.consequence()),
-            Some(value @ (Value::Object(_) | Value::Element(_))) => {
+            Some(value @ Value::Object(_)) => {
                 let value = value.clone();
-                if light_of(&value).is_none() && !matches!(value, Value::Object(_)) {
-                    return Ok(None);
-                }
                 self.pass();
                 value
             }
@@ -55,30 +51,7 @@ impl Reader<'_> {
         };
         match value {
             Value::Object(object) => Ok(Some(object)),
-            other => match light_of(&other) {
-                Some(light) => Ok(Some(Arc::new(Object::new(Kind::Light(light))))),
-                None => {
-                    Err(self.error_taken(format!("expected an object, found {}", other.kind())))
-                }
-            },
-        }
-    }
-
-    /// The value of `#declare L = light_source { ... }`.
-    pub(super) fn light_value(&mut self) -> Parse<Value> {
-        self.pass();
-        Ok(Value::Element(Element::new(
-            "light_source",
-            Light::read(self)?,
-        )))
-    }
-
-    fn light(&mut self) -> Parse<Object> {
-        self.pass();
-        let depth = self.blocks.len() + 1;
-        match Light::read(self) {
-            Ok(light) => Ok(Object::new(Kind::Light(Arc::new(light)))),
-            Err(error) => Err(self.with_usage(error, Word::LightSource, depth)),
+            other => Err(self.error_taken(format!("expected an object, found {}", other.kind()))),
         }
     }
 
@@ -109,8 +82,8 @@ impl Reader<'_> {
                 Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
                 Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
                 None => {
-                    let message = format!("`{word}` is not built yet");
-                    return Err(self.with_trace(Diagnostic::error(start, message)));
+                    let error = Diagnostic::error(start, format!("`{word}` is not built yet"));
+                    return Err(self.with_trace(error.with_code(Code::NotBuilt)));
                 }
             },
         };
@@ -119,18 +92,34 @@ impl Reader<'_> {
     }
 
     /// The error with how the object is written, if its parameters are what is wrong.
-    fn with_usage(&mut self, error: Box<Diagnostic>, word: Word, depth: usize) -> Box<Diagnostic> {
+    pub(super) fn with_usage(
+        &mut self,
+        error: Box<Diagnostic>,
+        word: Word,
+        depth: usize,
+    ) -> Box<Diagnostic> {
         let is_ours = self.blocks.len() == depth
             && error.message.starts_with("expected")
             && error.hints.is_empty()
             && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+        if !is_ours {
+            return error;
+        }
+        if let Some(sign) = self.subtracting_sign(depth) {
+            let text = "this sign adds or subtracts, and makes one value of two";
+            return Box::new(
+                error
+                    .with_label(sign, text)
+                    .with_hint("Write `,` before the sign, to begin a value of its own."),
+            );
+        }
         match Self::usage(word) {
-            Some(usage) if is_ours => Box::new(error.with_hint(format!("Write {usage}."))),
-            _ => error,
+            Some(usage) => Box::new(error.with_hint(format!("Write {usage}."))),
+            None => error,
         }
     }
 
-    fn csg(&mut self, operation: Operation) -> Parse<Object> {
+    pub(super) fn csg(&mut self, operation: Operation) -> Parse<Object> {
         self.pass();
         let word = self.source_text(self.taken_span()).to_owned();
         let start = self.taken_span();
@@ -150,9 +139,11 @@ impl Reader<'_> {
             operation,
             children,
         });
+        let is_group = word == Word::LightGroup.spelling();
+        object.light_group = is_group.then(LightGroup::default);
         self.check_size(&object, start)?;
         self.modifiers(&mut object, &word)?;
-        if is_lone {
+        if is_lone && !is_group {
             let text = format!("`{word}` should have at least two objects");
             self.warning(Diagnostic::warning(start, text));
         }
@@ -160,7 +151,7 @@ impl Reader<'_> {
     }
 
     /// Everything behind the parameters of an object, up to its `}`.
-    fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
+    pub(super) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
                 return Ok(());
@@ -183,7 +174,7 @@ impl Reader<'_> {
 
     fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
         let token = self.raw();
-        let not_built = [Word::Photons, Word::UvMapping, Word::CutawayTextures];
+        let not_built = [Word::UvMapping, Word::CutawayTextures];
         if let Some(word) = token.word().filter(|word| not_built.contains(word)) {
             return self.not_built(word);
         }
@@ -245,6 +236,20 @@ impl Reader<'_> {
                     // The others change no picture of what is built.
                     _ => {}
                 }
+                return Ok(true);
+            }
+            Word::GlobalLights => {
+                let Some(group) = &mut object.light_group else {
+                    return Ok(false);
+                };
+                self.pass();
+                let is_on = self.float_or(1.0)? != 0.0;
+                group.global_lights = is_on;
+                return Ok(true);
+            }
+            Word::Photons => {
+                self.pass();
+                object.photons.read(self)?;
                 return Ok(true);
             }
             _ if word.class() == Class::Color => {
@@ -342,7 +347,9 @@ impl Reader<'_> {
 
     /// "`word` is not built yet" at the token at hand.
     pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
-        self.error_here(format!("`{word}` is not built yet"))
+        let message = format!("`{word}` is not built yet");
+        let error = Diagnostic::error(self.here_span(), message);
+        self.with_trace(error.with_code(Code::NotBuilt))
     }
 }
 
@@ -380,13 +387,5 @@ fn clip_or_bound(object: &mut Object, is_clip: bool, by: Attached<Arc<Object>>) 
         object.clip(by);
     } else {
         object.bound(by);
-    }
-}
-
-/// The light that a value holds.
-fn light_of(value: &Value) -> Option<Arc<Light>> {
-    match value {
-        Value::Element(Element { value, .. }) => Arc::clone(value).downcast::<Light>().ok(),
-        _ => None,
     }
 }

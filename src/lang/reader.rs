@@ -1,17 +1,21 @@
 //! The reader: everything that reading a scene keeps.
 
+use super::Heard;
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::files::Files;
 use super::limits;
+use super::probe::Probe;
 use super::replay::{Recording, Replays};
 use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Diagnostic, FileId, Severity, Sources};
+use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,6 +26,8 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     pub(super) sources: &'a mut Sources,
     pub(super) options: &'a ReadOptions,
+    pub(super) probe: &'a mut dyn Probe,
+    listener: &'a mut dyn FnMut(Heard<'_>),
     pub(super) names: Names,
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
@@ -31,7 +37,7 @@ pub(super) struct Reader<'a> {
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
-    pub(super) blocks: Vec<crate::source::Span>,
+    pub(super) blocks: Vec<Span>,
     /// Where the statement being read began.
     pub(super) statement_start: (FileId, usize),
     /// How deep the expression being read is nested.
@@ -42,7 +48,7 @@ pub(super) struct Reader<'a> {
     pub(super) declaring: Option<Declaring>,
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
-    pub(super) without_semicolon: Option<(crate::source::Span, Place, usize)>,
+    pub(super) without_semicolon: Option<(Span, Place, usize)>,
     pub(super) replays: Replays,
     /// The steps of the expression being read, if they can be kept.
     pub(super) recording: Option<Recording>,
@@ -54,17 +60,20 @@ pub(super) struct Reader<'a> {
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
     pub(super) streams: Vec<u32>,
+    /// What `#fopen` opened.
+    pub(super) files: Files,
     pub(super) version: f64,
     pub(super) has_version: bool,
     pub(super) now: f64,
     pub(super) default_layer: Layer,
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
-    pub(super) camera: Option<Camera>,
+    pub(super) camera: Option<(Camera, Span)>,
     pub(super) background: Option<Color>,
+    pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
-    pub(super) messages: String,
+    messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
 }
@@ -78,6 +87,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
+    pub dependencies: Vec<Dependency>,
 }
 
 const NO_ROOM: &str = "this file needs more memory than there is";
@@ -92,10 +103,12 @@ impl<'a> Reader<'a> {
         file: FileId,
         sources: &'a mut Sources,
         options: &'a ReadOptions,
+        probe: &'a mut dyn Probe,
+        listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
         let budget = Budget::new();
         if !budget.has_room_for(sources.text(file)) {
-            let span = crate::source::Span::new(file, 0, 0);
+            let span = Span::new(file, 0, 0);
             return Err(vec![Diagnostic::error(span, NO_ROOM)]);
         }
         let mut names = Names::new();
@@ -106,6 +119,8 @@ impl<'a> Reader<'a> {
         let mut reader = Reader {
             sources,
             options,
+            probe,
+            listener,
             names,
             tokenized: FxHashMap::default(),
             last: Place {
@@ -128,6 +143,7 @@ impl<'a> Reader<'a> {
             undeclared: FxHashSet::default(),
             lacks_file: false,
             streams: Vec::new(),
+            files: Files::default(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),
             now: days_since_2000(),
@@ -136,6 +152,7 @@ impl<'a> Reader<'a> {
             default_camera: Camera::default(),
             camera: None,
             background: None,
+            atmosphere: Atmosphere::default(),
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
@@ -209,7 +226,7 @@ impl<'a> Reader<'a> {
             self.errors += 1;
         }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
-            self.findings.push(finding);
+            self.keep(finding);
         }
     }
 
@@ -218,12 +235,27 @@ impl<'a> Reader<'a> {
         let is_known =
             |known: &Diagnostic| known.span == warning.span && known.message == warning.message;
         if self.findings.len() < limits::FINDINGS && !self.findings.iter().any(is_known) {
-            self.findings.push(warning);
+            self.keep(warning);
         }
+    }
+
+    fn keep(&mut self, finding: Diagnostic) {
+        (self.listener)(Heard::Found(&finding, self.sources));
+        self.findings.push(finding);
+    }
+
+    /// Writes text of `#debug` and the like; gives how much was written so far, in bytes.
+    pub(super) fn say(&mut self, text: &str) -> usize {
+        (self.listener)(Heard::Said(text));
+        self.messages.push_str(text);
+        self.messages.len()
     }
 
     /// The scene that was read.
     pub(super) fn finish(mut self) -> Reading {
+        if self.errors == 0 {
+            self.close_files();
+        }
         if self.errors == 0 && self.objects.is_empty() {
             self.warning(Diagnostic::warning(None, "no objects in scene"));
         }
@@ -233,11 +265,14 @@ impl<'a> Reader<'a> {
             VERSION_OF_SCENES_WITHOUT
         };
         let scene = (self.errors == 0).then(|| Scene {
-            camera: self.camera.unwrap_or(self.default_camera),
+            camera: self
+                .camera
+                .map_or(self.default_camera, |(camera, _)| camera),
             objects: self.objects,
             background: Background {
                 color: self.background,
             },
+            atmosphere: self.atmosphere,
             globals: self.globals,
             version,
         });
@@ -245,6 +280,7 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            dependencies: self.sources.dependencies().to_vec(),
         }
     }
 }

@@ -84,6 +84,20 @@ impl Scopes {
         }
     }
 
+    /// The value that a symbol has in the scope of that depth, if it is bound there.
+    pub(super) fn bound_at(&self, symbol: Symbol, depth: u32) -> Option<&Value> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        let mut binding = stack.iter().find(|binding| binding.depth == depth)?;
+        loop {
+            match &binding.held {
+                Held::Value(value) => return Some(value),
+                Held::Alias(target, at) => {
+                    binding = self.stacks[target.0 as usize].get(*at as usize)?
+                }
+            }
+        }
+    }
+
     /// The value of a symbol, to be changed in place.
     pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
         let (symbol, at) = self.owner(symbol)?;

@@ -6,14 +6,18 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word};
+use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
+use crate::pattern::read_noise_generator;
 use crate::scene::Object;
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
 use std::sync::Arc;
 
+/// How many waves there may be: each costs time at each point.
+const WAVES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// POV-Ray's bounds of `max_trace_level`.
 const TRACE_LEVELS: std::ops::RangeInclusive<f64> = 1.0..=256.0;
 
@@ -25,6 +29,7 @@ impl Reader<'_> {
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
+                    let error = self.with_trace(*error);
                     self.record(*error);
                     if self.is_over || self.errors >= limits::ERRORS {
                         return;
@@ -47,13 +52,14 @@ impl Reader<'_> {
         match token.word() {
             Some(Word::Camera) => {
                 self.pass();
+                let at = self.taken_span();
                 let base = self.default_camera.clone();
                 let camera = Camera::read(self, &base)?;
-                if self.camera.replace(camera).is_some() {
-                    self.warning(Diagnostic::warning(
-                        self.taken_span(),
-                        "more than one camera; the last one counts",
-                    ));
+                if let Some((_, first)) = self.camera.replace((camera, at)) {
+                    self.warning(
+                        Diagnostic::warning(at, "more than one camera; the last one counts")
+                            .with_label(first, "this one does not count"),
+                    );
                 }
             }
             Some(Word::Background) => {
@@ -61,6 +67,21 @@ impl Reader<'_> {
                 self.open_block()?;
                 self.background = Some(self.color_value()?);
                 Args::close(self)?;
+            }
+            Some(Word::Fog) => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::SkySphere) => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                if self.atmosphere.sky_sphere.replace(Arc::new(sky)).is_some() {
+                    self.warning(Diagnostic::warning(
+                        self.taken_span(),
+                        "more than one `sky_sphere`; the last one counts",
+                    ));
+                }
             }
             Some(Word::GlobalSettings) => self.global_settings()?,
             Some(Word::Default) => {
@@ -95,8 +116,8 @@ impl Reader<'_> {
     }
 
     /// An object without a texture takes the default one as it is at the object's end.
-    fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
-        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light(_)) {
+    pub(super) fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
+        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light { .. }) {
             let texture = Arc::clone(&self.default_texture);
             let attached = object.attach(texture);
             Arc::make_mut(&mut object).texture = Some(attached);
@@ -227,12 +248,16 @@ impl Reader<'_> {
                 self.pass();
                 self.globals.ambient_light = self.color_value()?.rgb;
             }
+            Word::NoiseGenerator => {
+                self.pass();
+                self.globals.noise_generator = read_noise_generator(self)?;
+            }
+            Word::NumberOfWaves => {
+                self.pass();
+                self.globals.number_of_waves = self.number_of_waves()?;
+            }
             // These matter only to features that are refused by name where they are used.
-            Word::NumberOfWaves
-            | Word::MaxIntersections
-            | Word::HfGray16
-            | Word::MmPerUnit
-            | Word::NoiseGenerator => {
+            Word::MaxIntersections | Word::HfGray16 | Word::MmPerUnit => {
                 self.pass();
                 self.float_or(1.0)?;
             }
@@ -252,6 +277,21 @@ impl Reader<'_> {
             _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
         }
         Ok(())
+    }
+
+    fn number_of_waves(&mut self) -> Parse<u32> {
+        let number = self.float()?.trunc();
+        if !WAVES.contains(&number) {
+            let text = format!("`number_of_waves` runs from 1 to {}", WAVES.end());
+            self.warning(Diagnostic::warning(self.taken_span(), text));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let number = number.clamp(*WAVES.start(), *WAVES.end()) as u32;
+        Ok(number)
     }
 
     fn gamma(&mut self) -> Parse<Gamma> {

@@ -173,9 +173,59 @@ fn formatted(value: f64, width: i32, digits: i32) -> String {
     }
 }
 
+/// As C's `%g`: six digits, without zeros at the end, in whichever form is shorter.
+pub(super) fn general(value: f64) -> String {
+    const DIGITS: i32 = 6;
+    if !value.is_finite() {
+        return if value.is_nan() {
+            "nan".to_owned()
+        } else {
+            format!("{value}")
+        };
+    }
+    let scientific = format!("{value:.5e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if (-4..DIGITS).contains(&exponent) {
+        let places = usize::try_from(DIGITS - 1 - exponent).unwrap_or(0);
+        return without_zeros(&format!("{value:.places$}")).to_owned();
+    }
+    let sign = if exponent < 0 { '-' } else { '+' };
+    format!("{}e{sign}{:02}", without_zeros(mantissa), exponent.abs())
+}
+
+fn without_zeros(number: &str) -> &str {
+    if number.contains('.') {
+        number.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        number
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::formatted;
+    use super::{formatted, general};
+
+    /// Measured with POV-Ray's `#write`.
+    #[test]
+    fn numbers_are_written_as_in_c() {
+        let written = [
+            1.0,
+            1.0 / 3.0,
+            1e10,
+            123_456_789.0,
+            1e-7,
+            -0.5,
+            999_999.5,
+            1e100,
+            -0.0,
+        ];
+        let expected = "1 0.333333 1e+10 1.23457e+08 1e-07 -0.5 1e+06 1e+100 -0";
+        assert_eq!(written.map(general).join(" "), expected);
+        assert_eq!(general(1e-4), "0.0001");
+        assert_eq!(general(100_000.0), "100000");
+        assert_eq!(general(f64::INFINITY), "inf");
+    }
 
     #[test]
     fn numbers_are_padded_as_in_c() {

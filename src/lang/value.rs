@@ -3,6 +3,7 @@
 use super::macros::Macro;
 use crate::scene::Object;
 use std::any::{Any, TypeId};
+use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -69,6 +70,23 @@ impl Number {
     }
 }
 
+/// As a scene writes it.
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self.v[..usize::from(self.len)]
+            .iter()
+            .map(|v| ((v * ROUNDED).round() / ROUNDED).to_string())
+            .collect();
+        match parts.as_slice() {
+            [only] => f.write_str(only),
+            parts => write!(f, "<{}>", parts.join(", ")),
+        }
+    }
+}
+
+/// Numbers are told with six digits behind the point.
+const ROUNDED: f64 = 1e6;
+
 /// What an identifier can hold.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
@@ -82,6 +100,8 @@ pub(super) enum Value {
     Array(Rc<Array>),
     /// An object or CSG.
     Object(Arc<Object>),
+    /// An open file, by its place among those of the run.
+    File(usize),
     /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
     Element(Element),
     /// The result of something that failed: using it fails without a further message.
@@ -160,6 +180,7 @@ impl Value {
             Value::Array(_) => "an array".to_owned(),
             Value::Object(_) => "an object".to_owned(),
             Value::Element(e) => format!("a {}", e.name),
+            Value::File(_) => "an open file".to_owned(),
             Value::Poison => "a value that could not be read".to_owned(),
         }
     }

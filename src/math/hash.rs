@@ -3,28 +3,49 @@
 //! The table is a shuffle of 0 to 4095 by a linear congruential generator that starts at 0 (measured: the first
 //! values are 2291, 2574, 3654, 1557; the last is 3088).
 
-use std::sync::LazyLock;
-
 /// How many numbers there are.
-const SIZE: usize = 4096;
+pub const SIZE: usize = 4096;
 
-static TABLE: LazyLock<Box<[u16; SIZE]>> = LazyLock::new(|| {
-    let mut table = Box::new([0u16; SIZE]);
-    for (number, entry) in (0u16..).zip(table.iter_mut()) {
-        *entry = number;
+/// The shuffled numbers, twice in a row, so that the sum of an entry and a small number needs no wrapping.
+pub static TABLE: [u16; 2 * SIZE] = table();
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "the entries are below 4096"
+)]
+const fn table() -> [u16; 2 * SIZE] {
+    let mut table = [0; 2 * SIZE];
+    let mut i = 0;
+    while i < SIZE {
+        table[i] = i as u16;
+        i += 1;
     }
-    let mut state = 0u32;
-    for i in (0..SIZE).rev() {
+    let mut state = 0;
+    while i > 0 {
+        i -= 1;
         state = next(state);
-        table.swap(i, (state >> 16 & 0x7FFF) as usize % SIZE);
+        let j = bits(state) as usize % SIZE;
+        let kept = table[i];
+        table[i] = table[j];
+        table[j] = kept;
+    }
+    while i < SIZE {
+        table[SIZE + i] = table[i];
+        i += 1;
     }
     table
-});
+}
 
 /// One step of the generator.
 #[must_use]
-pub fn next(state: u32) -> u32 {
+pub const fn next(state: u32) -> u32 {
     state.wrapping_mul(1_812_433_253).wrapping_add(12345)
+}
+
+/// The 15 random bits of a state of the generator.
+#[must_use]
+pub const fn bits(state: u32) -> u32 {
+    (state >> 16) & 0x7fff
 }
 
 /// The entry for a number; only its lowest twelve bits count.
@@ -33,9 +54,28 @@ pub fn hashed(number: i32) -> i32 {
     i32::from(TABLE[(number & 0xFFF) as usize])
 }
 
+/// A number below 4096 that belongs to a cell of space and looks random.
+#[must_use]
+pub fn hashed_cell(cell: [i64; 3]) -> u32 {
+    let [x, y, z] = cell.map(wrapped);
+    let row = usize::from(TABLE[x]) ^ y;
+    u32::from(TABLE[usize::from(TABLE[row]) ^ z])
+}
+
+/// The lowest twelve bits of a number.
+#[must_use]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "twelve bits are kept"
+)]
+pub const fn wrapped(number: i64) -> usize {
+    number as usize & (SIZE - 1)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::hashed;
+    use super::*;
 
     #[test]
     fn the_table_is_that_of_pov_ray() {
@@ -43,5 +83,6 @@ mod tests {
         assert_eq!(first, [2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820]);
         assert_eq!(hashed(4095), 3088);
         assert_eq!(hashed(-1), 3088);
+        assert_eq!(TABLE[SIZE], 2291);
     }
 }

@@ -15,16 +15,174 @@
 pub(crate) fn with_widest<R>(work: impl FnOnce() -> R) -> R {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx2") {
-        // SAFETY: `wide` needs nothing but the instructions that this machine has just said it has.
-        return unsafe { wide(work) };
+        // SAFETY: `with_wide` needs nothing but the instructions that this machine has just said it has.
+        return unsafe { with_wide(work) };
     }
     work()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn wide<R>(work: impl FnOnce() -> R) -> R {
+fn with_wide<R>(work: impl FnOnce() -> R) -> R {
     work()
+}
+
+/// Eight numbers in single precision, worked on together. Where one of two is not a number, `smaller` and `larger` give
+/// the second.
+pub(crate) trait Eight: Copy {
+    fn all(x: f32) -> Self;
+    fn load(from: &[f32; 8]) -> Self;
+    fn store(self) -> [f32; 8];
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self;
+    fn over(self, other: Self) -> Self;
+    fn smaller(self, other: Self) -> Self;
+    fn larger(self, other: Self) -> Self;
+    fn size(self) -> Self;
+    /// One bit for each pair of which the first is not above the second; none where one is not a number.
+    fn not_above(self, other: Self) -> u32;
+}
+
+/// Work on eight numbers at once, written once for every machine.
+pub(crate) trait Kernel {
+    type Answer;
+    fn run<E: Eight>(&self) -> Self::Answer;
+}
+
+/// Runs a kernel with 256 bits at once where the machine can.
+#[inline(always)]
+pub(crate) fn eight<K: Kernel>(kernel: &K) -> K::Answer {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the machine has just said that it has the instructions.
+        return unsafe { eight_wide(kernel) };
+    }
+    kernel.run::<[f32; 8]>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline]
+fn eight_wide<K: Kernel>(kernel: &K) -> K::Answer {
+    kernel.run::<std::arch::x86_64::__m256>()
+}
+
+/// Anywhere.
+impl Eight for [f32; 8] {
+    #[inline(always)]
+    fn all(x: f32) -> Self {
+        [x; 8]
+    }
+    #[inline(always)]
+    fn load(from: &[f32; 8]) -> Self {
+        *from
+    }
+    #[inline(always)]
+    fn store(self) -> [f32; 8] {
+        self
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] + other[i])
+    }
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] - other[i])
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] * other[i])
+    }
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] / other[i])
+    }
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        std::array::from_fn(|i| {
+            if self[i] < other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        std::array::from_fn(|i| {
+            if self[i] > other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
+    }
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.map(f32::abs)
+    }
+    #[inline(always)]
+    fn not_above(self, other: Self) -> u32 {
+        (0..8).fold(0, |bits, i| bits | u32::from(self[i] <= other[i]) << i)
+    }
+}
+
+/// Only for work that runs inside [`eight_wide`].
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use super::Eight;
+    use std::arch::x86_64::*;
+
+    macro_rules! each {
+        ($($name:ident by $intrinsic:ident),+) => {
+            $(
+                #[inline(always)]
+                fn $name(self, other: Self) -> Self {
+                    // SAFETY: such numbers are made by `all` and `load` alone, on machines that have the instructions.
+                    unsafe { $intrinsic(self, other) }
+                }
+            )+
+        };
+    }
+
+    impl Eight for __m256 {
+        #[inline(always)]
+        fn all(x: f32) -> Self {
+            // SAFETY: called by work inside `eight_wide` alone.
+            unsafe { _mm256_set1_ps(x) }
+        }
+        #[inline(always)]
+        fn load(from: &[f32; 8]) -> Self {
+            // SAFETY: called by work inside `eight_wide` alone, and an array of eight floats is what is read.
+            unsafe { _mm256_loadu_ps(from.as_ptr()) }
+        }
+        #[inline(always)]
+        fn store(self) -> [f32; 8] {
+            let mut to = [0.0; 8];
+            // SAFETY: as in `load`.
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self) };
+            to
+        }
+        each! {
+            plus by _mm256_add_ps,
+            minus by _mm256_sub_ps,
+            times by _mm256_mul_ps,
+            over by _mm256_div_ps,
+            smaller by _mm256_min_ps,
+            larger by _mm256_max_ps
+        }
+        #[inline(always)]
+        fn size(self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self) }
+        }
+        #[inline(always)]
+        fn not_above(self, other: Self) -> u32 {
+            // SAFETY: as in the others.
+            unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self, other)) }.cast_unsigned()
+        }
+    }
 }
 
 /// Eight boxes against a ray, as the planes that the ray meets first and last on each axis, and the ray as the numbers

@@ -1,11 +1,17 @@
 //! Transforms, rays, bounds and root finders: mathematics that knows nothing of scenes.
 
+mod bernstein;
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+#[cfg(test)]
+pub(crate) mod exact;
 pub mod hash;
 pub(crate) mod lanes;
+pub mod mersenne;
+pub mod noise;
 pub(crate) mod polynomial;
+pub(crate) mod quartic;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;

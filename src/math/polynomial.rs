@@ -1,17 +1,25 @@
-//! Where a polynomial changes sign, by the chain of its derivatives (Yuksel 2022, "High-performance polynomial root
-//! finding for graphics"): between the zeros of its derivative it is monotone, so a bracketed Newton iteration cannot
-//! miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
+//! Where a polynomial changes sign, up to degree four by the chain of its derivatives (Yuksel 2022, "High-performance
+//! polynomial root finding for graphics"): between the zeros of its derivative it is monotone, so a bracketed Newton
+//! iteration cannot miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
+//! Chains of higher degree cost more than halving ([`bernstein`]).
 //!
 //! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 < x < 1` is searched; whoever asks has
 //! centred and scaled the polynomial so that its coefficients are of one size there.
 
+use super::bernstein;
 use smallvec::SmallVec;
 
 /// Places on a line, in order.
 pub(crate) type Places = SmallVec<[f64; 8]>;
 
+/// Polynomials of up to so many coefficients are searched by the chain of their derivatives.
+const CHAIN: usize = 5;
+
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
+
+/// How near to an end a change may come from rounding.
+const ROUNDED_END: f64 = 1e-7;
 
 /// More halvings than a double has digits.
 const MAX_STEPS: u32 = 80;
@@ -22,8 +30,37 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
         [c0, c1, c2] => quadratic(c0, c1, c2),
         [c0, c1] => within(&[-c0 / c1]),
         [] | [_] => Places::new(),
-        _ => between_turns(c),
+        _ if c.len() <= CHAIN => between_turns(c),
+        _ => bernstein::sign_changes(c),
     }
+}
+
+/// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
+/// they share: a change that only rounding makes or hides at an end is taken away or put there.
+pub(crate) fn sign_changes_between(
+    c: &[f64],
+    starts_negative: bool,
+    ends_negative: bool,
+) -> Places {
+    let mut places = sign_changes(c);
+    if (value(c, -1.0) < 0.0) != starts_negative {
+        match places.first() {
+            Some(first) if first + 1.0 < ROUNDED_END => {
+                places.remove(0);
+            }
+            _ => places.insert(0, -1.0),
+        }
+    }
+    let is_odd = places.len() % 2 == 1;
+    if is_odd != (starts_negative != ends_negative) {
+        match places.last() {
+            Some(last) if 1.0 - last < ROUNDED_END => {
+                places.pop();
+            }
+            _ => places.push(1.0),
+        }
+    }
+    places
 }
 
 /// Whether the quartic is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.
@@ -58,7 +95,7 @@ fn between_turns(c: &[f64]) -> Places {
 }
 
 /// Newton's iteration for the one root between `low` and `high`, halving where a step would leave the bracket.
-fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool) -> f64 {
+pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool) -> f64 {
     let mut x = 0.5 * (low + high);
     for _ in 0..MAX_STEPS {
         let (value, slope) = value_and_slope(c, x);
@@ -119,6 +156,9 @@ fn within(all: &[f64]) -> Places {
     }
     places
 }
+
+#[cfg(test)]
+mod exact;
 
 #[cfg(test)]
 mod tests {

@@ -15,6 +15,8 @@ mod png;
 mod ppm;
 mod tga;
 
+pub(crate) use place::Pending;
+
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

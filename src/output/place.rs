@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 /// Replaces the file at `path`. Where the name is that of a link, the file it points to is replaced; where it is
 /// that of a device or a pipe, the bytes go into it.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let existing = fs::metadata(path).ok();
-    if let Some(found) = &existing {
+    if let Ok(found) = fs::metadata(path) {
         if found.is_dir() {
             return Err(io::ErrorKind::IsADirectory.into());
         }
@@ -16,17 +15,49 @@ pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
             return File::options().write(true).open(path)?.write_all(bytes);
         }
     }
-    let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".povr-").suffix(".part");
-    open_to_others(&mut builder);
-    let mut file = builder.tempfile_in(folder_of(&place))?;
+    let mut file = Pending::new(path)?;
     file.write_all(bytes)?;
-    if let Some(found) = existing {
-        file.as_file().set_permissions(found.permissions())?;
-    }
-    file.persist(&place).map_err(|refused| refused.error)?;
+    file.take_name()?;
     Ok(())
+}
+
+/// A file that is being written and has not its name yet; dropped, it leaves nothing.
+#[derive(Debug)]
+pub(crate) struct Pending {
+    file: tempfile::NamedTempFile,
+    place: PathBuf,
+}
+
+impl Pending {
+    /// An empty file that will take the place of the one at `path`, with its mode, or of the one a link points to.
+    pub(crate) fn new(path: &Path) -> io::Result<Self> {
+        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".povr-").suffix(".part");
+        open_to_others(&mut builder);
+        let file = builder.tempfile_in(folder_of(&place))?;
+        if let Ok(found) = fs::metadata(&place) {
+            file.as_file().set_permissions(found.permissions())?;
+        }
+        Ok(Pending { file, place })
+    }
+
+    /// Gives the file its name; it may be written further.
+    pub(crate) fn take_name(self) -> io::Result<File> {
+        self.file
+            .persist(&self.place)
+            .map_err(|refused| refused.error)
+    }
+}
+
+impl Write for Pending {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }
 
 /// The folder in which `path` lies.

@@ -3,7 +3,9 @@
 //! The xz plane is cut into cells of half a side by half the height of a hexagon; six by six of them repeat. Cells
 //! on a slanted edge are cut by their diagonal.
 
-use super::Pattern;
+use super::formula::Formula;
+use super::{Pattern, Stop};
+use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
 use glam::DVec3;
 
@@ -15,53 +17,39 @@ const HALF_HEIGHT: f64 = 0.866_025_404;
 const THINNEST: f64 = 1e-4;
 
 /// The colours that POV-Ray gives where the scene does not.
-const COLORS: [Color; 3] = [
-    Color::opaque(Rgb::new(0.0, 0.0, 1.0)),
-    Color::opaque(Rgb::new(0.0, 1.0, 0.0)),
-    Color::opaque(Rgb::new(1.0, 0.0, 0.0)),
+const COLORS: [Stop; 3] = [
+    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
+    (2.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
 ];
 
-/// Hexagonal prisms; 0, 1 or 2.
-#[derive(Clone, Debug)]
-struct Hexagon;
-
-pub(super) fn new() -> Box<dyn Pattern> {
-    Box::new(Hexagon)
+pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Formula::list(value, &COLORS).boxed()
 }
 
-impl Pattern for Hexagon {
-    fn value(&self, point: DVec3) -> f64 {
-        let x = point.x.abs();
-        let z = if point.z >= 0.0 {
-            point.z
-        } else {
-            UNFOLD - point.z.abs()
-        };
-        let column = (x / 0.5).rem_euclid(6.0);
-        let row = (z / HALF_HEIGHT).rem_euclid(6.0);
-        let (b, g) = (cell(row), fraction(row));
-        match cell(column) {
-            0 | 5 => [0.0, 1.0, 1.0, 2.0, 2.0, 0.0][b],
-            2 | 3 => [2.0, 2.0, 0.0, 0.0, 1.0, 1.0][b],
-            a => {
-                let f = fraction(column);
-                let f = if (a + b) % 2 == 1 { 1.0 - f } else { f };
-                let f = if f == 0.0 { THINNEST } else { f };
-                if g / f < 1.0 {
-                    [0.0, 2.0, 1.0, 0.0, 2.0, 1.0][b]
-                } else {
-                    [2.0, 1.0, 0.0, 2.0, 1.0, 0.0][b]
-                }
+fn value(point: DVec3) -> f64 {
+    let x = point.x.abs();
+    let z = if point.z >= 0.0 {
+        point.z
+    } else {
+        UNFOLD - point.z.abs()
+    };
+    let column = (x / 0.5).rem_euclid(6.0);
+    let row = (z / HALF_HEIGHT).rem_euclid(6.0);
+    let (b, g) = (cell(row), fraction(row));
+    match cell(column) {
+        0 | 5 => [0.0, 1.0, 1.0, 2.0, 2.0, 0.0][b],
+        2 | 3 => [2.0, 2.0, 0.0, 0.0, 1.0, 1.0][b],
+        a => {
+            let f = fraction(column);
+            let f = if (a + b) % 2 == 1 { 1.0 - f } else { f };
+            let f = if f == 0.0 { THINNEST } else { f };
+            if g / f < 1.0 {
+                [0.0, 2.0, 1.0, 0.0, 2.0, 1.0][b]
+            } else {
+                [2.0, 1.0, 0.0, 2.0, 1.0, 0.0][b]
             }
         }
-    }
-
-    fn default_colors(&self) -> &'static [Color] {
-        &COLORS
-    }
-
-    fn boxed_clone(&self) -> Box<dyn Pattern> {
-        Box::new(self.clone())
     }
 }
 
@@ -93,19 +81,19 @@ mod tests {
             (0.9, 0.1),
             (-0.9, -0.1),
         ] {
-            assert_eq!(Hexagon.value(DVec3::new(x, 7.0, z)), 0.0, "{x} {z}");
+            assert_eq!(value(DVec3::new(x, 7.0, z)), 0.0, "{x} {z}");
         }
     }
 
     #[test]
     fn its_neighbours_differ() {
-        assert_eq!(Hexagon.value(DVec3::new(0.0, 0.0, 1.0)), 1.0);
-        assert_eq!(Hexagon.value(DVec3::new(0.0, 0.0, -1.0)), 2.0);
-        assert_eq!(Hexagon.value(DVec3::new(1.2, 0.0, 0.3)), 2.0);
+        assert_eq!(value(DVec3::new(0.0, 0.0, 1.0)), 1.0);
+        assert_eq!(value(DVec3::new(0.0, 0.0, -1.0)), 2.0);
+        assert_eq!(value(DVec3::new(1.2, 0.0, 0.3)), 2.0);
     }
 
     #[test]
     fn a_point_at_infinity_has_a_value() {
-        assert!(Hexagon.value(DVec3::INFINITY) < 3.0);
+        assert!(value(DVec3::INFINITY) < 3.0);
     }
 }

@@ -1,15 +1,55 @@
 //! The patterns: one file each, with its mathematics and what it reads.
 //!
-//! A pattern gives a value at a point of pattern space; what the value selects (an entry of a colour list) is the
-//! business of its owner. Built are the patterns with a list of entries. Continuous patterns and their maps,
-//! waves and warps are missing.
+//! A pattern gives a value at a point of pattern space. On the way there the [`Chain`] moves the point: transforms,
+//! warps, turbulence. Behind it the [`Wave`] shapes the value. A [`Map`] then turns the value into entries of any kind:
+//! colours, pigments, normals, textures. All that a scene writes beside the pattern's own word is in [`Modifiers`],
+//! which pigments, normals, densities and textures share.
 
+mod agate;
+mod boxed;
+mod bozo;
 mod brick;
+mod cells;
+mod chain;
 mod checker;
+mod crackle;
+mod cubic;
+mod cylindrical;
+mod dents;
+mod formula;
+mod gradient;
+mod granite;
 mod hexagon;
+mod leopard;
+mod map;
+mod marble;
+mod modifiers;
+mod onion;
+mod planar;
+mod prepared;
+mod quilted;
+mod radial;
+mod ripples;
+mod spherical;
+mod spiral;
+mod square;
+#[cfg(test)]
+mod tests;
+mod triangular;
+mod warp;
+mod wave;
+mod wood;
+mod wrinkles;
+
+pub use chain::{Chain, PreparedChain};
+pub use map::{Between, MOST_ENTRIES, Map};
+pub use modifiers::{Modifiers, read_noise_generator};
+pub use prepared::PreparedPattern;
+pub use wave::{Shape, Wave};
 
 use crate::args::{Args, Parse, Word};
-use crate::color::Color;
+use crate::color::{Color, Rgb};
+use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::syntax::Class;
 use glam::DVec3;
 use std::fmt::Debug;
@@ -17,23 +57,76 @@ use std::fmt::Debug;
 /// What POV-Ray adds to coordinates, so that a face that lies in a cell boundary does not show rounding noise.
 const NUDGE: f64 = 1e-10;
 
-/// Makes a pattern with its default parameters.
-type New = fn() -> Box<dyn Pattern>;
+/// Reads what stands behind the word of a pattern and belongs to it, and makes the pattern.
+type New = fn(&mut dyn Args) -> Parse<Box<dyn Pattern>>;
+
+/// An entry of a map of colours.
+pub type Stop = (f32, Color);
 
 /// The patterns by their words.
 static PATTERNS: &[(Word, New)] = &[
+    (Word::Agate, agate::new),
+    (Word::Boxed, boxed::new),
+    (Word::Bozo, bozo::bozo),
     (Word::Brick, brick::new),
+    (Word::Bumps, bozo::spotted),
+    (Word::Cells, cells::new),
     (Word::Checker, checker::new),
+    (Word::Crackle, crackle::new),
+    (Word::Cubic, cubic::new),
+    (Word::Cylindrical, cylindrical::new),
+    (Word::Dents, dents::new),
+    (Word::Gradient, gradient::new),
+    (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),
+    (Word::Leopard, leopard::new),
+    (Word::Marble, marble::new),
+    (Word::Onion, onion::new),
+    (Word::Planar, planar::new),
+    (Word::Quilted, quilted::new),
+    (Word::Radial, radial::new),
+    (Word::Ripples, ripples::ripples),
+    (Word::Spherical, spherical::new),
+    (Word::Spiral1, spiral::spiral1),
+    (Word::Spiral2, spiral::spiral2),
+    (Word::Spotted, bozo::spotted),
+    (Word::Square, square::new),
+    (Word::Triangular, triangular::new),
+    (Word::Waves, ripples::waves),
+    (Word::Wood, wood::new),
+    (Word::Wrinkles, wrinkles::new),
 ];
 
-/// What every pattern can do.
-pub trait Pattern: Debug + Send + Sync {
-    /// The value at a point of pattern space: for a pattern with a list, the index of an entry.
-    fn value(&self, point: DVec3) -> f64;
+/// The map of colours of patterns that have none of their own.
+const GREY: [Stop; 2] = [
+    (0.0, Color::opaque(Rgb::BLACK)),
+    (1.0, Color::opaque(Rgb::WHITE)),
+];
 
-    /// The colours of the entries that the scene does not give; their number is the length of the list.
-    fn default_colors(&self) -> &'static [Color];
+/// A pattern as a scene describes it.
+pub trait Pattern: Debug + Send + Sync + Copies {
+    /// The form for drawing.
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value>;
+
+    /// The colours where the scene gives none. For a pattern with a list, entry `i` is at the value `i`.
+    fn default_map(&self) -> &'static [Stop] {
+        &GREY
+    }
+
+    /// How the value is shaped where the scene does not say it.
+    fn default_wave(&self) -> Wave {
+        Wave::default()
+    }
+
+    /// Whether the pattern selects from a list that stands behind its word, as `checker` does.
+    fn has_list(&self) -> bool {
+        false
+    }
+
+    /// Whether `turbulence` displaces the point; otherwise it has its place in the formula of the pattern.
+    fn is_displaced(&self) -> bool {
+        true
+    }
 
     /// Takes and reads `word` and its value if the pattern has such a parameter, and says whether it has.
     ///
@@ -42,22 +135,98 @@ pub trait Pattern: Debug + Send + Sync {
     fn read_modifier(&mut self, _word: Word, _args: &mut dyn Args) -> Parse<bool> {
         Ok(false)
     }
+}
 
+/// What draws a pattern.
+pub trait Value: Debug + Send + Sync {
+    /// The value at a point of pattern space, before waves. For a pattern with a list, the index of an entry.
+    fn value(&self, point: DVec3, spot: &Spot) -> f64;
+}
+
+/// The place that is coloured, for the patterns that ask for more than a point of their own space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// The point of the world.
+    pub point: DVec3,
+    /// The unit normal of the surface on the side that is seen; zero where there is no surface.
+    pub normal: DVec3,
+    /// The direction of the ray that sees it; zero where there is none.
+    pub dir: DVec3,
+}
+
+impl Spot {
+    /// A point in no surface, seen by nobody in particular.
+    #[must_use]
+    pub fn at(point: DVec3) -> Self {
+        Spot {
+            point,
+            normal: DVec3::ZERO,
+            dir: DVec3::ZERO,
+        }
+    }
+}
+
+/// What a whole scene says about its patterns.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// The noise of patterns that choose none.
+    pub noise_generator: NoiseGenerator,
+    /// How many sources `waves` and `ripples` have.
+    pub number_of_waves: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            noise_generator: NoiseGenerator::default(),
+            number_of_waves: 10,
+        }
+    }
+}
+
+/// What a pattern may take into its form for drawing.
+#[derive(Debug)]
+pub struct Preparing<'a> {
+    /// The noise that the pattern uses.
+    pub noise: NoiseGenerator,
+    /// The amounts of `turbulence`, zero where the scene gives none.
+    pub turbulence: DVec3,
+    /// How the octaves of `turbulence` are summed.
+    pub octaves: Octaves,
+    /// How the value will be shaped.
+    pub wave: Wave,
+    /// What the scene says.
+    pub settings: &'a Settings,
+}
+
+/// Copying behind a `Box`; every type that can be cloned has it.
+pub trait Copies {
     /// A copy that can be modified by itself.
-    fn boxed_clone(&self) -> Box<dyn Pattern>;
+    fn copied(&self) -> Box<dyn Pattern>;
+}
+
+impl<T: Pattern + Clone + 'static> Copies for T {
+    fn copied(&self) -> Box<dyn Pattern> {
+        Box::new(self.clone())
+    }
 }
 
 impl Clone for Box<dyn Pattern> {
     fn clone(&self) -> Self {
-        self.boxed_clone()
+        (**self).copied()
     }
 }
 
-/// The pattern of this word with its default parameters, if it is built.
-#[must_use]
-pub fn named(word: Word) -> Option<Box<dyn Pattern>> {
-    let entry = PATTERNS.iter().find(|entry| entry.0 == word);
-    entry.map(|entry| entry.1())
+/// The pattern of this word, if there is one and it is built. Takes the word and what belongs to it.
+///
+/// # Errors
+/// A malformed value behind the word.
+pub fn read_named(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>> {
+    let Some((_, new)) = PATTERNS.iter().find(|entry| entry.0 == word) else {
+        return Ok(None);
+    };
+    args.accept(word)?;
+    new(args).map(Some)
 }
 
 /// Whether the language has a pattern of this word, built or not.
@@ -74,16 +243,8 @@ fn fraction(x: f64) -> f64 {
     x - x.floor()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_words_of_the_list_are_patterns() {
-        for (word, _) in PATTERNS {
-            assert!(is_pattern(*word), "{word}");
-        }
-        assert!(is_pattern(Word::Bozo) && is_pattern(Word::Spherical));
-        assert!(!is_pattern(Word::Solid) && !is_pattern(Word::Phong));
-    }
+/// The unit cube that a point lies in; the numbers saturate far out.
+#[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
+fn cell(point: DVec3) -> [i64; 3] {
+    point.floor().to_array().map(|coordinate| coordinate as i64)
 }

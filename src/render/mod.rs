@@ -6,7 +6,7 @@ mod jitter;
 use crate::compile::{Scratch, World};
 use crate::film::{Film, Pixel};
 use crate::options::RenderOptions;
-use crate::trace::Tracer;
+use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -72,34 +72,14 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
 
 /// The pixels of a tile that are to be drawn, row by row.
 fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile, Vec<Pixel>) {
-    let mut scratch = Scratch::default();
     let wanted = Tile {
         columns: shared(&tile.columns, &options.columns),
         rows: shared(&tile.rows, &options.rows),
     };
     let pixels = match &options.antialias {
-        None => {
-            let columns = wanted.columns.clone();
-            let places = wanted
-                .rows
-                .clone()
-                .flat_map(|y| columns.clone().map(move |x| (x, y)));
-            let trace = |(x, y)| {
-                let sample = tracer.pixel(
-                    f64::from(x),
-                    f64::from(y),
-                    options.width,
-                    options.height,
-                    &mut scratch,
-                );
-                Pixel {
-                    rgb: sample.rgb,
-                    transmit: sample.transmit,
-                }
-            };
-            places.map(trace).collect()
-        }
+        None => draw_blocks(tracer, &wanted, options),
         Some(how) => {
+            let mut scratch = Scratch::default();
             let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
             let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
             let skipped = (wanted.columns.start - tile.columns.start) as usize;
@@ -110,6 +90,33 @@ fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile
         }
     };
     (wanted, pixels)
+}
+
+/// The pixels of a rectangle, row by row, without antialiasing.
+fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> Vec<Pixel> {
+    let mut scratch = BlockScratch::default();
+    let blocks = |range: &Range<u32>| {
+        let end = range.end;
+        range
+            .clone()
+            .step_by(BLOCK as usize)
+            .map(move |start| start..(start + BLOCK).min(end))
+    };
+    let width = wanted.columns.len();
+    let mut pixels = vec![Pixel::default(); width * wanted.rows.len()];
+    for rows in blocks(&wanted.rows) {
+        for columns in blocks(&wanted.columns) {
+            let size = (options.width, options.height);
+            tracer.block(&columns, &rows, size, &mut scratch, |x, y, sample| {
+                let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
+                pixels[y as usize * width + x as usize] = Pixel {
+                    rgb: sample.rgb,
+                    transmit: sample.transmit,
+                };
+            });
+        }
+    }
+    pixels
 }
 
 fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {

@@ -3,10 +3,13 @@
 
 mod object;
 
-pub use object::{Attached, Flags, Kind, Object, Operation, Size};
+pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
 
+use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
+use crate::math::noise::NoiseGenerator;
+use crate::pattern::Settings;
 use std::sync::Arc;
 
 /// A whole scene.
@@ -18,6 +21,8 @@ pub struct Scene {
     pub objects: Vec<Arc<Object>>,
     /// The colour behind everything.
     pub background: Background,
+    /// What fills the space between the objects, and the sky before the background.
+    pub atmosphere: Atmosphere,
     /// What `global_settings` says.
     pub globals: Globals,
     /// The effective language version: the last `#version` of the run, or 3.62 where there is none.
@@ -42,6 +47,10 @@ pub struct Globals {
     pub max_trace_level: u32,
     /// The factor of every `ambient`.
     pub ambient_light: Rgb,
+    /// The noise of patterns that choose none; `None` where the file says nothing.
+    pub noise_generator: Option<NoiseGenerator>,
+    /// How many sources `waves` and `ripples` have.
+    pub number_of_waves: u32,
 }
 
 impl Default for Globals {
@@ -51,11 +60,30 @@ impl Default for Globals {
             adc_bailout: 1.0 / 255.0,
             max_trace_level: 5,
             ambient_light: Rgb::WHITE,
+            noise_generator: None,
+            number_of_waves: Settings::default().number_of_waves,
         }
     }
 }
 
+/// Before this version, scenes have the original noise.
+const RANGE_CORRECTED_NOISE: f64 = 3.5;
+
 impl Scene {
+    /// What patterns take from the whole scene.
+    #[must_use]
+    pub fn pattern_settings(&self) -> Settings {
+        let by_version = if self.version < RANGE_CORRECTED_NOISE {
+            NoiseGenerator::Original
+        } else {
+            NoiseGenerator::RangeCorrected
+        };
+        Settings {
+            noise_generator: self.globals.noise_generator.unwrap_or(by_version),
+            number_of_waves: self.globals.number_of_waves,
+        }
+    }
+
     /// How stored values relate to the numbers of the scene: `None` means that there is no gamma handling at all,
     /// as in old scenes that set neither `#version 3.7` nor `assumed_gamma`.
     #[must_use]

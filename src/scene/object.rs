@@ -1,7 +1,7 @@
 //! Objects: a shape or a combination of objects, with what it carries.
 
 use crate::interior::Interior;
-use crate::light::Light;
+use crate::light::{Light, ObjectPhotons};
 use crate::math::{Bounds, Step, Transform};
 use crate::shape::{Geometry, Shape};
 use crate::texture::Texture;
@@ -22,6 +22,10 @@ pub struct Object {
     pub interior: Option<Arc<Interior>>,
     /// Its switches.
     pub flags: Flags,
+    /// Whether it is a `light_group`, whose own lights shine on it alone.
+    pub light_group: Option<LightGroup>,
+    /// What it does with photons.
+    pub photons: ObjectPhotons,
     /// Whether inside and outside are exchanged.
     pub is_inverse: bool,
     /// `clipped_by`: the surface is kept where all of these hold it.
@@ -56,7 +60,14 @@ pub enum Kind {
     /// A primitive.
     Shape(Arc<Shape>),
     /// A light, which is moved like an object and may stand inside a union.
-    Light(Arc<Light>),
+    Light {
+        /// The light itself.
+        light: Arc<Light>,
+        /// What stands in its place to be seen, and casts no shadow.
+        looks_like: Option<Arc<Object>>,
+        /// What its light must meet on its way, and where its shadows end.
+        projected_through: Option<Arc<Object>>,
+    },
     /// A combination.
     Csg {
         /// How.
@@ -64,6 +75,13 @@ pub enum Kind {
         /// Of what, in the order of the file.
         children: Vec<Arc<Object>>,
     },
+}
+
+/// What a `light_group` says of the lights outside of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LightGroup {
+    /// Whether they shine on it too. Of groups in groups the outermost decides.
+    pub global_lights: bool,
 }
 
 /// How objects are combined.
@@ -98,11 +116,20 @@ impl Object {
     /// A bare object.
     #[must_use]
     pub fn new(kind: Kind) -> Self {
+        let leaf = Size {
+            height: 1,
+            leaves: 1,
+        };
         let size = match &kind {
-            Kind::Shape(_) | Kind::Light(_) => Size {
-                height: 1,
-                leaves: 1,
-            },
+            Kind::Shape(_) => leaf,
+            Kind::Light {
+                looks_like,
+                projected_through,
+                ..
+            } => {
+                let held = looks_like.iter().chain(projected_through);
+                held.fold(leaf, |sum, object| sum.with_inside(object.size))
+            }
             Kind::Csg { children, .. } => children.iter().fold(
                 Size {
                     height: 1,
@@ -119,6 +146,8 @@ impl Object {
             interior_texture: None,
             interior: None,
             flags: Flags::default(),
+            light_group: None,
+            photons: ObjectPhotons::default(),
             is_inverse: false,
             clipped_by: Box::default(),
             bounded_by: Box::default(),
@@ -132,7 +161,9 @@ impl Object {
         let whole = match &self.kind {
             _ if self.is_inverse => Bounds::EVERYTHING,
             Kind::Shape(shape) => moved(shape, &self.steps),
-            Kind::Light(_) => Bounds::EMPTY,
+            Kind::Light { looks_like, .. } => looks_like
+                .as_ref()
+                .map_or(Bounds::EMPTY, |look| turned(look.bounds(), &self.steps)),
             Kind::Csg {
                 operation,
                 children,
@@ -142,6 +173,16 @@ impl Object {
         clips.fold(whole, |bounds, clip| {
             bounds.intersection(&turned(clip.what.bounds(), &self.steps[clip.after..]))
         })
+    }
+
+    /// Whether it has an inside: no part of it is a patch or a light.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        match &self.kind {
+            Kind::Shape(shape) => shape.is_solid(),
+            Kind::Light { .. } => false,
+            Kind::Csg { children, .. } => children.iter().all(|child| child.is_solid()),
+        }
     }
 
     /// Gives the object something that only its later transforms move.
@@ -174,8 +215,19 @@ impl Object {
 
     /// Moves what it holds to `to`; what remains is a leaf.
     fn take_apart(&mut self, to: &mut Vec<Arc<Object>>) {
-        if let Kind::Csg { children, .. } = &mut self.kind {
-            to.append(children);
+        match &mut self.kind {
+            Kind::Shape(_) => {}
+            Kind::Light {
+                looks_like,
+                projected_through,
+                ..
+            } => to.extend(
+                looks_like
+                    .take()
+                    .into_iter()
+                    .chain(projected_through.take()),
+            ),
+            Kind::Csg { children, .. } => to.append(children),
         }
         for around in [&mut self.clipped_by, &mut self.bounded_by] {
             to.extend(
@@ -251,13 +303,11 @@ mod tests {
     use glam::DVec3;
 
     fn light() -> Arc<Object> {
-        Arc::new(Object::new(Kind::Light(Arc::new(Light {
-            centre: DVec3::ZERO,
-            color: crate::color::Rgb::WHITE,
-            fade_distance: 0.0,
-            fade_power: 0.0,
-            is_shadowless: false,
-        }))))
+        Arc::new(Object::new(Kind::Light {
+            light: Arc::new(Light::point(DVec3::ZERO, crate::color::Rgb::WHITE)),
+            looks_like: None,
+            projected_through: None,
+        }))
     }
 
     fn union(children: Vec<Arc<Object>>) -> Arc<Object> {

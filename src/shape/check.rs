@@ -82,7 +82,10 @@ fn surface(shape: &dyn Geometry, ray: &Ray, root: &Root, size: f64) {
 
 /// The inside test at points of a ray agrees with the roots around them.
 fn parity(shape: &dyn Geometry, ray: &Ray, start: Start, roots: &[Root], size: f64) {
-    let gap = 1e-9 * size / ray.dir.length();
+    let far = roots
+        .iter()
+        .fold(0.0_f64, |far, root| far.max(root.t.abs()));
+    let gap = 1e-9 * size / ray.dir.length() + 1e-11 * far;
     let mut ends = vec![-10.0 * size / ray.dir.length()];
     let crossings = roots.iter().filter(|root| root.crossing != Crossing::Touch);
     ends.extend(crossings.map(|root| root.t));

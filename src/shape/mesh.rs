@@ -7,19 +7,20 @@
 //! odd number of triangles. If every edge belongs to an even number of triangles this is so along any line, and so
 //! enter and leave alternate along a ray ([`RayFrame::crossing`] counts without fault). If not, the state between two
 //! roots is that of the point midway, and outside beyond them.
-//!
-//! Textures of single triangles and texture coordinates are not kept.
 
-use super::mesh_build::Draft;
+use super::mesh_build::{Draft, single_pair};
+use super::mesh_looks::{Looks, NO_TRIPLE};
+use super::skin::{Shares, Skin};
 use super::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
-use crate::args::{Args, Parse, Word};
+use crate::args::{Args, Parse, Word, declared};
 use crate::math::conditioning::power_of_two;
 use crate::math::watertight::{RayFrame, TriangleHit};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
-use glam::{DVec3, Vec3};
+use crate::texture::Texture;
+use glam::{DVec3, Vec2, Vec3};
 use std::sync::Arc;
 
 /// Triangles that share corners. Copies share all of it.
@@ -36,6 +37,8 @@ pub(super) struct Triangles {
     pub(super) normals: Vec<Vec3>,
     /// For each triangle the normals at its corners, or [`FLAT`]; empty if all triangles are flat.
     pub(super) smooth: Vec<[u32; 3]>,
+    /// Texture coordinates and textures of triangles, if it has any.
+    pub(super) looks: Option<Box<Looks>>,
     pub(super) inside: Option<Inside>,
     pub(super) bounds: Bounds,
     pub(super) tree: Bvh,
@@ -63,6 +66,7 @@ impl PartialEq for Triangles {
             && self.corners == other.corners
             && self.normals == other.normals
             && self.smooth == other.smooth
+            && self.looks == other.looks
             && self.inside == other.inside
     }
 }
@@ -75,15 +79,15 @@ impl Mesh {
     /// Reads the triangles of `mesh` and its `inside_vector`. Degenerate triangles are left out without a word.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters, no triangle at all, or a texture of a single triangle.
+    /// Malformed or non-finite parameters, or no triangle at all.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let start = args.span();
         let mut draft = Draft::default();
         loop {
             if args.accept(Word::Triangle)? {
-                read_triangle(args, &mut draft, Looks::Flat)?;
+                read_triangle(args, &mut draft, Shading::Flat)?;
             } else if args.accept(Word::SmoothTriangle)? {
-                read_triangle(args, &mut draft, Looks::Smooth)?;
+                read_triangle(args, &mut draft, Shading::Smooth)?;
             } else {
                 break;
             }
@@ -100,6 +104,11 @@ impl Mesh {
             )));
         }
         Ok(Mesh::new(mesh))
+    }
+
+    /// The weights of the corners of a triangle at a point of it.
+    fn weights(&self, point: DVec3, face: u32) -> [f64; 3] {
+        weights(&self.0.corners(face), self.normal(point, face), point)
     }
 
     /// How many triangles it has, degenerate ones not counted.
@@ -122,22 +131,27 @@ impl Mesh {
         size_of::<Triangles>()
             + lists * size_of::<Vec3>()
             + triples * size_of::<[u32; 3]>()
+            + self
+                .0
+                .looks
+                .as_ref()
+                .map_or(0, |looks| size_of::<Looks>() + looks.bytes())
             + self.0.tree.bytes()
     }
 }
 
 /// Whether a triangle of a `mesh` has normals at its corners.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Looks {
+enum Shading {
     Flat,
     Smooth,
 }
 
 /// `{ corners and normals [uv_vectors] }` behind the word of a triangle.
-fn read_triangle(args: &mut dyn Args, draft: &mut Draft, looks: Looks) -> Parse<()> {
+fn read_triangle(args: &mut dyn Args, draft: &mut Draft, shading: Shading) -> Parse<()> {
     args.open()?;
     let at = args.span();
-    let count = if looks == Looks::Smooth { 6 } else { 3 };
+    let count = if shading == Shading::Smooth { 6 } else { 3 };
     let mut given = [DVec3::ZERO; 6];
     let mut taken = 0;
     args.literal_vectors(3, &mut |vector| {
@@ -152,9 +166,9 @@ fn read_triangle(args: &mut dyn Args, draft: &mut Draft, looks: Looks) -> Parse<
         let what = "the corners and normals of a triangle";
         *vector = read::vector(args, what)?;
     }
-    let added = match looks {
-        Looks::Flat => draft.triangle([given[0], given[1], given[2]], None),
-        Looks::Smooth => draft.triangle(
+    let added = match shading {
+        Shading::Flat => draft.triangle([given[0], given[1], given[2]], None),
+        Shading::Smooth => draft.triangle(
             [given[0], given[2], given[4]],
             Some([given[1], given[3], given[5]]),
         ),
@@ -164,29 +178,42 @@ fn read_triangle(args: &mut dyn Args, draft: &mut Draft, looks: Looks) -> Parse<
         return Err(Box::new(Diagnostic::error(place, fault)));
     }
     if args.accept(Word::UvVectors)? {
-        for _ in 0..3 {
+        let mut pairs = [Vec2::ZERO; 3];
+        for pair in &mut pairs {
             args.comma()?;
-            args.vector2()?;
+            *pair = single_pair(args.vector2()?);
         }
+        draft.uv_of_last(pairs);
     }
-    for word in [Word::Texture, Word::TextureList] {
-        if args.word()? == Some(word) {
-            return Err(single_texture(args, word));
-        }
+    if let Some(skins) = read_skins(args, draft)? {
+        draft.skins_of_last(skins);
     }
     args.close()
 }
 
-fn single_texture(args: &mut dyn Args, word: Word) -> Box<Diagnostic> {
-    Box::new(
-        Diagnostic::error(
-            args.span(),
-            format!("`{word}` of a single triangle is not built yet"),
-        )
-        .with_hint(
-            "give the whole mesh one texture, or make a mesh of the triangles of each texture",
-        ),
-    )
+/// `texture { ... }` for a whole triangle, or `texture_list { T1 T2 T3 }` for its corners.
+fn read_skins(args: &mut dyn Args, draft: &mut Draft) -> Parse<Option<[u32; 3]>> {
+    if args.accept(Word::Texture)? {
+        let skin = draft.skin(Skin::read(args)?);
+        return Ok(Some([skin; 3]));
+    }
+    if !args.accept(Word::TextureList)? {
+        return Ok(None);
+    }
+    args.open()?;
+    let mut skins = NO_TRIPLE;
+    for skin in &mut skins {
+        args.comma()?;
+        let named = match declared::<Texture>(args)? {
+            Some(named) => Skin(named),
+            None if args.accept(Word::Texture)? => Skin::read(args)?,
+            None => return Err(args.expected("the names of three textures in `texture_list`")),
+        };
+        *skin = draft.skin(named);
+    }
+    args.comma()?;
+    args.close()?;
+    Ok(Some(skins))
 }
 
 /// `inside_vector` if it stands here; the zero vector takes the inside away again.
@@ -359,13 +386,39 @@ impl Geometry for Mesh {
         let Some(smooth) = smooth.filter(|smooth| *smooth != FLAT) else {
             return flat;
         };
-        let shares = weights(&self.0.corners(face), flat, point);
+        let shares = self.weights(point, face);
         let normals = smooth.map(|normal| self.0.normals[normal as usize].as_dvec3());
         let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * normals[i]);
         if mean.is_finite() && mean != DVec3::ZERO {
             mean
         } else {
             flat
+        }
+    }
+
+    fn uv(&self, _: DVec3) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
+        let Some(looks) = &self.0.looks else {
+            return [0.0; 2];
+        };
+        looks.uv(
+            face,
+            self.0.corners[face as usize],
+            self.weights(point, face),
+        )
+    }
+
+    fn skins(&self) -> &[Skin] {
+        self.0.looks.as_ref().map_or(&[], |looks| &looks.skins)
+    }
+
+    fn shares(&self, point: DVec3, face: u32) -> Shares {
+        match &self.0.looks {
+            Some(looks) => looks.shares(face, || self.weights(point, face)),
+            None => Shares::new(),
         }
     }
 

@@ -1,35 +1,36 @@
 //! Reading `mesh2`: lists of corners and normals, and triangles by their indices, counted from zero.
 //!
-//! A count or an index loses what stands behind its decimal point, as in POV-Ray. Texture coordinates are checked and
-//! not kept.
+//! A count or an index loses what stands behind its decimal point, as in POV-Ray. Behind a triangle may stand the index
+//! of its texture, or those of its three corners.
 
 use super::mesh::read_inside_vector;
-use super::mesh_build::{Draft, single, single_normal};
+use super::mesh_build::{Draft, single, single_normal, single_pair};
+use super::mesh_looks::UvOf;
+use super::skin::Skin;
 use super::{Mesh, read};
-use crate::args::{Args, Parse, Word, not_built};
+use crate::args::{Args, Parse, Word};
 use crate::source::{Diagnostic, Span};
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 impl Mesh {
     /// Reads the lists of `mesh2` and its `inside_vector`. Degenerate triangles are left out without a word.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters, counts that do not agree, indices out of range, lists out of order, no
-    /// triangle at all, or textures of single triangles.
+    /// Malformed or non-finite parameters, counts that do not agree, indices out of range, lists out of order, or no
+    /// triangle at all.
     pub fn read_mesh2(args: &mut dyn Args) -> Parse<Self> {
         let mut draft = Draft::default();
         if !args.accept(Word::VertexVectors)? {
             return Err(args.expected("`vertex_vectors` at the start of `mesh2`"));
         }
         read_vertices(args, &mut draft)?;
-        let mut uv_count = 0;
         loop {
             if args.accept(Word::NormalVectors)? {
                 read_normals(args, &mut draft)?;
             } else if args.accept(Word::UvVectors)? {
-                uv_count = list::<2>(args, &UV_VECTORS, |_| Ok(()))?;
-            } else if args.word()? == Some(Word::TextureList) {
-                return Err(not_built(args, Word::TextureList));
+                read_uvs(args, &mut draft)?;
+            } else if args.accept(Word::TextureList)? {
+                read_textures(args, &mut draft)?;
             } else {
                 break;
             }
@@ -39,7 +40,7 @@ impl Mesh {
         }
         let faces_at = args.last_span();
         read_faces(args, &mut draft)?;
-        read_indices(args, &mut draft, uv_count, faces_at)?;
+        read_indices(args, &mut draft, faces_at)?;
         Ok(Mesh::new(draft.build()))
     }
 }
@@ -61,6 +62,10 @@ const NORMALS: List = List {
 const UV_VECTORS: List = List {
     word: Word::UvVectors,
     item: "pair of texture coordinates",
+};
+const TEXTURES: List = List {
+    word: Word::TextureList,
+    item: "texture",
 };
 const FACES: List = List {
     word: Word::FaceIndices,
@@ -113,20 +118,102 @@ fn read_normals(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
     Ok(())
 }
 
+fn read_uvs(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+    let uvs = &mut draft.looks.uvs;
+    uvs.clear();
+    list::<2>(args, &UV_VECTORS, |pair| {
+        uvs.push(single_pair(DVec2::from(pair)));
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// `{ count, texture { ... }, ... }`
+fn read_textures(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+    args.open()?;
+    let count = read_count(args, &TEXTURES)?;
+    draft.looks.skins.clear();
+    for number in 1..=count {
+        args.comma()?;
+        if !args.accept(Word::Texture)? {
+            let what = format!("`texture` {number} of {count} in `texture_list`");
+            return Err(args.expected(&what));
+        }
+        draft.looks.skins.push(Skin::read(args)?);
+    }
+    close_list(args, &TEXTURES, count)
+}
+
 fn read_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
     let at = args.last_span();
     let count = draft.vertices.len();
-    list::<3>(args, &FACES, |corners| {
-        draft.face(indices(corners, count, "vertex", "vertices")?)
-    })?;
+    if draft.looks.skins.is_empty() {
+        list::<3>(args, &FACES, |corners| {
+            draft.face(indices(corners, count, "vertex", "vertices")?)
+        })?;
+    } else {
+        read_textured_faces(args, draft)?;
+    }
     if draft.corners.is_empty() {
         return Err(error(at, "a mesh needs at least one triangle"));
     }
     Ok(())
 }
 
+/// Triangles that may each be followed by one or three indices of textures.
+fn read_textured_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+    let vertices = draft.vertices.len();
+    let textures = draft.looks.skins.len();
+    args.open()?;
+    let count = read_count(args, &FACES)?;
+    for found in 0..count {
+        let at = args.span();
+        let corners: [f64; 3] = item(args, &FACES, found, count)?;
+        let fault = |args: &dyn Args, fault| error(at.to(args.last_span()), fault);
+        let corners = indices(corners, vertices, "vertex", "vertices");
+        draft
+            .face(corners.map_err(|wrong| fault(args, wrong))?)
+            .map_err(|wrong| fault(args, wrong))?;
+        let mut given = [0.0; 3];
+        let mut len = 0;
+        while len < 3
+            && let Some(index) = texture_index(args)?
+        {
+            given[len] = index;
+            len += 1;
+        }
+        let skins = match len {
+            0 => continue,
+            1 => [given[0]; 3],
+            3 => given,
+            _ => {
+                return Err(fault(
+                    args,
+                    "a triangle has one texture or three, found two indices".to_owned(),
+                ));
+            }
+        };
+        let skins = indices(skins, textures, "texture", "textures");
+        draft.skins_of_last(skins.map_err(|wrong| fault(args, wrong))?);
+    }
+    close_list(args, &FACES, count)
+}
+
+/// The index of a texture, if one stands here and not the next triangle.
+fn texture_index(args: &mut dyn Args) -> Parse<Option<f64>> {
+    if let Some(number) = args.literal_number() {
+        return Ok(Some(number));
+    }
+    args.comma()?;
+    if args.at_mark('<')? || !args.at_expression()? {
+        return Ok(None);
+    }
+    args.float().map(Some)
+}
+
 /// What may stand behind the triangles: `normal_indices`, `uv_indices`, `inside_vector`.
-fn read_indices(args: &mut dyn Args, draft: &mut Draft, uvs: usize, faces_at: Span) -> Parse<()> {
+fn read_indices(args: &mut dyn Args, draft: &mut Draft, faces_at: Span) -> Parse<()> {
+    let uvs = draft.looks.uvs.len();
     let faces = draft.corners.len();
     let mut has_uv_indices = false;
     loop {
@@ -148,9 +235,15 @@ fn read_indices(args: &mut dyn Args, draft: &mut Draft, uvs: usize, faces_at: Sp
         } else if args.accept(Word::UvIndices)? {
             let at = args.last_span();
             has_uv_indices = true;
+            if draft.looks.uvs.is_empty() {
+                draft.looks.uvs.push(glam::Vec2::ZERO);
+            }
+            let mut triples = Vec::new();
             let found = list::<3>(args, &UV_INDICES, |pairs| {
-                indices(pairs, uvs.max(1), "uv vector", "uv vectors").map(|_| ())
+                triples.push(indices(pairs, uvs.max(1), "uv vector", "uv vectors")?);
+                Ok(())
             })?;
+            draft.looks.uv_of = UvOf::Triangles(triples);
             if found != faces {
                 return Err(error(
                     at,
@@ -176,13 +269,12 @@ fn read_indices(args: &mut dyn Args, draft: &mut Draft, uvs: usize, faces_at: Sp
         }
         draft.smooth.clone_from(&draft.corners);
     }
-    if uvs > 0 && !has_uv_indices && uvs != vertices {
-        return Err(missing(
-            faces_at,
-            Word::UvIndices,
-            (uvs, "uv vectors"),
-            vertices,
-        ));
+    if uvs > 0 && !has_uv_indices {
+        if uvs != vertices {
+            let found = (uvs, "uv vectors");
+            return Err(missing(faces_at, Word::UvIndices, found, vertices));
+        }
+        draft.looks.uv_of = UvOf::Corners;
     }
     Ok(())
 }
@@ -203,7 +295,6 @@ fn list<const N: usize>(
     list: &List,
     mut add: impl FnMut([f64; N]) -> Result<(), String>,
 ) -> Parse<usize> {
-    let List { word, item } = list;
     args.open()?;
     let count = read_count(args, list)?;
     let mut found = 0;
@@ -218,28 +309,68 @@ fn list<const N: usize>(
         if found == count {
             break;
         }
-        args.comma()?;
-        if !args.at_expression()? {
-            let number = found + 1;
-            return Err(args.expected(&format!("{item} {number} of {count} in `{word}`")));
-        }
         let at = args.span();
-        let vector: [f64; N] = one(args)?;
-        let place = at.to(args.last_span());
-        if !is_finite(&vector) {
-            return Err(error(
-                place,
-                format!("{item} {} in `{word}` must be finite", found + 1),
-            ));
-        }
-        add(vector).map_err(|fault| error(place, fault))?;
+        let vector = slow_item::<N>(args, list, found, count)?;
+        add(vector).map_err(|fault| error(at.to(args.last_span()), fault))?;
         found += 1;
     }
+    close_list(args, list, count)?;
+    Ok(count)
+}
+
+/// The comma that may stand behind the last item of a list, and its `}`.
+fn close_list(args: &mut dyn Args, list: &List, count: usize) -> Parse<()> {
     args.comma()?;
     if args.accept_close()? {
-        return Ok(count);
+        return Ok(());
     }
+    let word = list.word;
     Err(args.expected(&format!("`}}` behind item {count}, the last of `{word}`")))
+}
+
+/// The next vector of a list, of which so many were found.
+fn item<const N: usize>(
+    args: &mut dyn Args,
+    list: &List,
+    found: usize,
+    count: usize,
+) -> Parse<[f64; N]> {
+    let mut item = None;
+    args.literal_vectors(N, &mut |vector| {
+        let is_wanted = item.is_none() && is_finite(vector);
+        if is_wanted {
+            item = <[f64; N]>::try_from(vector).ok();
+        }
+        is_wanted
+    });
+    match item {
+        Some(item) => Ok(item),
+        None => slow_item(args, list, found, count),
+    }
+}
+
+/// The same for one that is not written as literal numbers.
+fn slow_item<const N: usize>(
+    args: &mut dyn Args,
+    list: &List,
+    found: usize,
+    count: usize,
+) -> Parse<[f64; N]> {
+    let List { word, item } = list;
+    let number = found + 1;
+    args.comma()?;
+    if !args.at_expression()? {
+        return Err(args.expected(&format!("{item} {number} of {count} in `{word}`")));
+    }
+    let at = args.span();
+    let vector: [f64; N] = one(args)?;
+    if !is_finite(&vector) {
+        return Err(error(
+            at.to(args.last_span()),
+            format!("{item} {number} in `{word}` must be finite"),
+        ));
+    }
+    Ok(vector)
 }
 
 /// One vector of a list that is not literal.

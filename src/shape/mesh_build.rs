@@ -2,10 +2,12 @@
 
 use super::Triangle;
 use super::mesh::{FLAT, Inside, Triangles};
+use super::mesh_looks::{Looks, NO_TRIPLE, SkinsOf, UvOf, retain};
+use super::skin::Skin;
 use crate::accel::Bvh;
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, rounding};
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
@@ -24,8 +26,12 @@ pub(super) struct Draft {
     /// As long as `corners`, or shorter: the others are flat.
     pub(super) smooth: Vec<[u32; 3]>,
     pub(super) inside: Option<DVec3>,
+    pub(super) looks: Looks,
     known_vertices: FxHashMap<[u32; 3], u32>,
     known_normals: FxHashMap<[u32; 3], u32>,
+    known_uvs: FxHashMap<[u32; 2], u32>,
+    /// By address.
+    known_skins: FxHashMap<usize, u32>,
 }
 
 /// A corner as it is kept, or what is wrong with it.
@@ -45,6 +51,11 @@ pub(super) fn single(point: DVec3) -> Result<Vec3, String> {
 pub(super) fn single_normal(normal: DVec3) -> Vec3 {
     let normal = unit(normal).unwrap_or(DVec3::ZERO);
     Vec3::from(normal.to_array().map(rounding::nearest)) + Vec3::ZERO
+}
+
+/// Texture coordinates as they are kept.
+pub(super) fn single_pair(pair: DVec2) -> Vec2 {
+    Vec2::from(pair.to_array().map(rounding::nearest)) + Vec2::ZERO
 }
 
 impl Draft {
@@ -72,6 +83,55 @@ impl Draft {
         self.face(indices)
     }
 
+    /// Gives the triangle that was added last texture coordinates at its corners; those before without any have zero.
+    pub(super) fn uv_of_last(&mut self, pairs: [Vec2; 3]) {
+        let indices = pairs.map(|pair| self.uv(pair));
+        let zero = self.uv(Vec2::ZERO);
+        let before = self.corners.len() - 1;
+        let mut list = match std::mem::take(&mut self.looks.uv_of) {
+            UvOf::Triangles(list) => list,
+            UvOf::None | UvOf::Corners => Vec::new(),
+        };
+        list.resize(before, [zero; 3]);
+        list.push(indices);
+        self.looks.uv_of = UvOf::Triangles(list);
+    }
+
+    fn uv(&mut self, pair: Vec2) -> u32 {
+        let uvs = &mut self.looks.uvs;
+        let key = pair.to_array().map(f32::to_bits);
+        *self.known_uvs.entry(key).or_insert_with(|| {
+            uvs.push(pair);
+            index(uvs.len() - 1)
+        })
+    }
+
+    /// The number of a texture, which the list gets if it is new.
+    pub(super) fn skin(&mut self, skin: Skin) -> u32 {
+        let key = std::sync::Arc::as_ptr(&skin.0).addr();
+        let skins = &mut self.looks.skins;
+        *self.known_skins.entry(key).or_insert_with(|| {
+            skins.push(skin);
+            index(skins.len() - 1)
+        })
+    }
+
+    /// Gives the triangle that was added last its textures.
+    pub(super) fn skins_of_last(&mut self, skins: [u32; 3]) {
+        let before = self.corners.len() - 1;
+        self.fill_skins(before);
+        self.looks.skins_of.push(skins, before);
+    }
+
+    /// Gives triangles without a word on textures that of the object, if others have some.
+    fn fill_skins(&mut self, triangles: usize) {
+        match &mut self.looks.skins_of {
+            SkinsOf::Object => {}
+            SkinsOf::One(list) => list.resize(triangles, u32::MAX),
+            SkinsOf::Three(list) => list.resize(triangles, NO_TRIPLE),
+        }
+    }
+
     /// Adds a triangle between known corners.
     pub(super) fn face(&mut self, corners: [u32; 3]) -> Result<(), String> {
         if self.corners.len() >= MOST {
@@ -96,6 +156,16 @@ impl Draft {
                 *smooth = FLAT;
             }
         }
+        let triangles = self.corners.len();
+        self.fill_skins(triangles);
+        if let UvOf::Triangles(list) = &self.looks.uv_of
+            && list.len() < triangles
+        {
+            let zero = self.uv(Vec2::ZERO);
+            if let UvOf::Triangles(list) = &mut self.looks.uv_of {
+                list.resize(triangles, [zero; 3]);
+            }
+        }
         self.drop_degenerate();
         if self.smooth.iter().all(|smooth| *smooth == FLAT) {
             self.smooth = Vec::new();
@@ -107,6 +177,7 @@ impl Draft {
         for list in [&mut self.vertices, &mut self.normals] {
             list.shrink_to_fit();
         }
+        self.looks.shrink();
         let boxes: Vec<Bounds> = self
             .corners
             .par_iter()
@@ -123,6 +194,7 @@ impl Draft {
             corners: self.corners,
             normals: self.normals,
             smooth: self.smooth,
+            looks: (self.looks != Looks::default()).then(|| Box::new(self.looks)),
             inside,
             bounds,
             tree: Bvh::build(&boxes),
@@ -138,11 +210,12 @@ impl Draft {
                 !Triangle { corners }.is_flat_line()
             })
             .collect();
-        let mut kept = is_kept.iter();
-        self.corners
-            .retain(|_| kept.next().copied().unwrap_or(true));
-        let mut kept = is_kept.iter();
-        self.smooth.retain(|_| kept.next().copied().unwrap_or(true));
+        if is_kept.iter().all(|is_kept| *is_kept) {
+            return;
+        }
+        retain(&mut self.corners, &is_kept);
+        retain(&mut self.smooth, &is_kept);
+        self.looks.retain(&is_kept);
     }
 
     /// Whether every edge belongs to an even number of triangles; corners at the same place are one.
@@ -171,10 +244,13 @@ impl Draft {
 /// The index of a point in a list, which gets it if it is new.
 fn share(point: Vec3, list: &mut Vec<Vec3>, known: &mut FxHashMap<[u32; 3], u32>) -> u32 {
     *known.entry(bits(point)).or_insert_with(|| {
-        let index = u32::try_from(list.len()).expect("three for each of 2^30 triangles fit");
         list.push(point);
-        index
+        index(list.len() - 1)
     })
+}
+
+fn index(at: usize) -> u32 {
+    u32::try_from(at).expect("three for each of 2^30 triangles fit")
 }
 
 fn bits(point: Vec3) -> [u32; 3] {

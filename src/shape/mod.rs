@@ -7,6 +7,7 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
+mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
@@ -16,21 +17,27 @@ mod disc;
 mod mesh;
 mod mesh2;
 mod mesh_build;
+mod mesh_looks;
 #[cfg(test)]
 mod oracle;
 mod plane;
+mod quadric;
 mod read;
+mod skin;
 mod smooth_triangle;
 mod sphere;
 mod torus;
 mod triangle;
 
+pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use mesh::Mesh;
 pub use plane::Plane;
+pub use quadric::Quadric;
+pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sphere::Sphere;
 pub use torus::Torus;
@@ -118,6 +125,21 @@ pub trait Geometry {
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         [point.x, point.y]
+    }
+
+    /// Texture coordinates of a point of the surface piece `face`.
+    fn uv_of_face(&self, point: DVec3, _face: u32) -> [f64; 2] {
+        self.uv(point)
+    }
+
+    /// The textures that pieces of the surface have of their own.
+    fn skins(&self) -> &[Skin] {
+        &[]
+    }
+
+    /// Which of [`Geometry::skins`] a point of the surface piece `face` shows; none if it looks as the object does.
+    fn shares(&self, _point: DVec3, _face: u32) -> Shares {
+        Shares::new()
     }
 
     /// The shading normal where it differs from the geometric one (smooth triangles); not normalised.
@@ -213,6 +235,15 @@ macro_rules! shapes {
             fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
             }
+            fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
+                match self { $(Shape::$name(shape) => shape.uv_of_face(point, face)),+ }
+            }
+            fn skins(&self) -> &[Skin] {
+                match self { $(Shape::$name(shape) => shape.skins()),+ }
+            }
+            fn shares(&self, point: DVec3, face: u32) -> Shares {
+                match self { $(Shape::$name(shape) => shape.shares(point, face)),+ }
+            }
             fn is_faceted(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_faceted()),+ }
             }
@@ -245,6 +276,10 @@ shapes! {
     Triangle from Triangle,
     /// `smooth_triangle`
     SmoothTriangle from SmoothTriangle,
+    /// `quadric`
+    Quadric from Quadric,
+    /// `blob`
+    Blob from Blob,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
 }

@@ -6,6 +6,7 @@
 
 use super::{Geometry, Root, Sphere, Torus};
 use crate::math::Ray;
+use crate::math::exact::{Exact, shift, whole};
 use crate::math::random::Random;
 use dashu_int::IBig;
 use glam::DVec3;
@@ -17,153 +18,50 @@ const TOLERANCE: f64 = 8.0 * f64::EPSILON;
 /// Rays for each family.
 const RAYS: u32 = 400;
 
-/// `mantissa · 2^exponent` of a double.
-fn parts(x: f64) -> (i64, i32) {
-    let bits = x.to_bits();
-    let exponent = i32::try_from((bits >> 52) & 0x7ff).unwrap();
-    let fraction = i64::try_from(bits & ((1 << 52) - 1)).unwrap();
-    let mantissa = if exponent == 0 {
-        fraction
-    } else {
-        fraction | 1 << 52
+/// Origin, direction and lengths as whole numbers, and the scale of the ray's parameter.
+fn parts_of(ray: &Ray, lengths: &[f64]) -> (Vec<IBig>, Vec<IBig>, Vec<IBig>, i32) {
+    let mut all = ray.origin.to_array().to_vec();
+    all.extend(lengths);
+    let (length, dir) = (shift(&all), shift(&ray.dir.to_array()));
+    let lengths = lengths.iter().map(|x| whole(*x, length)).collect();
+    let origin = ray.origin.to_array().map(|x| whole(x, length)).to_vec();
+    let direction = ray.dir.to_array().map(|x| whole(x, dir)).to_vec();
+    (origin, direction, lengths, length - dir)
+}
+
+fn exact_torus(ray: &Ray, major: f64, minor: f64) -> Exact {
+    let (p, d, radii, scale) = parts_of(ray, &[major, minor]);
+    let square = |axes: &[usize]| {
+        let sum = |f: &dyn Fn(usize) -> IBig| axes.iter().map(|i| f(*i)).sum::<IBig>();
+        [
+            sum(&|i| &p[i] * &p[i]),
+            sum(&|i| &p[i] * &d[i] * 2),
+            sum(&|i| &d[i] * &d[i]),
+        ]
     };
-    let sign = if x < 0.0 { -1 } else { 1 };
-    (sign * mantissa, exponent.max(1) - 1075)
+    let (major_sq, minor_sq) = (&radii[0] * &radii[0], &radii[1] * &radii[1]);
+    let [s0, s1, s2] = square(&[0, 1, 2]);
+    let s0 = s0 + &major_sq - minor_sq;
+    let [f0, f1, f2] = square(&[0, 2]).map(|x| x * &major_sq * 4);
+    let c = vec![
+        &s0 * &s0 - f0,
+        &s0 * &s1 * 2 - f1,
+        &s1 * &s1 + &s0 * &s2 * 2 - f2,
+        &s1 * &s2 * 2,
+        &s2 * &s2,
+    ];
+    Exact { c, scale }
 }
 
-/// The power of two by which all of these become whole numbers.
-fn shift(all: &[f64]) -> i32 {
-    let needed = all.iter().filter(|x| **x != 0.0).map(|x| -parts(*x).1);
-    needed.max().unwrap_or(0)
-}
-
-fn whole(x: f64, shift: i32) -> IBig {
-    let (mantissa, exponent) = parts(x);
-    if mantissa == 0 {
-        return IBig::ZERO;
-    }
-    IBig::from(mantissa) << usize::try_from(exponent + shift).unwrap()
-}
-
-/// An exact polynomial in the parameter of a ray, which `scale` powers of two make whole.
-struct Exact {
-    c: Vec<IBig>,
-    scale: i32,
-}
-
-impl Exact {
-    /// The coefficients of `constant + 2·p·d·t + d·d·t²` over the chosen axes, and the polynomial's scale.
-    fn parts_of(ray: &Ray, lengths: &[f64]) -> (Vec<IBig>, Vec<IBig>, Vec<IBig>, i32) {
-        let mut all = ray.origin.to_array().to_vec();
-        all.extend(lengths);
-        let (length, dir) = (shift(&all), shift(&ray.dir.to_array()));
-        let lengths = lengths.iter().map(|x| whole(*x, length)).collect();
-        let origin = ray.origin.to_array().map(|x| whole(x, length)).to_vec();
-        let direction = ray.dir.to_array().map(|x| whole(x, dir)).to_vec();
-        (origin, direction, lengths, length - dir)
-    }
-
-    fn torus(ray: &Ray, major: f64, minor: f64) -> Exact {
-        let (p, d, radii, scale) = Exact::parts_of(ray, &[major, minor]);
-        let square = |axes: &[usize]| {
-            let sum = |f: &dyn Fn(usize) -> IBig| axes.iter().map(|i| f(*i)).sum::<IBig>();
-            [
-                sum(&|i| &p[i] * &p[i]),
-                sum(&|i| &p[i] * &d[i] * 2),
-                sum(&|i| &d[i] * &d[i]),
-            ]
-        };
-        let (major_sq, minor_sq) = (&radii[0] * &radii[0], &radii[1] * &radii[1]);
-        let [s0, s1, s2] = square(&[0, 1, 2]);
-        let s0 = s0 + &major_sq - minor_sq;
-        let [f0, f1, f2] = square(&[0, 2]).map(|x| x * &major_sq * 4);
-        let c = vec![
-            &s0 * &s0 - f0,
-            &s0 * &s1 * 2 - f1,
-            &s1 * &s1 + &s0 * &s2 * 2 - f2,
-            &s1 * &s2 * 2,
-            &s2 * &s2,
-        ];
-        Exact { c, scale }
-    }
-
-    fn sphere(ray: &Ray, radius: f64) -> Exact {
-        let (p, d, radii, scale) = Exact::parts_of(ray, &[radius]);
-        let dot = |a: &[IBig], b: &[IBig]| a.iter().zip(b).map(|(a, b)| a * b).sum::<IBig>();
-        let c = vec![
-            dot(&p, &p) - &radii[0] * &radii[0],
-            dot(&p, &d) * 2,
-            dot(&d, &d),
-        ];
-        Exact { c, scale }
-    }
-
-    /// -1, 0 or 1.
-    fn sign_at(&self, t: f64) -> i32 {
-        let (mantissa, exponent) = parts(t);
-        let exponent = exponent + self.scale;
-        let up = usize::try_from(exponent.max(0)).unwrap();
-        let down = usize::try_from((-exponent).max(0)).unwrap();
-        let t = IBig::from(mantissa) << up;
-        let degree = self.c.len() - 1;
-        let terms = self.c.iter().enumerate();
-        let value: IBig = terms
-            .map(|(i, c)| (c * t.pow(i)) << (down * (degree - i)))
-            .sum();
-        sign(&value)
-    }
-
-    /// How many different real roots there are.
-    fn count(&self) -> usize {
-        let derivative = (1..).zip(&self.c[1..]).map(|(i, c)| c * i).collect();
-        let mut chain = vec![self.c.clone(), derivative];
-        loop {
-            let next = negative_remainder(&chain[chain.len() - 2], &chain[chain.len() - 1]);
-            if next.is_empty() {
-                break;
-            }
-            chain.push(next);
-        }
-        let changes = |at: &dyn Fn(&Vec<IBig>) -> i32| {
-            let signs: Vec<i32> = chain.iter().map(at).filter(|sign| *sign != 0).collect();
-            signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
-        };
-        let leading = |c: &Vec<IBig>| sign(c.last().unwrap());
-        let far_back = |c: &Vec<IBig>| leading(c) * if c.len().is_multiple_of(2) { -1 } else { 1 };
-        changes(&far_back) - changes(&leading)
-    }
-}
-
-fn sign(x: &IBig) -> i32 {
-    i32::from(*x > IBig::ZERO) - i32::from(*x < IBig::ZERO)
-}
-
-/// Minus the remainder of a division, times a positive number; empty for zero.
-fn negative_remainder(dividend: &[IBig], divisor: &[IBig]) -> Vec<IBig> {
-    let lead = divisor.last().unwrap();
-    let mut rest = dividend.to_vec();
-    while rest.len() >= divisor.len() {
-        let top = rest.last().unwrap().clone();
-        let offset = rest.len() - divisor.len();
-        for c in &mut rest {
-            *c *= lead;
-        }
-        for (i, c) in divisor.iter().enumerate() {
-            rest[offset + i] -= &top * c;
-        }
-        if sign(lead) < 0 {
-            rest.iter_mut().for_each(|c| *c = -c.clone());
-        }
-        while rest.last().is_some_and(|c| *c == IBig::ZERO) {
-            rest.pop();
-        }
-    }
-    let spare = rest
-        .iter()
-        .filter_map(|c| c.trailing_zeros())
-        .min()
-        .unwrap_or(0);
-    rest.iter().map(|c| -(c >> spare)).collect()
+fn exact_sphere(ray: &Ray, radius: f64) -> Exact {
+    let (p, d, radii, scale) = parts_of(ray, &[radius]);
+    let dot = |a: &[IBig], b: &[IBig]| a.iter().zip(b).map(|(a, b)| a * b).sum::<IBig>();
+    let c = vec![
+        dot(&p, &p) - &radii[0] * &radii[0],
+        dot(&p, &d) * 2,
+        dot(&d, &d),
+    ];
+    Exact { c, scale }
 }
 
 /// Checks the roots of one ray; `exact` gives the polynomial for a radius larger by its argument.
@@ -217,7 +115,7 @@ fn try_torus(major: f64, minor: f64, mut ray: impl FnMut(&mut Random) -> Ray) {
         torus.roots(&ray, &mut roots);
         hits += roots.len();
         check(&ray, major + minor, &roots, |grown| {
-            Exact::torus(&ray, major, minor + grown)
+            exact_torus(&ray, major, minor + grown)
         });
     }
     assert!(hits > 100, "only {hits} hits");
@@ -341,7 +239,7 @@ fn try_sphere(radius: f64, mut ray: impl FnMut(&mut Random) -> Ray) {
         sphere.roots(&ray, &mut roots);
         hits += roots.len();
         check(&ray, radius, &roots, |grown| {
-            Exact::sphere(&ray, radius + grown)
+            exact_sphere(&ray, radius + grown)
         });
     }
     assert!(hits > 100, "only {hits} hits");

@@ -16,7 +16,8 @@ use super::{Crossing, Geometry, Root, Start, even_scale, first_visible, read};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable};
-use crate::math::polynomial::{Places, is_quartic_positive, sign_changes};
+use crate::math::polynomial::{Places, is_quartic_positive};
+use crate::math::quartic::quartic_sign_changes;
 use crate::math::{Bounds, Ray, Step};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -187,7 +188,7 @@ impl Torus {
         if is_quartic_positive(&quartic) {
             return;
         }
-        let places = stretch.refined(outside_at_ends(&quartic, sign_changes(&quartic)));
+        let places = stretch.refined(outside_at_ends(&quartic, quartic_sign_changes(&quartic)));
         let t = |i: usize| middle + half * places[i];
         let count = places.len();
         let has_lemon = count == 4 && stretch.is_in_lemon(0.5 * (places[1] + places[2]));

@@ -3,9 +3,10 @@
 //! A file is read once, by whatever path it is named. Its bytes become a text by the rules of `text`: UTF-8 as it is,
 //! other bytes as Latin-1. All offsets count bytes of that text.
 
+use super::search::{first_file, first_include, not_found};
 use super::text::decode;
 use super::{Diagnostic, FileId, Span};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -20,15 +21,24 @@ const MAX_STREAM_BYTES: u64 = 1 << 28;
 /// Include files of more bytes hold data and are not searched for names.
 const SMALL_FILE_BYTES: u64 = 1 << 20;
 
-/// What POV-Ray appends to the name of an include file that it does not find.
-const EXTENSIONS: [&str; 3] = ["", ".inc", ".INC"];
-
 /// The texts of one run, by their [`FileId`].
 #[derive(Debug, Default)]
 pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
     by_path: FxHashMap<PathBuf, FileId>,
+    /// Files that the scene wrote itself.
+    written: FxHashSet<PathBuf>,
+    dependencies: Vec<Dependency>,
+}
+
+/// A file whose content or whose presence matters to the picture.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Dependency {
+    /// The path by which it was found; the name that the scene gives where there is no such file.
+    pub path: PathBuf,
+    /// Whether it was there.
+    pub is_there: bool,
 }
 
 #[derive(Debug)]
@@ -74,6 +84,7 @@ impl Sources {
             );
             return Err(Box::new(Diagnostic::error(None, message)));
         };
+        self.note(path, true);
         let id = self.push(name.to_string(), Some(path.to_owned()), &bytes);
         self.by_path.insert(canonical, id);
         Ok(id)
@@ -107,22 +118,87 @@ impl Sources {
         name: &str,
         including_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
-        let folders = self.folders(including_file);
-        match first_file(name, &folders) {
+        self.find("the include file", name, including_file, first_include)
+    }
+
+    /// The file that `#fopen F "name" read` means: searched like an include file, but by its name alone.
+    ///
+    /// # Errors
+    /// As [`Sources::find_include`].
+    pub fn find_data(
+        &mut self,
+        name: &str,
+        reading_file: FileId,
+    ) -> Result<FileId, Box<Diagnostic>> {
+        self.find("the file", name, reading_file, first_file)
+    }
+
+    fn find(
+        &mut self,
+        what: &str,
+        name: &str,
+        from: FileId,
+        first: impl Fn(&str, &[PathBuf]) -> Option<PathBuf>,
+    ) -> Result<FileId, Box<Diagnostic>> {
+        let folders = self.folders(from);
+        match self.own_file(name).or_else(|| first(name, &folders)) {
             Some(path) => self.load_file(path),
-            None => Err(Box::new(not_found(name, &folders))),
+            None => {
+                self.note(Path::new(name), false);
+                Err(Box::new(not_found(what, name, &folders)))
+            }
         }
     }
 
-    /// Whether there is a file that `#include "name"` would mean.
+    /// Whether there is a file that `#fopen F "name" read` would mean.
     #[must_use]
-    pub fn has_include(&self, name: &str, including_file: FileId) -> bool {
-        first_file(name, &self.folders(including_file)).is_some()
+    pub fn has_data(&mut self, name: &str, asking_file: FileId) -> bool {
+        let found = self
+            .own_file(name)
+            .or_else(|| first_file(name, &self.folders(asking_file)));
+        self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
+        found.is_some()
     }
 
-    /// The name of an include file of the library that declares a name, if one of the first `most` files does.
+    /// Says that the scene itself has written this file: it is read anew, comes before others of its name, and the
+    /// picture does not depend on what it held before.
+    pub fn wrote(&mut self, path: &Path) {
+        if let Ok(path) = fs::canonicalize(path) {
+            self.by_path.remove(&path);
+            self.written.insert(path);
+        }
+    }
+
+    /// The file of this name, seen from the current folder, if the scene wrote it itself.
+    fn own_file(&self, name: &str) -> Option<PathBuf> {
+        if self.written.is_empty() {
+            return None;
+        }
+        let path = fs::canonicalize(name).ok()?;
+        self.written.contains(&path).then(|| PathBuf::from(name))
+    }
+
+    /// The files that were read or asked for, each once, without those that the scene wrote itself: if one of them
+    /// changes, appears or goes, the picture may change.
     #[must_use]
-    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<String> {
+    pub fn dependencies(&self) -> &[Dependency] {
+        &self.dependencies
+    }
+
+    fn note(&mut self, path: &Path, is_there: bool) {
+        let is_own = fs::canonicalize(path).is_ok_and(|path| self.written.contains(&path));
+        let dependency = Dependency {
+            path: path.to_owned(),
+            is_there,
+        };
+        if !is_own && !self.dependencies.contains(&dependency) {
+            self.dependencies.push(dependency);
+        }
+    }
+
+    /// The include file of the library that declares a name, if one of the first `most` files does.
+    #[must_use]
+    pub fn library_file_that_declares(&self, name: &str, most: usize) -> Option<Declared> {
         let entries = self
             .library_paths
             .iter()
@@ -136,12 +212,33 @@ impl Sources {
             .collect();
         files.sort();
         files.truncate(most);
-        let declares = |path: &PathBuf| {
+        files.iter().find_map(|path| {
             let bytes = read_limited(path).ok().flatten().unwrap_or_default();
-            declares(&String::from_utf8_lossy(&bytes), name)
-        };
-        let found = files.into_iter().find(declares)?;
-        Some(found.file_name()?.to_string_lossy().into_owned())
+            Some(Declared {
+                kind: declares(&String::from_utf8_lossy(&bytes), name)?,
+                file: path.file_name()?.to_string_lossy().into_owned(),
+            })
+        })
+    }
+
+    /// The names of all include files that `#include` could mean in a file, without those of folders inside.
+    #[must_use]
+    pub fn include_files(&self, including_file: FileId) -> Vec<String> {
+        let folders = self.folders(including_file);
+        let entries = folders.iter().filter_map(|folder| {
+            fs::read_dir(if folder.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                folder
+            })
+            .ok()
+        });
+        entries
+            .flatten()
+            .flatten()
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
+            .filter(|name| name.ends_with(".inc"))
+            .collect()
     }
 
     /// Where include files are searched; an empty path is the current folder.
@@ -178,13 +275,6 @@ impl Sources {
         self.source(file).path.as_deref()
     }
 
-    /// The files that were read, in the order of reading: what the picture depends on.
-    pub fn files(&self) -> impl Iterator<Item = &Path> {
-        self.texts
-            .iter()
-            .filter_map(|source| source.path.as_deref())
-    }
-
     /// Line and column of the start of a place, from 1; columns are counted in characters.
     #[must_use]
     pub fn line_column(&self, span: Span) -> (usize, usize) {
@@ -218,27 +308,34 @@ impl Sources {
     }
 }
 
-/// Whether a text has a line `#declare name` or `#macro name`.
-fn declares(text: &str, name: &str) -> bool {
-    text.lines().any(|line| {
-        let Some(line) = line.trim_start().strip_prefix('#') else {
-            return false;
-        };
-        let (word, rest) = line.split_once([' ', '\t']).unwrap_or((line, ""));
-        let is_whole = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
-        matches!(word, "declare" | "macro")
-            && rest.trim_start().strip_prefix(name).is_some_and(is_whole)
-    })
+/// A name that an include file of the library declares.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declared {
+    /// The file, as `#include` names it.
+    pub file: String,
+    /// The word that the value begins with: `texture`, `rgb`; may be empty.
+    pub kind: String,
 }
 
-fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
-    let paths = folders
-        .iter()
-        .flat_map(|folder| EXTENSIONS.map(|extension| folder.join(format!("{name}{extension}"))));
-    // A folder may have the name of a file; a pipe is a file here.
-    paths
-        .into_iter()
-        .find(|path| fs::metadata(path).is_ok_and(|found| !found.is_dir()))
+/// The word behind the `=` of a line `#declare name = ...` of a text; empty for `#macro name` and values without one.
+fn declares(text: &str, name: &str) -> Option<String> {
+    text.lines().find_map(|line| {
+        let line = line.trim_start().strip_prefix('#')?;
+        let (word, rest) = line.split_once([' ', '\t']).unwrap_or((line, ""));
+        let rest = rest.trim_start().strip_prefix(name)?;
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        if !matches!(word, "declare" | "macro") || rest.starts_with(is_part) {
+            return None;
+        }
+        let value = rest.trim_start().strip_prefix('=').unwrap_or_default();
+        Some(
+            value
+                .trim_start()
+                .chars()
+                .take_while(|&c| is_part(c))
+                .collect(),
+        )
+    })
 }
 
 /// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
@@ -277,217 +374,4 @@ pub(super) fn char_start(text: &str, at: usize) -> usize {
         at -= 1;
     }
     at
-}
-
-fn not_found(name: &str, folders: &[PathBuf]) -> Diagnostic {
-    let places = if Path::new(name).is_absolute() {
-        String::new()
-    } else {
-        let places: Vec<String> = folders.iter().map(|folder| place(folder)).collect();
-        format!(" in {}", one_of(&places))
-    };
-    let mut error = Diagnostic::error(
-        None,
-        format!("cannot find the include file `{name}`{places}"),
-    );
-    for (found, written) in other_cases(name, folders) {
-        error = error.with_hint(format!(
-            "`{}` differs only in case: write `{written}`",
-            found.display()
-        ));
-    }
-    if name.contains('\\') {
-        error = error.with_hint("write `/` between folders, not `\\`");
-    }
-    if error.hints.is_empty() && !Path::new(name).is_absolute() {
-        error =
-            error.with_hint("put the file into one of these folders, or name its folder with `+L`");
-    }
-    error
-}
-
-fn place(folder: &Path) -> String {
-    if folder.as_os_str().is_empty() {
-        "the current folder".to_owned()
-    } else {
-        format!("`{}`", folder.display())
-    }
-}
-
-/// `a`, `a or b`, `a, b or c`.
-fn one_of(places: &[String]) -> String {
-    match places {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} or {last}", first.join(", ")),
-    }
-}
-
-/// Files in the folders searched whose names differ from `name` only in case, each with how to write it.
-fn other_cases(name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
-    let (inner, last) = match name.rfind('/') {
-        Some(slash) => name.split_at(slash + 1),
-        None => ("", name),
-    };
-    let wanted = EXTENSIONS.map(|extension| format!("{last}{extension}").to_lowercase());
-    let mut found = Vec::new();
-    for folder in folders {
-        let folder = folder.join(inner);
-        let listed = if folder.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            &folder
-        };
-        let entries = fs::read_dir(listed).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let mut names: Vec<String> = names
-            .filter(|name| wanted.contains(&name.to_lowercase()))
-            .collect();
-        names.sort();
-        found.extend(
-            names
-                .into_iter()
-                .map(|name| (folder.join(&name), format!("{inner}{name}"))),
-        );
-    }
-    found.dedup();
-    found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
-        let folder = tempfile::tempdir().unwrap();
-        for (name, text) in files {
-            let path = folder.path().join(name);
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, text).unwrap();
-        }
-        folder
-    }
-
-    #[test]
-    fn lines_and_columns_count_from_one_in_characters() {
-        let mut sources = Sources::new(Vec::new());
-        let file = sources.add_text("x", "ab\n\u{e9}c\r\nd\re");
-        let place = |at| sources.line_column(Span::new(file, at, at));
-        let places: Vec<_> = (0..=10).map(place).collect();
-        let line_2 = [(2, 1), (2, 1), (2, 2), (2, 3), (2, 4)];
-        assert_eq!(places[..3], [(1, 1), (1, 2), (1, 3)]);
-        assert_eq!(places[3..8], line_2);
-        assert_eq!(places[8..], [(3, 1), (3, 2), (4, 1)]);
-        assert_eq!(sources.line_column(Span::new(file, 99, 99)), (4, 2));
-    }
-
-    #[test]
-    fn a_file_is_read_once() {
-        let folder = folder_with(&[("a.pov", "x"), ("sub/b.inc", "y")]);
-        let mut sources = Sources::new(Vec::new());
-        let first = sources.load_file(folder.path().join("a.pov")).unwrap();
-        let again = sources
-            .load_file(folder.path().join("sub/../a.pov"))
-            .unwrap();
-        assert_eq!(first, again);
-        sources.find_include("sub/b", first).unwrap();
-        sources.find_include("sub/b.inc", first).unwrap();
-        let files: Vec<&Path> = sources.files().collect();
-        assert_eq!(
-            files,
-            [folder.path().join("a.pov"), folder.path().join("sub/b.inc")]
-        );
-    }
-
-    #[test]
-    fn include_files_are_searched_near_first_then_in_the_library_in_order() {
-        let scenes = folder_with(&[("a.pov", ""), ("near.inc", "scene"), ("dir.inc/x", "")]);
-        let first = folder_with(&[("near.inc", "1"), ("lib.INC", "1"), ("dir.inc", "1")]);
-        let second = folder_with(&[("lib.inc", "2"), ("far", "2"), ("far.inc", "wrong")]);
-        let library = vec![first.path().to_owned(), second.path().to_owned()];
-        let mut sources = Sources::new(library);
-        let scene = sources.load_file(scenes.path().join("a.pov")).unwrap();
-        let stdin = sources.add_text("stdin", "");
-        let mut find = |name: &str, from: FileId| {
-            let file = sources.find_include(name, from).unwrap();
-            sources.text(file).to_string()
-        };
-        assert_eq!(find("near.inc", scene), "scene");
-        assert_eq!(find("near", stdin), "1");
-        assert_eq!(find("lib", scene), "1");
-        assert_eq!(find("lib.inc", scene), "2");
-        assert_eq!(find("far", scene), "2");
-        assert_eq!(find("dir.inc", scene), "1", "a folder is no file");
-        let absolute = second.path().join("lib").display().to_string();
-        assert_eq!(find(&absolute, stdin), "2");
-    }
-
-    #[test]
-    fn a_missing_include_file_is_told_with_places_and_other_cases() {
-        let scenes = folder_with(&[("a.pov", "")]);
-        let library = folder_with(&[("Colors.inc", ""), ("sub/colors.INC", "")]);
-        let mut sources = Sources::new(vec![library.path().to_owned()]);
-        let scene = sources.load_file(scenes.path().join("a.pov")).unwrap();
-        let error = sources.find_include("colors", scene).unwrap_err();
-        let (near, far) = (scenes.path().display(), library.path().display());
-        assert_eq!(
-            error.message,
-            format!(
-                "cannot find the include file `colors` in `{near}`, the current folder or `{far}`"
-            )
-        );
-        assert_eq!(
-            error.hints,
-            [format!(
-                "`{far}/Colors.inc` differs only in case: write `Colors.inc`"
-            )]
-        );
-        let error = sources.find_include("sub/Colors", scene).unwrap_err();
-        assert_eq!(
-            error.hints,
-            [format!(
-                "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`"
-            )]
-        );
-        let error = sources.find_include("sub\\colors", scene).unwrap_err();
-        assert_eq!(error.hints, ["write `/` between folders, not `\\`"]);
-        let error = sources
-            .find_include("/nowhere/colors.inc", scene)
-            .unwrap_err();
-        assert_eq!(
-            error.message,
-            "cannot find the include file `/nowhere/colors.inc`"
-        );
-    }
-
-    #[test]
-    fn a_file_that_cannot_be_read_is_told() {
-        let folder = folder_with(&[]);
-        let mut sources = Sources::new(Vec::new());
-        let error = sources
-            .load_file(folder.path().join("none.pov"))
-            .unwrap_err();
-        assert!(
-            error.message.starts_with("cannot read `"),
-            "{}",
-            error.message
-        );
-        assert!(sources.load_file(folder.path()).is_err());
-    }
-
-    #[test]
-    fn a_file_over_the_limit_is_refused() {
-        let folder = folder_with(&[]);
-        let path = folder.path().join("huge.pov");
-        File::create(&path)
-            .unwrap()
-            .set_len(MAX_FILE_BYTES + 1)
-            .unwrap();
-        let error = Sources::new(Vec::new()).load_file(&path).unwrap_err();
-        assert!(
-            error
-                .message
-                .contains("is too large: a scene file may have 2 GiB")
-        );
-    }
 }

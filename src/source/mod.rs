@@ -2,10 +2,15 @@
 
 mod diagnostic;
 mod files;
+mod message;
 pub mod print;
+mod search;
 mod span;
+#[cfg(test)]
+mod tests;
 mod text;
 
-pub use diagnostic::{Diagnostic, Label, Severity};
-pub use files::{MAX_FILE_BYTES, Sources};
+pub use diagnostic::{Code, Diagnostic, Label, Severity};
+pub use files::{Declared, Dependency, MAX_FILE_BYTES, Sources};
+pub use message::{Message, Note, Point, Stretch};
 pub use span::{FileId, Span};

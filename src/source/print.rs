@@ -1,5 +1,6 @@
 //! Findings as text, in the forms that people and programs read. Nothing here writes anywhere.
 
+use super::diagnostic::sentence;
 use super::files::char_start;
 use super::{Diagnostic, Label, Severity, Sources, Span};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
@@ -48,7 +49,7 @@ pub fn annotated(diagnostic: &Diagnostic, sources: &Sources, styling: Styling) -
         .primary_title(clean(&diagnostic.message))
         .elements(snippets(diagnostic, sources));
     for hint in &diagnostic.hints {
-        group = group.element(Level::HELP.message(clean(hint)));
+        group = group.element(Level::HELP.message(clean(&sentence(hint))));
     }
     let mut groups = vec![group];
     groups.extend(trace(&diagnostic.trace, sources));
@@ -217,7 +218,7 @@ error: unknown word `pigmnt` in `sphere`
 5 |   pigmnt { Red }
   |   ^^^^^^
   |
-  = help: did you mean `pigment`?
+  = help: Did you mean `pigment`?
 note: included here
  --> x.pov:1:1
   |

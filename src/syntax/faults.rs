@@ -23,9 +23,9 @@ pub(super) fn bad_number(text: &str, span: Span) -> Diagnostic {
     let error = Diagnostic::error(span, format!("`{number}` has two decimal points"));
     match number.split_once("..") {
         Some((before, after)) if !before.contains('.') && !after.contains('.') => {
-            error.with_hint(format!("write `{before}.{after}`"))
+            error.with_hint(format!("Write `{before}.{after}`."))
         }
-        _ => error.with_hint("write a comma or a space between two numbers"),
+        _ => error.with_hint("Write a comma or a space between two numbers."),
     }
 }
 
@@ -41,18 +41,15 @@ fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
     if let Some(range) = before.strings.iter().find(spans_lines) {
         let start = range.start as usize - 1;
         let first_line = Span::new(file, offset(start), offset(line_end(text, start)));
-        error = error
-            .with_label(
-                first_line,
-                "this string spans lines: is its closing quote missing?",
-            )
+        error = Diagnostic::error(first_line, "this string is not closed in its line")
             .with_label(
                 Span::new(file, range.end, range.end + 1),
                 "it ends only here",
             )
-            .with_hint("one missing quote turns all the later strings of the file inside out");
+            .with_label(span, "so that this one has no end")
+            .with_hint("Write `\"` at the end of the string.");
     } else {
-        error = error.with_hint("write `\"` at the end of the string");
+        error = error.with_hint("Write `\"` at the end of the string.");
     }
     error
 }
@@ -70,9 +67,9 @@ fn unclosed_comment(text: &str, file: FileId, at: usize) -> Diagnostic {
                 mark(innermost),
                 "comments nest, and this one is open as well",
             )
-            .with_hint("each `/*` needs a `*/` of its own");
+            .with_hint("Each `/*` needs a `*/` of its own.");
     } else {
-        error = error.with_hint("write `*/` at the end of the comment");
+        error = error.with_hint("Write `*/` at the end of the comment.");
     }
     error
 }

@@ -27,6 +27,8 @@ pub struct Finish {
     pub shininess: f32,
     /// How far highlights take the colour of the pigment.
     pub metallic: f32,
+    /// By how much diffuse light is darkened at random.
+    pub crand: f32,
     /// The mirror image.
     pub reflection: Reflection,
     /// Whether what the surface reflects is missing from what it lets through.
@@ -81,6 +83,7 @@ impl Default for Finish {
             specular: 0.0,
             shininess: 20.0,
             metallic: 0.0,
+            crand: 0.0,
             reflection: Reflection::default(),
             conserve_energy: false,
             ior: None,
@@ -162,7 +165,7 @@ impl Finish {
                 args.accept(word)?;
                 self.metallic = single(args.float_or(1.0)?);
             }
-            Word::Crand => no_effect(word, args)?,
+            Word::Crand => self.crand = number(word, args)?,
             Word::Irid => no_irid(args)?,
             Word::Subsurface => return Err(not_built(args, word)),
             _ => return Ok(false),

@@ -2,7 +2,8 @@
 
 use super::{Finish, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
-use crate::math::{Step, shorten};
+use crate::math::Step;
+use crate::pattern::Settings;
 use crate::syntax::Class;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -57,8 +58,7 @@ impl Layer {
 
     /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
     pub fn transform(&mut self, step: &Step) {
-        self.pigment.steps.push(step.clone());
-        shorten(&mut self.pigment.steps, 0);
+        self.pigment.transform(step);
     }
 }
 
@@ -138,8 +138,8 @@ impl Texture {
 
     /// The form for tracing, with the transforms of the object after those of the texture.
     #[must_use]
-    pub fn prepare(&self, after: &[Step]) -> PreparedTexture {
-        PreparedTexture::new(self, after)
+    pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
+        PreparedTexture::new(self, after, settings)
     }
 }
 
@@ -162,7 +162,7 @@ mod tests {
     fn color(layer: &Layer) -> Color {
         match layer.pigment.kind {
             PigmentKind::Plain(color) => color,
-            PigmentKind::List(..) => panic!("the pigment is plain"),
+            _ => panic!("the pigment is plain"),
         }
     }
 
@@ -199,7 +199,10 @@ mod tests {
         // is translated by both.
         let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
         let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
-        assert_eq!(texture.layers()[0].pigment.steps, expected);
+        assert_eq!(
+            texture.layers()[0].pigment.modifiers.chain.steps(),
+            expected
+        );
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
-use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
+use crate::args::{Args, Parse, Word, declared, not_built};
 use crate::color::{Color, Rgb};
 use crate::math::Step;
-use crate::pattern::{self, Pattern};
+use crate::pattern::{self, Map, Modifiers, Pattern, Stop};
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -12,8 +12,8 @@ pub struct Pigment {
     pub kind: PigmentKind,
     /// `quick_color`: the colour in previews of quality 5 and less.
     pub quick_color: Option<Color>,
-    /// The transforms of the pattern in the order in which they act; those of its texture stand behind its own.
-    pub steps: Vec<Step>,
+    /// Turbulence, waves, warps and transforms of the pattern; the transforms of its texture stand behind its own.
+    pub modifiers: Modifiers,
 }
 
 /// Where the colour of a pigment comes from.
@@ -21,33 +21,13 @@ pub struct Pigment {
 pub enum PigmentKind {
     /// The same colour everywhere.
     Plain(Color),
-    /// A list of colours from which a pattern selects by the whole part of its value.
-    List(Box<dyn Pattern>, Vec<Color>),
+    /// A pattern whose value is looked up among colours.
+    Colors(Box<dyn Pattern>, Map<Color>),
+    /// A pattern whose value is looked up among pigments.
+    Pigments(Box<dyn Pattern>, Map<Pigment>),
+    /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
+    Average(Option<Map<Pigment>>),
 }
-
-/// Words that a pigment may hold in the language, beside the patterns, and that are missing here.
-const MISSING: &[Word] = &[
-    Word::AgateTurb,
-    Word::ColorMap,
-    Word::ColourMap,
-    Word::CubicWave,
-    Word::Frequency,
-    Word::Lambda,
-    Word::NoiseGenerator,
-    Word::Octaves,
-    Word::Omega,
-    Word::Phase,
-    Word::Pigment,
-    Word::PigmentMap,
-    Word::PolyWave,
-    Word::RampWave,
-    Word::ScallopWave,
-    Word::SineWave,
-    Word::TriangleWave,
-    Word::Turbulence,
-    Word::UvMapping,
-    Word::Warp,
-];
 
 impl Default for Pigment {
     /// Black, as POV-Ray has it.
@@ -63,7 +43,7 @@ impl Pigment {
         Pigment {
             kind: PigmentKind::Plain(color),
             quick_color: None,
-            steps: Vec::new(),
+            modifiers: Modifiers::default(),
         }
     }
 
@@ -73,70 +53,157 @@ impl Pigment {
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         args.open()?;
-        let mut pigment = match declared::<Pigment>(args)? {
-            Some(known) => Pigment::clone(&known),
-            None => base.clone(),
-        };
+        let mut pigment = Pigment::read_known(args, base)?;
         while !args.accept_close()? {
-            pigment.read_item(args)?;
+            if !pigment.read_item(args)? {
+                return Err(args.expected("a colour, a pattern or `}` in `pigment`"));
+            }
         }
-        Ok(pigment)
+        pigment.checked(args)
     }
 
-    fn read_item(&mut self, args: &mut dyn Args) -> Parse<()> {
+    /// An entry of a map: a pigment without its braces.
+    fn read_entry(args: &mut dyn Args) -> Parse<Pigment> {
+        let mut pigment = Pigment::read_known(args, &Pigment::default())?;
+        while pigment.read_item(args)? {}
+        pigment.checked(args)
+    }
+
+    fn read_known(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
+        Ok(match declared::<Pigment>(args)? {
+            Some(known) => Pigment::clone(&known),
+            None => base.clone(),
+        })
+    }
+
+    fn checked(self, args: &mut dyn Args) -> Parse<Pigment> {
+        match self.kind {
+            PigmentKind::Average(None) => Err(args.expected("`pigment_map` after `average`")),
+            _ => Ok(self),
+        }
+    }
+
+    /// Reads `pigment_map { ... }` behind its word.
+    ///
+    /// # Errors
+    /// A malformed entry, none, or too many.
+    pub fn read_map(args: &mut dyn Args) -> Parse<Map<Pigment>> {
+        Map::read("pigment_map", args, &mut Pigment::read_entry)
+    }
+
+    /// One part of a pigment; false if none begins here.
+    fn read_item(&mut self, args: &mut dyn Args) -> Parse<bool> {
         if let Some(color) = args.color_if_any()? {
             self.kind = PigmentKind::Plain(color);
-            return Ok(());
-        }
-        if let Some(step) = transform_step(args)? {
-            self.steps.push(step);
-            return Ok(());
+            return Ok(true);
         }
         let Some(word) = args.word()? else {
-            return Err(args.expected("a colour, a pattern or `}` in `pigment`"));
+            return Ok(false);
         };
+        let is_known = self.read_own(word, args)?
+            || self.modifiers.read(word, args)?
+            || self.read_pattern(word, args)?;
+        if !is_known && (pattern::is_pattern(word) || word == Word::UvMapping) {
+            return Err(not_built(args, word));
+        }
+        Ok(is_known)
+    }
+
+    fn read_own(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         match word {
             Word::QuickColor | Word::QuickColour => {
                 args.accept(word)?;
                 self.quick_color = Some(args.color()?);
-                return Ok(());
             }
-            _ => {}
+            Word::ColorMap | Word::ColourMap => {
+                let pattern = self.pattern_for_map(args)?;
+                args.accept(word)?;
+                self.kind = PigmentKind::Colors(pattern, Map::read_colors(args)?);
+            }
+            Word::PigmentMap => {
+                if let PigmentKind::Average(entries) = &mut self.kind {
+                    args.accept(word)?;
+                    *entries = Some(Pigment::read_map(args)?);
+                    return Ok(true);
+                }
+                let pattern = self.pattern_for_map(args)?;
+                args.accept(word)?;
+                self.kind = PigmentKind::Pigments(pattern, Pigment::read_map(args)?);
+            }
+            _ => match &mut self.kind {
+                PigmentKind::Colors(pattern, _) | PigmentKind::Pigments(pattern, _) => {
+                    return pattern.read_modifier(word, args);
+                }
+                _ => return Ok(false),
+            },
         }
-        if let PigmentKind::List(pattern, _) = &mut self.kind
-            && pattern.read_modifier(word, args)?
-        {
-            return Ok(());
+        Ok(true)
+    }
+
+    /// The pattern that a map is for: one without a list behind its word.
+    fn pattern_for_map(&self, args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+        match &self.kind {
+            PigmentKind::Colors(pattern, _) | PigmentKind::Pigments(pattern, _)
+                if !pattern.has_list() =>
+            {
+                Ok(pattern.clone())
+            }
+            _ => Err(args.expected("a pattern that takes a map before the map")),
         }
-        if let Some(pattern) = pattern::named(word) {
+    }
+
+    fn read_pattern(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        if word == Word::Average {
             args.accept(word)?;
-            let colors = color_list(pattern.default_colors(), args)?;
-            self.kind = PigmentKind::List(pattern, colors);
-            return Ok(());
+            self.kind = PigmentKind::Average(None);
+            return Ok(true);
         }
-        if pattern::is_pattern(word) || MISSING.contains(&word) {
-            return Err(not_built(args, word));
-        }
-        Err(args.expected("a colour, a pattern or `}` in `pigment`"))
+        let Some(pattern) = pattern::read_named(word, args)? else {
+            return Ok(false);
+        };
+        let defaults = pattern.default_map();
+        self.kind = if !pattern.has_list() {
+            PigmentKind::Colors(pattern, Map::of_stops(defaults))
+        } else if args.word()? == Some(Word::Pigment) {
+            PigmentKind::Pigments(pattern, pigment_list(defaults, args)?)
+        } else {
+            PigmentKind::Colors(pattern, color_list(defaults, args)?)
+        };
+        Ok(true)
+    }
+
+    /// Adds a transform.
+    pub fn transform(&mut self, step: &Step) {
+        self.modifiers.chain.push(step);
     }
 
     /// Moves what filters into what transmits, as versions up to 3.1 do in the upper layers of a texture.
     pub fn filter_to_transmit(&mut self) {
-        let colors = match &mut self.kind {
-            PigmentKind::Plain(color) => std::slice::from_mut(color),
-            PigmentKind::List(_, colors) => colors.as_mut_slice(),
+        let changed = |color: &Color| Color {
+            transmit: color.transmit + color.filter,
+            filter: 0.0,
+            ..*color
         };
-        for color in colors {
-            color.transmit += color.filter;
-            color.filter = 0.0;
+        let all_changed = |map: &Map<Pigment>| {
+            map.map(|pigment| {
+                let mut pigment = pigment.clone();
+                pigment.filter_to_transmit();
+                pigment
+            })
+        };
+        match &mut self.kind {
+            PigmentKind::Plain(color) => *color = changed(color),
+            PigmentKind::Colors(_, map) => *map = map.map(changed),
+            PigmentKind::Pigments(_, map) => *map = all_changed(map),
+            PigmentKind::Average(map) => *map = map.as_ref().map(all_changed),
         }
     }
 }
 
 /// The colours of a list, with or without commas between them; those left out are as in `defaults`.
-fn color_list(defaults: &[Color], args: &mut dyn Args) -> Parse<Vec<Color>> {
-    let mut colors = defaults.to_vec();
-    for slot in &mut colors {
+fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
+    let mut entries = defaults.to_vec();
+    for (_, slot) in &mut entries {
         if let Some(color) = args.color_if_any()? {
             *slot = color;
         } else if args.at_expression()? {
@@ -146,13 +213,31 @@ fn color_list(defaults: &[Color], args: &mut dyn Args) -> Parse<Vec<Color>> {
         }
         args.comma()?;
     }
-    Ok(colors)
+    Ok(Map::of_stops(&entries))
+}
+
+/// The pigments of a list, with or without commas between them; those left out are plain, as in `defaults`.
+fn pigment_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Pigment>> {
+    let mut entries: Vec<_> = defaults
+        .iter()
+        .map(|&(at, color)| (at, Pigment::plain(color)))
+        .collect();
+    for (_, slot) in &mut entries {
+        if !args.accept(Word::Pigment)? {
+            break;
+        }
+        *slot = Pigment::read(args, &Pigment::default())?;
+        args.comma()?;
+    }
+    Map::new(entries).ok_or_else(|| args.expected("an entry"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::pattern::{Settings, Spot};
+    use crate::texture::PreparedPigment;
     use glam::DVec3;
 
     fn read(text: &str) -> Parse<Pigment> {
@@ -163,10 +248,10 @@ mod tests {
         read(text).expect_err("the text is faulty").message
     }
 
-    fn list(pigment: &Pigment) -> &[Color] {
+    fn list(pigment: &Pigment) -> Vec<Color> {
         match &pigment.kind {
-            PigmentKind::List(_, colors) => colors,
-            PigmentKind::Plain(_) => panic!("the pigment has a pattern"),
+            PigmentKind::Colors(_, map) => map.entries().iter().map(|entry| entry.1).collect(),
+            _ => panic!("the pigment has a pattern of colours"),
         }
     }
 
@@ -198,7 +283,7 @@ mod tests {
         let first = read("{ checker rgb 1 rgb 0 scale 2 }").unwrap();
         let second = Pigment::read(&mut TextArgs::new("{ translate 1 }"), &first).unwrap();
         let expected = [Step::Scale(DVec3::splat(2.0)), Step::Translate(DVec3::ONE)];
-        assert_eq!(second.steps, expected);
+        assert_eq!(second.modifiers.chain.steps(), expected);
         assert_eq!(list(&second).len(), 2);
     }
 
@@ -215,23 +300,52 @@ mod tests {
     #[test]
     fn brick_reads_its_size_after_the_colours() {
         let pigment = read("{ brick rgb 0 rgb 1 brick_size <2, 2, 2> mortar 0.25 }").unwrap();
-        let PigmentKind::List(pattern, _) = pigment.kind else {
-            panic!("brick is a pattern");
+        let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
+        let grey = |x: f64| prepared.color(&Spot::at(DVec3::new(x, 0.5, 0.5))).rgb.r;
+        assert_eq!((grey(1.9), grey(1.7)), (0.0, 1.0));
+    }
+
+    #[test]
+    fn a_map_blends_colours_and_pigments() {
+        let grey = |text: &str| {
+            let prepared = PreparedPigment::new(&read(text).unwrap(), &[], &Settings::default());
+            prepared.color(&Spot::at(DVec3::new(0.25, 0.0, 0.0))).rgb.r
         };
-        assert_eq!(pattern.value(DVec3::new(1.9, 0.5, 0.5)), 0.0);
-        assert_eq!(pattern.value(DVec3::new(1.7, 0.5, 0.5)), 1.0);
+        assert_eq!(grey("{ gradient <1,0,0> }"), 0.25);
+        assert_eq!(
+            grey("{ gradient <1,0,0> color_map { [0 rgb 1] [0.5 rgb 0] } }"),
+            0.5
+        );
+        let nested =
+            "{ gradient <1,0,0> pigment_map { [0 rgb 1] [0.5 gradient <1,0,0> scale 2] } }";
+        assert_eq!(grey(nested), 0.5625);
+        assert_eq!(
+            grey("{ checker pigment { rgb 0.5 } pigment { rgb 1 } }"),
+            0.5
+        );
+        assert_eq!(
+            grey("{ average pigment_map { [1 rgb 1] [3 rgb 0] } }"),
+            0.25
+        );
+    }
+
+    #[test]
+    fn a_map_needs_a_pattern_that_takes_one() {
+        let expected = "expected a pattern that takes a map before the map, found `color_map`";
+        assert_eq!(error("{ checker color_map { [0 rgb 1] } }"), expected);
+        assert_eq!(error("{ color_map { [0 rgb 1] } }"), expected);
+        assert_eq!(
+            error("{ average }"),
+            "expected `pigment_map` after `average`, found the end of the text"
+        );
     }
 
     #[test]
     fn what_is_missing_is_named() {
-        assert_eq!(error("{ bozo }"), "`bozo` is not built yet");
+        assert_eq!(error("{ pavement }"), "`pavement` is not built yet");
         assert_eq!(
-            error("{ checker turbulence 1 }"),
-            "`turbulence` is not built yet"
-        );
-        assert_eq!(
-            error("{ checker pigment { rgb 1 } }"),
-            "`pigment` is not built yet"
+            error("{ rgb 1 uv_mapping }"),
+            "`uv_mapping` is not built yet"
         );
     }
 

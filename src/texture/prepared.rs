@@ -2,9 +2,9 @@
 
 use super::{Finish, Layer, Pigment, PigmentKind, Texture};
 use crate::color::Color;
-use crate::math::{Step, Transform};
-use crate::pattern::Pattern;
-use glam::{DAffine3, DVec3};
+use crate::math::Step;
+use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
+use glam::DVec3;
 
 /// A texture ready for rays.
 #[derive(Debug)]
@@ -30,21 +30,18 @@ pub struct PreparedLayer {
 pub enum PreparedPigment {
     /// The same colour everywhere.
     Plain(Color),
-    /// A list of colours from which a pattern selects.
-    List {
-        /// The pattern.
-        pattern: Box<dyn Pattern>,
-        /// Its colours, never none.
-        colors: Vec<Color>,
-        /// Takes points of the world to the pattern.
-        pattern_from_world: DAffine3,
-    },
+    /// A pattern whose value is looked up among colours.
+    Colors(PreparedPattern, Map<Color>),
+    /// A pattern whose value is looked up among pigments.
+    Pigments(PreparedPattern, Map<PreparedPigment>),
+    /// The mean of pigments by weight.
+    Average(PreparedChain, Map<PreparedPigment>),
 }
 
 impl PreparedTexture {
-    pub(super) fn new(texture: &Texture, after: &[Step]) -> Self {
+    pub(super) fn new(texture: &Texture, after: &[Step], settings: &Settings) -> Self {
         let prepare = |layer: &Layer| PreparedLayer {
-            pigment: PreparedPigment::new(&layer.pigment, after),
+            pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color,
             finish: Finish::clone(&layer.finish),
         };
@@ -93,32 +90,63 @@ impl PreparedTexture {
 }
 
 impl PreparedPigment {
-    fn new(pigment: &Pigment, after: &[Step]) -> Self {
+    /// The form for drawing, with the transforms of what carries the pigment after its own.
+    #[must_use]
+    pub fn new(pigment: &Pigment, after: &[Step], settings: &Settings) -> Self {
+        let modifiers = &pigment.modifiers;
+        // The entries of a map are where the pattern takes the point; no other transforms act on them.
+        let entries = |map: &Map<Pigment>| map.map(|entry| Self::new(entry, &[], settings));
         match &pigment.kind {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
-            PigmentKind::List(pattern, colors) => {
-                let steps: Vec<Step> = pigment.steps.iter().chain(after).cloned().collect();
-                PreparedPigment::List {
-                    pattern: pattern.clone(),
-                    colors: colors.clone(),
-                    pattern_from_world: Transform::from_steps(&steps).object_from_world,
-                }
+            PigmentKind::Colors(pattern, map) => {
+                let pattern = modifiers.prepare(&**pattern, after, settings);
+                PreparedPigment::Colors(pattern, map.clone())
             }
+            PigmentKind::Pigments(pattern, map) => {
+                let pattern = modifiers.prepare(&**pattern, after, settings);
+                PreparedPigment::Pigments(pattern, entries(map))
+            }
+            PigmentKind::Average(Some(map)) => {
+                let chain = modifiers.prepare_chain(after, settings);
+                PreparedPigment::Average(chain, entries(map))
+            }
+            PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
     }
 
-    /// The colour at a point of the world.
+    /// The colour at a place.
     #[must_use]
-    pub fn color(&self, point: DVec3) -> Color {
+    #[inline]
+    pub fn color(&self, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
-            PreparedPigment::List {
-                pattern,
-                colors,
-                pattern_from_world,
-            } => {
-                let value = pattern.value(pattern_from_world.transform_point3(point));
-                colors[entry(value).min(colors.len() - 1)]
+            _ => self.patterned(spot.point, spot),
+        }
+    }
+
+    /// The colour at a point, which for the entries of maps is one of the pattern around them.
+    fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+        match self {
+            PreparedPigment::Plain(color) => *color,
+            PreparedPigment::Colors(pattern, map) => {
+                map.color(pattern.value(pattern.moved(point), spot))
+            }
+            PreparedPigment::Pigments(pattern, map) => {
+                let moved = pattern.moved(point);
+                match map.between(pattern.value(moved, spot)) {
+                    Between::One(entry) => entry.patterned(moved, spot),
+                    Between::Two(from, to, share) => {
+                        let to = to.patterned(moved, spot);
+                        from.patterned(moved, spot).blended(&to, share)
+                    }
+                }
+            }
+            PreparedPigment::Average(chain, map) => {
+                let moved = chain.moved(point);
+                let weighted = |(weight, entry): &(f32, PreparedPigment)| {
+                    (*weight, entry.patterned(moved, spot))
+                };
+                Color::average(map.entries().iter().map(weighted))
             }
         }
     }
@@ -126,19 +154,16 @@ impl PreparedPigment {
     fn can_be_transparent(&self) -> bool {
         match self {
             PreparedPigment::Plain(color) => color.is_transparent(),
-            PreparedPigment::List { colors, .. } => colors.iter().any(|c| c.is_transparent()),
+            PreparedPigment::Colors(_, map) => {
+                let mut entries = map.entries().iter();
+                entries.any(|(_, color)| color.is_transparent())
+            }
+            PreparedPigment::Pigments(_, map) | PreparedPigment::Average(_, map) => {
+                let mut entries = map.entries().iter();
+                entries.any(|(_, entry)| entry.can_be_transparent())
+            }
         }
     }
-}
-
-/// The entry that a value selects; negative values and NaN select the first.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the cast saturates, and the caller cuts to the length of the list"
-)]
-fn entry(value: f64) -> usize {
-    value as usize
 }
 
 #[cfg(test)]
@@ -149,7 +174,7 @@ mod tests {
 
     fn prepare(text: &str, after: &[Step]) -> PreparedTexture {
         let texture = Texture::read(&mut TextArgs::new(text), &Layer::default());
-        texture.unwrap().prepare(after)
+        texture.unwrap().prepare(after, &Settings::default())
     }
 
     #[test]
@@ -159,7 +184,7 @@ mod tests {
         let grey = |x: f64| {
             texture.layers()[0]
                 .pigment
-                .color(DVec3::new(x, 0.5, 0.5))
+                .color(&Spot::at(DVec3::new(x, 0.5, 0.5)))
                 .rgb
                 .r
         };

@@ -1,9 +1,11 @@
 //! Light at a point of a surface: diffuse light, highlights, and what stands in the way of them.
 
+use super::area::Lamps;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen, Way};
-use crate::math::Ray;
+use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
+use crate::light::Arrival;
+use crate::math::{Ray, hash};
 use crate::texture::Finish;
 use glam::DVec3;
 use std::f64::consts::FRAC_2_PI;
@@ -24,7 +26,11 @@ pub(super) struct Lit<'p> {
     pub(super) view: DVec3,
     pub(super) departure: &'p Departure,
     pub(super) path: &'p Path,
+    /// By light, what lies between, as far as that is known.
+    pub(super) ways: &'p [Option<Way>],
     pub(super) is_double_illuminated: bool,
+    /// The numbers of the lights that shine on it.
+    pub(super) lights: &'p [u32],
 }
 
 /// The colour of a layer at a point.
@@ -35,75 +41,131 @@ pub(super) struct Coat<'f> {
     pub(super) opacity: f64,
 }
 
+/// How a layer takes light from one direction.
+#[derive(Clone, Copy)]
+pub(super) struct Side {
+    diffuse: f32,
+    pub(super) is_in_front: bool,
+    /// The cosine between the normal and the direction to the light.
+    cosine: f64,
+}
+
+/// Light from one direction on its way into a layer.
+#[derive(Clone, Copy)]
+pub(super) struct Shining {
+    /// The unit direction to the light.
+    pub(super) to_light: DVec3,
+    pub(super) side: Side,
+    /// What the shadows have left.
+    pub(super) arriving: Rgb,
+    pub(super) has_highlights: bool,
+}
+
+impl Coat<'_> {
+    /// The side on which light arrives; `None` where the layer takes none from there.
+    pub(super) fn side(&self, lit: &Lit, to_light: DVec3) -> Option<Side> {
+        let cosine = lit.normal.dot(to_light);
+        let (diffuse, is_in_front) = if cosine >= NOTHING || lit.is_double_illuminated {
+            (self.finish.diffuse, true)
+        } else if self.finish.diffuse_back != 0.0 {
+            (self.finish.diffuse_back, false)
+        } else {
+            return None;
+        };
+        Some(Side {
+            diffuse,
+            is_in_front,
+            cosine,
+        })
+    }
+}
+
 impl Tracer<'_> {
     /// What all lights give to a layer.
     pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let mut sum = Rgb::BLACK;
-        for light in 0..self.world.lights.len() {
+        for &light in lit.lights {
             sum += self.light_up(light, lit, coat, scratch);
         }
         sum
     }
 
     /// What the light of this number gives to a layer.
-    fn light_up(&self, number: usize, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
-        let light = &self.world.lights[number];
-        let finish = coat.finish;
-        let offset = light.centre - lit.point;
-        let distance = offset.length();
-        let to_light = offset / distance;
-        let cosine = lit.normal.dot(to_light);
-        let (diffuse, is_in_front) = if cosine >= NOTHING || lit.is_double_illuminated {
-            (finish.diffuse, true)
-        } else if finish.diffuse_back != 0.0 {
-            (finish.diffuse_back, false)
-        } else {
+    fn light_up(&self, number: u32, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+        let light = self.world.lights.get(number);
+        let arrival = light.arrival(lit.point);
+        if let Some(area) = &light.area
+            && area.is_full
+            && self.quality.has_area_lights
+        {
+            let lamps = Lamps::new(number, light, area, lit, light.color);
+            return self.light_up_by_lamps(lamps, coat, scratch);
+        }
+        let Some(side) = coat.side(lit, arrival.to_light) else {
             return Rgb::BLACK;
         };
-        let mut arriving = light.color * light.attenuation(distance);
+        let mut arriving = light.color * light.share(lit.point, &arrival);
         if is_nothing(arriving) {
             return Rgb::BLACK;
         }
-        if self.quality.has_shadows && !light.is_shadowless {
-            let ray = Ray::new(lit.point, to_light);
-            let way = (ray, distance);
-            arriving = self.through_shadows(arriving, lit, number, way, scratch);
+        if self.quality.has_shadows {
+            arriving = self.after_shadows(arriving, number, lit, &arrival, scratch);
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }
         }
-        let mut sum = Rgb::BLACK;
-        if diffuse != 0.0 {
-            let strength =
-                f64::from(diffuse) * coat.opacity * power(cosine.abs(), finish.brilliance);
-            sum += coat.rgb * arriving * strength;
+        let shining = Shining {
+            to_light: arrival.to_light,
+            side,
+            arriving,
+            has_highlights: side.is_in_front && !light.is_shadowless(),
+        };
+        shine(&shining, lit, coat, scratch)
+    }
+
+    /// What is left of light after all that stands between a point and the lamps of its source.
+    fn after_shadows(
+        &self,
+        arriving: Rgb,
+        number: u32,
+        lit: &Lit,
+        arrival: &Arrival,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let light = self.world.lights.get(number);
+        if light.is_shadowless() && !self.world.lights.is_projected(number) {
+            return arriving;
         }
-        if is_in_front && !light.is_shadowless {
-            let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
-            if strength != 0.0 {
-                let shine = metallic(finish.metallic, coat.rgb, cosine.abs());
-                sum += arriving * shine * strength;
+        match &light.area {
+            Some(area) if self.quality.has_area_lights => {
+                let lamps = Lamps::new(number, light, area, lit, arriving);
+                self.through_area(&lamps, scratch)
             }
+            _ => self.through_shadows(arriving, lit, number, arrival, scratch),
         }
-        sum
     }
 
     /// What is left of light after all that stands between a point and its source.
-    fn through_shadows(
+    pub(super) fn through_shadows(
         &self,
         mut arriving: Rgb,
         lit: &Lit,
-        light: usize,
-        (ray, distance): (Ray, f64),
+        light: u32,
+        arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let mut query = Query {
-            ray,
-            from: Some(*lit.departure),
-            far: self.world.reach(ray.at(distance), distance),
-            seen: Seen::Shadow,
+        let ray = Ray::new(lit.point, arrival.to_light);
+        let distance = arrival.distance;
+        let mut query = shadow_query(self.world, lit.departure, ray, distance);
+        let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
+            return Rgb::BLACK;
         };
-        match self.world.way(&query, light, scratch) {
+        query.far = far;
+        if self.world.lights.get(light).is_shadowless() {
+            return arriving;
+        }
+        let known = lit.ways.get(light as usize).copied().flatten();
+        match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free => return arriving,
             Way::Filtered => {}
             Way::Blocked => return Rgb::BLACK,
@@ -135,7 +197,64 @@ impl Tracer<'_> {
     }
 }
 
-fn is_nothing(light: Rgb) -> bool {
+/// What light from one direction gives to a layer.
+pub(super) fn shine(shining: &Shining, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+    let finish = coat.finish;
+    let Shining {
+        to_light,
+        side,
+        arriving,
+        has_highlights,
+    } = *shining;
+    let cosine = side.cosine.abs();
+    let mut sum = Rgb::BLACK;
+    if side.diffuse != 0.0 {
+        let mut strength =
+            f64::from(side.diffuse) * coat.opacity * power(cosine, finish.brilliance);
+        if finish.crand > 0.0 {
+            strength -= grain(scratch) * f64::from(finish.crand);
+        }
+        sum += coat.rgb * arriving * strength;
+    }
+    if has_highlights {
+        let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
+        if strength != 0.0 {
+            let shine = metallic(finish.metallic, coat.rgb, cosine);
+            sum += arriving * shine * strength;
+        }
+    }
+    sum
+}
+
+/// The next number of `crand`, from 0 to 1.
+fn grain(scratch: &mut Scratch) -> f64 {
+    scratch.crand = hash::next(scratch.crand);
+    f64::from(scratch.crand) / f64::from(u32::MAX)
+}
+
+/// The question what lies between a point and a light.
+pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: f64) -> Query {
+    Query {
+        ray,
+        from: Some(*from),
+        far: world.reach(ray.at(distance), distance),
+        seen: Seen::Shadow,
+    }
+}
+
+/// Whether light at this cosine to the normal can matter to a surface.
+pub(super) fn faces(surface: &Surface, cosine: f64) -> bool {
+    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
+    let mut layers = textures
+        .into_iter()
+        .flatten()
+        .flat_map(|texture| texture.layers());
+    cosine >= NOTHING
+        || surface.flags.double_illuminate
+        || layers.any(|layer| layer.finish.diffuse_back != 0.0)
+}
+
+pub(super) fn is_nothing(light: Rgb) -> bool {
     let is_small = |c: f32| f64::from(c).abs() < NOTHING;
     is_small(light.r) && is_small(light.g) && is_small(light.b)
 }

@@ -2,17 +2,24 @@
 //!
 //! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
-//! at most `max_trace_level` deep. Missing: fog, media, radiosity, photons, normals, blended textures.
+//! at most `max_trace_level` deep. Missing: media, radiosity, photons, normals, blended textures.
 
+mod air;
+mod area;
+mod block;
 mod light;
 mod passage;
 mod surface;
 #[cfg(test)]
 mod tests;
 
+use crate::atmosphere::{self, Tint, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, InteriorId, Query, Scratch, Seen, World};
+pub use block::{BLOCK, BlockScratch};
+
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
 use crate::math::Ray;
+use crate::math::mersenne::{Stream, seed_of_sample};
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -46,6 +53,8 @@ struct Quality {
     has_light: bool,
     /// From 4 on: shadows.
     has_shadows: bool,
+    /// From 5 on: area lights.
+    has_area_lights: bool,
     /// From 6 on: the real pigments rather than `quick_color`, and what shines through.
     has_transparency: bool,
     /// From 8 on: mirror images.
@@ -70,6 +79,7 @@ struct Passed {
     factor: Rgb,
     transmit: f32,
     reflected: Rgb,
+    air: Option<Tint>,
 }
 
 /// The tracer of one world at one quality.
@@ -81,8 +91,8 @@ pub struct Tracer<'w> {
     minds_interiors: bool,
     /// The interiors around the camera, if all rays start in one point.
     around_camera: Inside,
-    background: Sample,
-    reflected_background: Rgb,
+    background: Background,
+    reflected_background: Background,
 }
 
 impl<'w> Tracer<'w> {
@@ -91,7 +101,7 @@ impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
         let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
-        let minds_interiors = !is_all_opaque || has_fresnel;
+        let minds_interiors = !is_all_opaque || has_fresnel || !world.fogs.is_empty();
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -103,6 +113,7 @@ impl<'w> Tracer<'w> {
             quality: Quality {
                 has_light: quality >= 2,
                 has_shadows: quality >= 4,
+                has_area_lights: quality >= 5,
                 has_transparency: quality >= 6,
                 has_reflection: quality >= 8,
             },
@@ -124,50 +135,66 @@ impl<'w> Tracer<'w> {
                 transmit: 1.0,
             };
         };
-        let inside = if self.minds_interiors && !camera.has_one_origin() {
+        begin_sample(x, y, scratch);
+        self.trace(self.camera_path(ray), None, scratch)
+    }
+
+    fn camera_path(&self, ray: Ray) -> Path {
+        let inside = if self.minds_interiors && !self.world.camera.has_one_origin() {
             self.world.interiors_at(ray.origin)
         } else {
             Inside::from_slice(&self.around_camera)
         };
-        let path = Path {
+        Path {
             ray,
             from: None,
             seen: Seen::Image,
             level: 0,
             weight: 1.0,
             inside,
-        };
-        self.trace(path, scratch)
+        }
     }
 
-    /// What a ray sees.
-    fn trace(&self, mut path: Path, scratch: &mut Scratch) -> Sample {
+    /// What a ray sees. `first` is what it meets first and what lies between there and the lights, where that is known.
+    fn trace(
+        &self,
+        mut path: Path,
+        mut first: Option<(Option<Hit>, &[Option<Way>])>,
+        scratch: &mut Scratch,
+    ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
         let end = loop {
             if !self.is_worth(&path) || passed.len() == MOST_PASSED {
                 break Sample::BLACK;
             }
-            let query = Query {
-                ray: path.ray,
-                from: path.from,
-                far: f64::INFINITY,
-                seen: path.seen,
+            let (hit, ways) = first.take().unwrap_or_else(|| {
+                let query = Query {
+                    ray: path.ray,
+                    from: path.from,
+                    far: f64::INFINITY,
+                    seen: path.seen,
+                };
+                (self.world.nearest(&query, scratch), &[])
+            });
+            let Some(hit) = hit else {
+                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside);
+                break self.behind_everything(&path).through(air);
             };
-            let Some(hit) = self.world.nearest(&query, scratch) else {
-                break self.behind_everything(path.seen);
-            };
-            let view = self.shade(&path, &hit, scratch);
+            let air = self.air(&path.ray, hit.t, &path.inside);
+            let view = self.shade(&path, &hit, ways, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
                     transmit: view.transmit,
-                };
+                }
+                .through(air);
             };
             passed.push(Passed {
                 rgb: view.rgb,
                 factor: passage.factor,
                 transmit: passage.transmit,
                 reflected: view.reflected,
+                air,
             });
             // At the last level nothing is seen through a surface, bent or not.
             if path.level + 1 >= self.world.globals.max_trace_level {
@@ -178,9 +205,12 @@ impl<'w> Tracer<'w> {
             path.weight *= passage.weight;
             path.inside = passage.inside;
         };
-        passed.iter().rev().fold(end, |behind, here| Sample {
-            rgb: here.rgb + here.factor * behind.rgb + here.reflected,
-            transmit: here.transmit * behind.transmit,
+        passed.iter().rev().fold(end, |behind, here| {
+            let seen = Sample {
+                rgb: here.rgb + here.factor * behind.rgb + here.reflected,
+                transmit: here.transmit * behind.transmit,
+            };
+            seen.through(here.air)
         })
     }
 
@@ -189,15 +219,45 @@ impl<'w> Tracer<'w> {
         path.level < globals.max_trace_level && path.weight >= globals.adc_bailout
     }
 
-    fn behind_everything(&self, seen: Seen) -> Sample {
-        match seen {
-            Seen::Reflection => Sample {
-                rgb: self.reflected_background,
-                transmit: 0.0,
-            },
-            Seen::Image | Seen::Shadow => self.background,
+    /// What a ray sees that meets nothing.
+    fn behind_everything(&self, path: &Path) -> Sample {
+        let background = match path.seen {
+            Seen::Reflection => &self.reflected_background,
+            Seen::Image | Seen::Shadow => &self.background,
+        };
+        match &self.world.sky {
+            None => background.seen,
+            Some(sky) => background.behind(sky.seen(path.ray.dir)),
         }
     }
+}
+
+/// The background as some rays see it.
+#[derive(Debug)]
+struct Background {
+    seen: Sample,
+    /// The factor on transparency behind it.
+    transmission: Rgb,
+    /// Whether it hides the sky, which is so before version 3.7 in pictures with an alpha channel.
+    hides_sky: bool,
+}
+
+impl Background {
+    fn behind(&self, sky: atmosphere::Seen) -> Sample {
+        if self.hides_sky {
+            return self.seen;
+        }
+        Sample {
+            rgb: sky.rgb + sky.factor * self.seen.rgb,
+            transmit: (sky.factor * self.transmission).grey(),
+        }
+    }
+}
+
+/// Starts the random numbers of a sample.
+fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
+    scratch.stream = Stream::of_sample(x, y);
+    scratch.crand = seed_of_sample(x, y);
 }
 
 /// The background for camera rays and for mirror images.
@@ -205,21 +265,37 @@ impl<'w> Tracer<'w> {
 /// Measured with `background { rgbft <.5, .6, .7, .1, .25> }`: version 3.7 shows the colour less its transmit, and
 /// with an alpha channel less its filter too; before 3.7 it is opaque, and with an alpha channel not there at all.
 /// Mirrors show the colour as it is, except in 3.7 without an alpha channel.
-fn backgrounds(world: &World) -> (Sample, Rgb) {
+fn backgrounds(world: &World) -> (Background, Background) {
     let color = world.background;
     let globals = &world.globals;
-    let (rgb, transmit, reflected) = match (globals.rules_37, globals.has_alpha) {
+    let (rgb, transmission, reflected) = match (globals.rules_37, globals.has_alpha) {
         (true, true) => (
             color.rgb * (1.0 - color.filter - color.transmit),
-            color.transmission().grey(),
+            color.transmission(),
             color.rgb,
         ),
         (true, false) => {
             let rgb = color.rgb * (1.0 - color.transmit);
-            (rgb, color.transmit, rgb)
+            (rgb, Rgb::splat(color.transmit), rgb)
         }
-        (false, true) => (Rgb::BLACK, 1.0, color.rgb),
-        (false, false) => (color.rgb, 0.0, color.rgb),
+        (false, true) => (Rgb::BLACK, Rgb::WHITE, color.rgb),
+        (false, false) => (color.rgb, Rgb::BLACK, color.rgb),
     };
-    (Sample { rgb, transmit }, reflected)
+    let image = Background {
+        seen: Sample {
+            rgb,
+            transmit: transmission.grey(),
+        },
+        transmission,
+        hides_sky: !globals.rules_37 && globals.has_alpha,
+    };
+    let mirrored = Background {
+        seen: Sample {
+            rgb: reflected,
+            transmit: 0.0,
+        },
+        transmission: Rgb::BLACK,
+        hides_sky: false,
+    };
+    (image, mirrored)
 }

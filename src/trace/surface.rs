@@ -4,9 +4,11 @@ use super::light::{Coat, Lit, metallic, mirrored};
 use super::passage::{Bend, bend};
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::compile::{Hit, Scratch, Seen, Surface, Way};
 use crate::interior::Interior;
 use crate::math::Ray;
+use crate::pattern::Spot;
+use crate::shape::Shares;
 use crate::texture::{Finish, PreparedLayer, PreparedTexture};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -21,6 +23,48 @@ pub(super) struct View {
     pub(super) reflected: Rgb,
     /// What is still to be added if light also comes straight through.
     pub(super) straight_on: Option<StraightOn>,
+}
+
+impl View {
+    /// Nothing is seen.
+    const NOTHING: View = View {
+        rgb: Rgb::BLACK,
+        transmit: 0.0,
+        reflected: Rgb::BLACK,
+        straight_on: None,
+    };
+
+    /// Adds a share of another view of the same point.
+    fn add(&mut self, weight: f32, other: View) {
+        self.rgb += other.rgb * f64::from(weight);
+        self.transmit += other.transmit * weight;
+        self.reflected += other.reflected * f64::from(weight);
+        let Some(mut other) = other.straight_on else {
+            return;
+        };
+        other.factor *= Rgb::splat(weight);
+        other.transmit *= weight;
+        self.straight_on = Some(match self.straight_on.take() {
+            None => other,
+            Some(sum) => StraightOn {
+                factor: sum.factor + other.factor,
+                transmit: sum.transmit + other.transmit,
+                weight: sum.weight.max(other.weight),
+                inside: sum.inside,
+            },
+        });
+    }
+}
+
+/// Textures and their shares in the look of a point.
+type Looks<'s> = SmallVec<[(f32, &'s PreparedTexture); 1]>;
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "POV-Ray keeps shares of textures in single precision, like colours"
+)]
+fn single(weight: f64) -> f32 {
+    weight as f32
 }
 
 /// What shines through without a bend.
@@ -48,24 +92,75 @@ pub(super) fn has_fresnel(surface: &Surface) -> bool {
     let mut layers = textures
         .into_iter()
         .flatten()
+        .chain(&surface.skins)
         .flat_map(|texture| texture.layers());
     layers.any(|layer| layer.finish.reflection.is_fresnel)
 }
 
 impl Tracer<'_> {
-    /// What a ray sees at a hit, without what comes straight through.
-    pub(super) fn shade(&self, path: &Path, hit: &Hit, scratch: &mut Scratch) -> View {
+    /// What a ray sees at a hit, without what comes straight through. `ways` tells by light what lies between, as far as
+    /// that is known.
+    pub(super) fn shade(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        ways: &[Option<Way>],
+        scratch: &mut Scratch,
+    ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let texture = facing_texture(surface, hit, path.ray.dir);
-        let mut view = View {
-            rgb: Rgb::BLACK,
-            transmit: 0.0,
-            reflected: Rgb::BLACK,
-            straight_on: None,
+        match self.looks(surface, hit, path.ray.dir).as_slice() {
+            [(_, texture)] => self.shade_texture(path, hit, texture, ways, scratch),
+            several => {
+                let mut sum = View::NOTHING;
+                for (weight, texture) in several {
+                    sum.add(
+                        *weight,
+                        self.shade_texture(path, hit, texture, ways, scratch),
+                    );
+                }
+                sum
+            }
+        }
+    }
+
+    /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
+    /// of a smooth triangle decide which side is seen, not the order of its corners.
+    fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
+        let outside = match &surface.inside_texture {
+            Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
+                return Looks::from_elem((1.0, &**inside), 1);
+            }
+            _ => &*surface.texture,
         };
+        let shares = if surface.skins.is_empty() {
+            Shares::new()
+        } else {
+            self.world.shares(hit)
+        };
+        if shares.is_empty() {
+            return Looks::from_elem((1.0, outside), 1);
+        }
+        let least = self.world.globals.adc_bailout;
+        let drawn = shares.iter().filter(|share| share.weight >= least);
+        drawn
+            .map(|share| (single(share.weight), &*surface.skins[share.skin as usize]))
+            .collect()
+    }
+
+    /// What a ray sees of one texture at a hit.
+    fn shade_texture(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        texture: &PreparedTexture,
+        ways: &[Option<Way>],
+        scratch: &mut Scratch,
+    ) -> View {
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let mut view = View::NOTHING;
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                view.rgb = self.color(lowest, hit.point).rgb;
+                view.rgb = self.color(lowest, &spot(hit, path.ray.dir)).rgb;
             }
             return view;
         }
@@ -75,12 +170,14 @@ impl Tracer<'_> {
             view: path.ray.dir,
             departure: &hit.departure,
             path,
+            ways,
             is_double_illuminated: surface.flags.double_illuminate,
+            lights: self.world.lights.of(surface.lights),
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         for layer in texture.layers() {
-            let color = self.color(layer, hit.point);
+            let color = self.color(layer, &spot(hit, path.ray.dir));
             view.rgb += self.layer(&lit, layer, color, scratch) * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let mirror = self.mirror(&lit, hit, &layer.finish, color.rgb);
@@ -164,7 +261,7 @@ impl Tracer<'_> {
                     weight: path.weight * weight,
                     inside: passage.inside,
                 };
-                let behind = self.trace(onward, scratch);
+                let behind = self.trace(onward, None, scratch);
                 view.rgb += factor * behind.rgb;
                 view.transmit = transmit * behind.transmit;
                 false
@@ -180,7 +277,7 @@ impl Tracer<'_> {
                 };
                 // All light comes back, whatever the layers would filter.
                 let factor = fade * interior.refraction;
-                view.rgb += factor * self.trace(onward, scratch).rgb;
+                view.rgb += factor * self.trace(onward, None, scratch).rgb;
                 true
             }
         }
@@ -226,7 +323,7 @@ impl Tracer<'_> {
             weight: path.weight * mirror.weight,
             inside: Inside::from_slice(&path.inside),
         };
-        let Sample { rgb, .. } = self.trace(onward, scratch);
+        let Sample { rgb, .. } = self.trace(onward, None, scratch);
         let exponent = mirror.finish.reflection.exponent;
         let rgb = if exponent == 1.0 {
             rgb
@@ -239,17 +336,20 @@ impl Tracer<'_> {
     /// The share of shadow light that passes the surface of a hit.
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let layers = facing_texture(surface, hit, ray.dir).layers();
-        layers.iter().fold(Rgb::WHITE, |light, layer| {
-            light * self.color(layer, hit.point).transmission()
+        let looks = self.looks(surface, hit, ray.dir);
+        looks.iter().fold(Rgb::BLACK, |sum, (weight, texture)| {
+            let light = texture.layers().iter().fold(Rgb::WHITE, |light, layer| {
+                light * self.color(layer, &spot(hit, ray.dir)).transmission()
+            });
+            sum + light * f64::from(*weight)
         })
     }
 
     /// The colour of a layer, in previews its quick colour.
-    fn color(&self, layer: &PreparedLayer, point: DVec3) -> Color {
+    fn color(&self, layer: &PreparedLayer, spot: &Spot) -> Color {
         match layer.quick_color {
             Some(quick) if !self.quality.has_transparency => quick,
-            _ => layer.pigment.color(point),
+            _ => layer.pigment.color(spot),
         }
     }
 
@@ -263,16 +363,17 @@ impl Tracer<'_> {
     }
 }
 
-/// The texture of the side that a ray meets; the normals of a smooth triangle decide, not the order of its corners.
-fn facing_texture<'s>(surface: &'s Surface, hit: &Hit, dir: DVec3) -> &'s PreparedTexture {
-    match &surface.inside_texture {
-        Some(inside) if hit.shading_normal.dot(dir) > 0.0 => inside,
-        _ => &surface.texture,
+/// The place that patterns are asked about.
+fn spot(hit: &Hit, dir: DVec3) -> Spot {
+    Spot {
+        point: hit.point,
+        normal: facing_normal(hit, dir),
+        dir,
     }
 }
 
 /// The shading normal on the side from which a ray comes.
-fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
+pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     if hit.shading_normal.dot(dir) > 0.0 {
         -hit.shading_normal
     } else {

@@ -1,3 +1,4 @@
+// mistake in line 4: a `}` too many
 camera { location -5*z look_at 0 }
 light_source { <4, 6, -8>, rgb 1 }
 sphere { 0, 1 } }

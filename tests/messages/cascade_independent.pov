@@ -1,3 +1,4 @@
+// mistakes in lines 2, 4, 9, 11: four mistakes that have nothing to do with each other
 #declare R = 1
 #if (R = 1
   sphere { 0, R pigment { rbg 1 } }

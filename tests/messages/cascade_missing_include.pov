@@ -1,3 +1,4 @@
+// mistake in line 2: an include file that is missing, and what it would have declared
 #include "metalls.inc"
 sphere { 0, 1 texture { T_Gold_1A } }
 box { -1, 1 texture { T_Gold_2A } rotate Angle*y }

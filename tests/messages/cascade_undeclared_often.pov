@@ -1,3 +1,4 @@
+// mistake in line 3: a name that is used often and declared nowhere
 #for (I, 1, 3)
   sphere { I*x, Size }
 #end

@@ -1,3 +1,4 @@
+// mistakes in lines 2, 3: no `;`, and `<<` for `<`
 #declare I = 0
 #while (I << 3)
   sphere { I*x, 1 }

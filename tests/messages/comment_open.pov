@@ -1,3 +1,4 @@
+// mistake in line 2: no `*/` at the end of a comment
 /* a comment
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 3: `==` for `=`
 #declare A = 1;
 #if (A == 1) sphere { 0, 1 } #end
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// doubt in line 3: a division by zero
 #declare D = 0;
 #declare A = 1/D;
 sphere { 0, 1 }

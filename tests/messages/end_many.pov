@@ -1,3 +1,4 @@
+// mistake in line 5: an `#end` too many
 #if (1)
 sphere { 0, 1 }
 #end

@@ -1,3 +1,4 @@
+// mistake in line 2: no `#end` for an `#if`
 #if (1)
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

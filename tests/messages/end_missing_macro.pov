@@ -1,3 +1,4 @@
+// mistake in line 2: no `#end` for a `#macro`
 #macro Ball(R)
   sphere { 0, R }
 Ball(1)

@@ -1,3 +1,4 @@
+// mistake in line 2: an escape that means nothing
 #debug "a\qb"
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: `=` in the head of a `#for`
 #for (I = 1, 3)
   sphere { I, 1 }
 #end

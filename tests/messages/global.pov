@@ -1,3 +1,4 @@
+// mistake in line 2: a misspelt word in `global_settings`
 global_settings { assumed_gama 1 }
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

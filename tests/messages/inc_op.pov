@@ -1,3 +1,4 @@
+// mistake in line 3: `+=` for `=`
 #declare A = 5;
 #declare A += 2;
 sphere { 0, 1 }

@@ -1,3 +1,4 @@
+// mistake in line 2: an include file named with a capital
 #include "Colors.inc"
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: an include file that is missing
 #include "nowhere.inc"
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 3: an index behind the end of an array
 #declare A = array[3] { 1, 2, 3 }
 sphere { 0, A[3] }
 camera { location -5*z look_at 0 }

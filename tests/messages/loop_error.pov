@@ -1,3 +1,4 @@
+// mistake in line 3: a misspelt word inside a loop
 #for (I, 1, 3)
   sphere { I, 1 pigmnt { rgb 1 } }
 #end

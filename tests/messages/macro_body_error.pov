@@ -1,3 +1,4 @@
+// mistake in line 3: a misspelt word inside a macro that is called twice
 #macro Ball(R)
   sphere { 0, R pigmnt { rgb 1 } }
 #end

@@ -1,3 +1,4 @@
+// mistake in line 5: a macro call without its second argument
 #macro Ball(P, R)
   sphere { P, R }
 #end

@@ -1,3 +1,4 @@
+// mistake in line 5: a macro call with a third argument
 #macro Ball(P, R)
   sphere { P, R }
 #end

@@ -1,19 +1,28 @@
-//! The commonest mistakes and the whole text that their author sees.
+//! The commonest mistakes and the whole text that their author sees, beside what POV-Ray says about them.
 //!
-//! Each `NAME.pov` here holds a mistake, `NAME.txt` what is said about it. `UPDATE=1` writes the texts anew, to be read
-//! before they are kept: is the place right, is the cause named, is there something to do, is nothing said twice?
+//! Each `NAME.pov` here holds a mistake, and tells in its first line where: `// mistake in line 3: ...`; `mistakes in
+//! lines 3, 7` where there are several, `doubt in line 3` where a warning is due. All findings must be about these
+//! lines, whatever line POV-Ray names. `NAME.txt` holds what is said, and then POV-Ray's word for it. `UPDATE=1` writes
+//! the texts anew, to be read before they are kept: is the place right, is the cause named, is there something to do,
+//! is nothing said twice?
+
+#[path = "../support/process.rs"]
+mod process;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use povr::lang::evaluate;
 use povr::options::ReadOptions;
-use povr::source::Sources;
 use povr::source::print::{Styling, annotated, pov_line};
+use povr::source::{Diagnostic, Severity, Sources};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
+use std::time::Duration;
 
 /// Relative, so that it reads the same on every machine; cargo runs tests in the root of the package.
 const FOLDER: &str = "tests/messages";
+/// POV-Ray needs half a second to start.
+const TIME_LIMIT: Duration = Duration::from_secs(60);
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
@@ -47,7 +56,9 @@ fn trial(scene: PathBuf) -> Trial {
 
 fn compare(scene: &Path) -> Result<(), Failed> {
     let kept = scene.with_extension("txt");
-    let said = messages(scene)?;
+    let mistake = Mistake::of(scene)?;
+    let ours = messages(scene, &mistake)?;
+    let said = format!("{ours}{}\n", pov_ray(scene, &mistake)?);
     if std::env::var_os("UPDATE").is_some() {
         fs::write(&kept, &said)?;
     }
@@ -58,15 +69,108 @@ fn compare(scene: &Path) -> Result<(), Failed> {
     Err(format!("expected\n{expected}\nfound\n{said}").into())
 }
 
+/// What the first line of a scene tells about it.
+struct Mistake {
+    severity: Severity,
+    lines: Vec<usize>,
+}
+
+impl Mistake {
+    fn of(scene: &Path) -> Result<Self, Failed> {
+        let text = fs::read_to_string(scene)?;
+        let first = text.lines().next().unwrap_or_default();
+        let told = first
+            .strip_prefix("// ")
+            .and_then(|told| told.split_once(':'));
+        let (place, _) = told.ok_or("the first line tells no place")?;
+        let kind = place.split(' ').next().unwrap_or_default();
+        let severity = match kind {
+            "mistake" | "mistakes" => Severity::Error,
+            "doubt" | "doubts" => Severity::Warning,
+            _ => return Err("neither a mistake nor a doubt is told".into()),
+        };
+        let numbers = place.split(|c: char| !c.is_ascii_digit());
+        Ok(Mistake {
+            severity,
+            lines: numbers.filter_map(|number| number.parse().ok()).collect(),
+        })
+    }
+}
+
 /// All findings, as POV-Ray's line and with the lines of the scene.
-fn messages(scene: &Path) -> Result<String, Failed> {
+fn messages(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let library = Path::new(FOLDER).join("library");
     let mut sources = Sources::new(vec![library]);
     let file = sources.load_file(scene).map_err(|error| error.message)?;
     let reading = evaluate(file, &mut sources, &ReadOptions::default());
+    let line = |finding: &Diagnostic| finding.span.map_or(0, |span| sources.line_column(span).0);
+    let of_kind = |finding: &&Diagnostic| finding.severity == mistake.severity;
+    let lines: Vec<usize> = reading.findings.iter().filter(of_kind).map(line).collect();
+    if lines != mistake.lines {
+        let told = &mistake.lines;
+        return Err(format!("the mistake is in {told:?}, the findings are about {lines:?}").into());
+    }
     let texts = reading.findings.iter().map(|finding| {
         let line = pov_line(finding, &sources);
         format!("{line}\n{}\n", annotated(finding, &sources, Styling::Plain))
     });
     Ok(texts.collect())
+}
+
+/// What POV-Ray says about a scene, and whether in the line of the first mistake.
+fn pov_ray(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
+    let mut command = Command::new("povray");
+    command.arg(format!("+I{}", scene.display())).args([
+        &format!("+L{FOLDER}/library"),
+        "-F",
+        "-D",
+        "+W4",
+        "+H3",
+    ]);
+    let ended = process::run(&mut command, TIME_LIMIT)?;
+    let failed = ended.status.is_none_or(|status| !status.success());
+    let unfolded = unfolded(&ended.stderr);
+    let word = |wanted: &str| {
+        let is_it = |line: &&&String| {
+            line.contains(wanted) && !line.contains("assumed_gamma") && !line.contains("#version ")
+        };
+        unfolded
+            .iter()
+            .collect::<Vec<_>>()
+            .iter()
+            .find(is_it)
+            .map(|line| (*line).clone())
+    };
+    let said = match failed {
+        true => word(": Parse Error: ").or_else(|| word("Parse Error: ")),
+        false => word(": Parse Warning: ").or_else(|| word(": Possible Parse Error: ")),
+    };
+    let Some(said) = said else {
+        return Ok("POV-Ray says nothing and draws it".to_owned());
+    };
+    let message = said.split_once("Error: ").or(said.split_once("Warning: "));
+    let message = message.map_or("", |(_, message)| message.trim_end());
+    let kind = if failed { "" } else { " and draws it" };
+    let line: Option<usize> = said
+        .split_once(" line ")
+        .and_then(|(_, rest)| rest.split(':').next()?.parse().ok());
+    Ok(match line {
+        Some(line) if mistake.lines.first() == Some(&line) => {
+            format!("POV-Ray says in the same line{kind}: {message}")
+        }
+        Some(line) => format!("POV-Ray says in line {line}{kind}: {message}"),
+        None => format!("POV-Ray says without a line{kind}: {message}"),
+    })
+}
+
+/// POV-Ray's messages without the breaks at 80 columns; a line that begins with a blank goes on with the one before.
+fn unfolded(text: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for line in text.lines() {
+        match lines.last_mut() {
+            Some(last) if line.starts_with(' ') => last.push_str(line),
+            _ => lines.push(line.to_owned()),
+        }
+    }
+    lines
 }

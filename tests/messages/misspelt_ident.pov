@@ -1,3 +1,4 @@
+// mistake in line 3: a misspelt name
 #declare Radius = 2;
 sphere { 0, Raduis }
 camera { location -5*z look_at 0 }

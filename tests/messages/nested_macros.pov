@@ -1,3 +1,4 @@
+// mistake in line 3: a wrong word inside a macro that another one calls
 #macro Inner(R)
   sphere { 0, R radius 2 }
 #end

@@ -1,3 +1,4 @@
+// mistake in line 3: an object for a radius
 #declare Ball = sphere { 0, 1 }
 sphere { 0, Ball }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: `%`, which is no operator
 #declare A = 5 % 2;
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

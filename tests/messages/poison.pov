@@ -1,3 +1,4 @@
+// mistake in line 2: a misspelt word in a declared object that is used later
 #declare S = sphere { 0, 1 pigmnt { rgb 1 } }
 object { S }
 object { S translate x }

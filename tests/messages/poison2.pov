@@ -1,3 +1,4 @@
+// mistake in line 2: an undeclared name in a declared number that is used later
 #declare R = 1 + Zork;
 sphere { 0, R }
 box { -R, R }

@@ -1,3 +1,4 @@
+// mistake in line 2: no closing quote behind the name of a file
 #include "colors.inc
 sphere { 0, 1 }
 #debug "done"

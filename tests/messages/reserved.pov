@@ -1,3 +1,4 @@
+// mistake in line 2: a reserved word declared
 #declare radius = 1;
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

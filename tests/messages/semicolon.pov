@@ -1,3 +1,4 @@
+// mistake in line 2: no `;` behind a declared number
 #declare R = 2
 sphere { 0, R }
 camera { location -5*z look_at 0 }

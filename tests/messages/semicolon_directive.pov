@@ -1,3 +1,4 @@
+// mistake in line 2: no `;` behind a declared number, before a directive
 #declare R = 2
 #declare S = 3;
 sphere { 0, R }

@@ -1,3 +1,4 @@
+// mistake in line 2: strings joined by `+`
 #declare S = "a" + "b";
 #debug S
 sphere { 0, 1 }

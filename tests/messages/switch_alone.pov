@@ -1,3 +1,4 @@
+// mistakes in lines 2, 4: `#case` and `#break` without `#switch`
 #case (1)
   sphere { 0, 1 }
 #break

@@ -1,3 +1,4 @@
+// mistake in line 3: a texture for a pigment
 #declare T = texture { pigment { rgb 1 } }
 sphere { 0, 1 pigment { T } }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: an undeclared name
 sphere { 0, Zork }
 camera { location -5*z look_at 0 }
 light_source { <4, 6, -8>, rgb 1 }

@@ -1,3 +1,4 @@
+// mistake in line 3: an item of an array without a value
 #declare A = array[3]
 sphere { 0, A[1] }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: a misspelt directive
 #decalre A = 1;
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,3 +1,4 @@
+// mistake in line 2: a version to come
 #version 3.8;
 sphere { 0, 1 }
 camera { location -5*z look_at 0 }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::args::text::TextArgs;
 use crate::shape::check;
+use crate::texture::Texture;
 
 fn mesh(text: &str) -> Mesh {
     let mut args = TextArgs::new(text);
@@ -253,8 +254,8 @@ fn what_is_wrong_with_a_mesh_is_said() {
         "the corners of a mesh are kept in single precision: <2, 2, 1000000000000000000000000000000000000000> is too large"
     );
     assert_eq!(
-        fault("triangle { <0,0,0>, <1,0,0>, <0,1,0> texture { T } }"),
-        "`texture` of a single triangle is not built yet"
+        fault("triangle { <0,0,0>, <1,0,0>, <0,1,0> texture_list { T } }"),
+        "expected the names of three textures in `texture_list`, found `T`"
     );
     assert_eq!(
         fault("triangle { <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0> }"),
@@ -303,8 +304,8 @@ fn what_is_wrong_with_a_mesh2_is_said_at_its_place() {
         ),
         (
             format!("{FOUR} texture_list {{ 1 }}"),
-            "`texture_list` is not built yet",
-            "texture_list",
+            "expected `texture` 1 of 1 in `texture_list`, found `}`",
+            "}",
         ),
         (
             format!("{FOUR} face_indices {{ 0 }}"),
@@ -358,6 +359,59 @@ fn what_is_wrong_with_a_mesh2_is_said_at_its_place() {
     ] {
         assert_eq!(fault2(&text), (message.to_owned(), place), "{text}");
     }
+}
+
+#[test]
+fn texture_coordinates_are_interpolated() {
+    let uv = "uv_vectors { 3, <0,0>, <1,0>, <0,2> }";
+    let mesh = mesh2(&format!(
+        "{FOUR} {uv} face_indices {{ 2, <0,1,2>, <0,1,3> }} uv_indices {{ 2, <0,1,2>, <2,2,2> }}"
+    ));
+    let at = DVec3::new(0.25, 0.5, 0.0);
+    assert_eq!(mesh.uv_of_face(at, 0), [0.25, 1.0]);
+    assert_eq!(mesh.uv_of_face(DVec3::new(0.25, 0.0, 0.5), 1), [0.0, 2.0]);
+    let by_corner = mesh2(
+        "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } uv_vectors { 3, <0,0>, <1,0>, <0,2> }
+        face_indices { 1, <0,1,2> }",
+    );
+    assert_eq!(by_corner.uv_of_face(at, 0), [0.25, 1.0]);
+}
+
+#[test]
+fn a_triangle_of_a_mesh_without_texture_coordinates_has_zeros() {
+    let mesh = mesh(
+        "triangle { <0,0,0>, <1,0,0>, <0,1,0> }
+        triangle { <0,0,0>, <1,0,0>, <0,0,1> uv_vectors <0,1>, <1,1>, <1,0> }
+        triangle { <0,0,0>, <0,1,0>, <0,0,1> }",
+    );
+    let at = DVec3::new(0.25, 0.0, 0.0);
+    let all = [0, 1, 2].map(|face| mesh.uv_of_face(at, face));
+    assert_eq!(all, [[0.0, 0.0], [0.25, 1.0], [0.0, 0.0]]);
+}
+
+#[test]
+fn triangles_have_textures_of_their_own() {
+    let named = || Texture::from(crate::texture::Layer::default());
+    let mut args = TextArgs::new(
+        "triangle { <0,0,0>, <1,0,0>, <0,1,0> }
+        triangle { <0,0,0>, <1,0,0>, <0,0,1> texture_list { A B, A } }
+        triangle { <0,0,0>, <0,1,0>, <0,0,1> }",
+    )
+    .with("A", named())
+    .with("B", named());
+    let mesh = Mesh::read(&mut args).unwrap();
+    assert_eq!(mesh.skins().len(), 2);
+    let shares = mesh.shares(DVec3::new(0.25, 0.0, 0.5), 1);
+    let shares: Vec<_> = shares.iter().map(|s| (s.weight, s.skin)).collect();
+    assert_eq!(shares, [(0.25, 0), (0.25, 1), (0.5, 0)]);
+    assert!(mesh.shares(DVec3::ZERO, 0).is_empty());
+    assert!(mesh.shares(DVec3::ZERO, 2).is_empty());
+}
+
+#[test]
+fn what_a_mesh_does_not_have_takes_no_memory() {
+    let bare = mesh("triangle { <0,0,0>, <1,0,0>, <0,1,0> }");
+    assert!(bare.0.looks.is_none() && bare.0.smooth.is_empty() && bare.0.normals.is_empty());
 }
 
 #[test]

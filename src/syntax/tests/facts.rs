@@ -79,14 +79,14 @@ fn a_missing_quote_is_sought_in_the_first_string_that_spans_lines() {
     let text = "#include \"a.inc\"\n#include \"b.inc\n#include \"c.inc\"\n";
     let faults = lex(text).unwrap_err();
     assert_eq!(faults.len(), 1);
-    assert_eq!(faults[0].message, "no closing quote for this string");
+    assert_eq!(faults[0].message, "this string is not closed in its line");
     let starts: Vec<u32> = faults[0]
         .labels
         .iter()
         .map(|label| label.span.start)
         .collect();
-    assert_eq!(starts, [26, 42]);
-    assert_eq!(faults[0].span.unwrap().start, 48);
+    assert_eq!(starts, [42, 48]);
+    assert_eq!(faults[0].span.unwrap().start, 26);
 }
 
 #[test]
@@ -216,17 +216,17 @@ fn lexical_faults_are_shown_in_the_scene() {
     assert_eq!(
         annotated(&faults[0], &sources, Styling::Plain),
         "\
-error: no closing quote for this string
- --> x.pov:3:13
+error: this string is not closed in its line
+ --> x.pov:1:10
   |
 1 | #include \"a.inc
-  |          ------ this string spans lines: is its closing quote missing?
+  |          ^^^^^^
 2 | sphere { 1.5.2 }
 3 | #debug \"done\"
-  |        -    ^
+  |        -    - so that this one has no end
   |        |
   |        it ends only here
   |
-  = help: one missing quote turns all the later strings of the file inside out"
+  = help: Write `\"` at the end of the string."
     );
 }

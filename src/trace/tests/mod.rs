@@ -3,6 +3,7 @@
 //! Each scene stands as POV-Ray read it, but for the head that [`HEAD`] and [`view`] put before it. The picture has
 //! one pixel, whose ray runs along z. The whole way from text to light is taken.
 
+mod blocks;
 mod glass;
 mod light;
 mod mirrors;

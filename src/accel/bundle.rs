@@ -1,0 +1,513 @@
+//! Many rays from one point at once: those of a camera to a tile of the picture, or those between a light and the points
+//! that it may light.
+//!
+//! The tree is walked once for all of them. Nodes are tried against the pyramid around the rays, items by their balls
+//! against groups of eight rays and then against single ones, all in single precision with every doubt in favour of
+//! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
+//! are those of one ray at a time, to the bit.
+
+use super::node::{Cell, Frame, Node, WIDTH};
+use super::{Bvh, Pending, Stack};
+use crate::math::Bounds;
+use crate::math::lanes::{Eight, Kernel, eight};
+use crate::math::rounding::{f32_above, f32_below, nearest};
+use glam::{DVec3, Vec3};
+
+/// How many rays are tried at once.
+const LANES: usize = 8;
+/// Above the relative error of the single precision arithmetic here, some ten roundings.
+const DOUBT: f32 = 1.0e-6;
+/// Rays must not spread farther from their middle than this cosine, or a pyramid is no use.
+const LEAST_COSINE: f32 = 0.2;
+/// From farther away, in sizes of the tree, single precision cannot tell its items apart.
+const FARTHEST: f64 = 256.0;
+
+/// A number of rays from one point.
+#[derive(Debug, Default)]
+pub struct Bundle {
+    /// In the frame of the tree.
+    origin: DVec3,
+    groups: Vec<Group>,
+    cones: Vec<Cones>,
+    pyramid: Pyramid,
+    /// Frame lengths of world lengths.
+    scale: f64,
+}
+
+/// Eight rays: unit directions, and where each ends in the frame. A ray that is done ends before it begins.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Group {
+    dir: [[f32; LANES]; 3],
+    end: [f32; LANES],
+}
+
+/// The middle directions of eight groups, and how far a direction of the group can lie from it.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Cones {
+    middle: [[f32; LANES]; 3],
+    spread: [f32; LANES],
+}
+
+/// Four planes through the common origin; a box on the far side of one is not met.
+#[derive(Clone, Copy, Debug, Default)]
+struct Pyramid {
+    normals: [[f32; 3]; 4],
+    offsets: [f32; 4],
+    /// The origin rounded down and up.
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+/// A ball around an item, in the frame of its tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    centre: [f32; 3],
+    radius: f32,
+}
+
+impl Ball {
+    /// Around the points within `radius` of `centre`, or within the bounds if no radius is known.
+    pub(super) fn new(frame: &Frame, bounds: &Bounds, radius: Option<f64>) -> Self {
+        let centre = frame.place(0.5 * bounds.min + 0.5 * bounds.max);
+        let diagonal = || (0.5 * bounds.max - 0.5 * bounds.min).length();
+        let radius = radius.unwrap_or_else(diagonal) * frame.scale();
+        let rounded = [centre.x, centre.y, centre.z].map(nearest);
+        let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();
+        Ball {
+            centre: rounded,
+            radius: f32_above((radius + moved) * (1.0 + 1e-9)),
+        }
+    }
+}
+
+impl Bundle {
+    /// Takes rays for a walk through `tree`: unit directions, and where each ends. False if they cannot go together.
+    pub fn fill(
+        &mut self,
+        tree: &Bvh,
+        origin: DVec3,
+        rays: impl ExactSizeIterator<Item = (DVec3, f64)>,
+    ) -> bool {
+        self.origin = tree.frame.place(origin);
+        self.scale = tree.frame.scale();
+        // NaN is too far as well.
+        let is_near = self.origin.abs().max_element() < FARTHEST;
+        let count = rays.len();
+        if !is_near || count == 0 || !self.scale.is_normal() {
+            return false;
+        }
+        self.groups.clear();
+        self.groups.resize(count.div_ceil(LANES), Group::EMPTY);
+        let mut last = Vec3::ZERO;
+        for (number, (dir, end)) in rays.enumerate() {
+            let group = &mut self.groups[number / LANES];
+            last = dir.as_vec3();
+            group.set(number % LANES, last);
+            group.end[number % LANES] = frame_end(end, self.scale);
+        }
+        for number in count..self.groups.len() * LANES {
+            self.groups[number / LANES].set(number % LANES, last);
+        }
+        self.gather_cones();
+        self.gather_pyramid()
+    }
+
+    #[inline(always)]
+    fn gather_cones(&mut self) {
+        self.cones.clear();
+        for groups in self.groups.chunks(LANES) {
+            let mut cones = Cones {
+                middle: [[0.0; LANES]; 3],
+                spread: [f32::NEG_INFINITY; LANES],
+            };
+            for (place, group) in groups.iter().enumerate() {
+                let (middle, spread) = group.cone();
+                for axis in 0..3 {
+                    cones.middle[axis][place] = middle[axis];
+                }
+                cones.spread[place] = spread;
+            }
+            self.cones.push(cones);
+        }
+    }
+
+    /// Lays the pyramid around all rays; false if they spread too far.
+    #[inline(always)]
+    fn gather_pyramid(&mut self) -> bool {
+        let sum = self.groups.iter().fold(Vec3::ZERO, |sum, group| {
+            sum + Vec3::from_array(group.dir.map(|lanes| lanes.iter().sum()))
+        });
+        let Some(axis) = sum.try_normalize() else {
+            return false;
+        };
+        let (across, up) = axis.any_orthonormal_pair();
+        let mut low = [[f32::INFINITY; LANES]; 2];
+        let mut high = [[f32::NEG_INFINITY; LANES]; 2];
+        let mut least = [f32::INFINITY; LANES];
+        for group in &self.groups {
+            let along = group.dot(axis);
+            let inverse = along.map(|cosine| 1.0 / cosine);
+            for (side, dir) in [across, up].into_iter().enumerate() {
+                let slope = group.dot(dir);
+                for i in 0..LANES {
+                    let slope = slope[i] * inverse[i];
+                    low[side][i] = smaller(slope, low[side][i]);
+                    high[side][i] = larger(slope, high[side][i]);
+                }
+            }
+            for i in 0..LANES {
+                least[i] = smaller(along[i], least[i]);
+            }
+        }
+        let is_narrow = least.into_iter().all(|cosine| cosine > LEAST_COSINE);
+        let axis = axis.as_dvec3();
+        let mut planes = [(DVec3::ZERO, 0.0); 4];
+        for (side, dir) in [across.as_dvec3(), up.as_dvec3()].into_iter().enumerate() {
+            let low = f64::from(low[side].into_iter().fold(f32::INFINITY, smaller) - 16.0 * DOUBT);
+            let high =
+                f64::from(high[side].into_iter().fold(f32::NEG_INFINITY, larger) + 16.0 * DOUBT);
+            planes[2 * side] = (dir - high * axis, 0.0);
+            planes[2 * side + 1] = (low * axis - dir, 0.0);
+        }
+        for (place, (normal, _)) in planes.into_iter().enumerate() {
+            let offset = normal.dot(self.origin);
+            let slack = f64::from(8.0 * DOUBT) * (4.0 + offset.abs()) * (1.0 + normal.length());
+            self.pyramid.normals[place] = [normal.x, normal.y, normal.z].map(nearest);
+            self.pyramid.offsets[place] = nearest(offset + slack);
+        }
+        let origin = [self.origin.x, self.origin.y, self.origin.z];
+        self.pyramid.low = origin.map(f32_below);
+        self.pyramid.high = origin.map(f32_above);
+        is_narrow
+    }
+
+    /// The farthest end of a ray; negative when all are done.
+    #[inline(always)]
+    fn farthest(&self) -> f32 {
+        let mut farthest = [f32::NEG_INFINITY; LANES];
+        for group in &self.groups {
+            for i in 0..LANES {
+                farthest[i] = larger(group.end[i], farthest[i]);
+            }
+        }
+        farthest.into_iter().fold(f32::NEG_INFINITY, larger)
+    }
+
+    /// Tries an item against all rays; `visit` gets the number of each ray that may meet it.
+    #[inline(always)]
+    fn try_item(
+        &mut self,
+        ball: &Ball,
+        cell: Option<&Cell>,
+        mut visit: impl FnMut(u32) -> Option<f64>,
+    ) -> bool {
+        let to_centre = DVec3::from(ball.centre.map(f64::from)) - self.origin;
+        let centre = to_centre.as_vec3();
+        let distance = centre.length();
+        let radius = ball.radius + 2.0 * DOUBT * distance;
+        let slab = cell.map(|cell| Slab::new(cell, self.origin));
+        let mut is_shortened = false;
+        for cones in 0..self.cones.len() {
+            let mut met = eight(&ConesAndBall {
+                cones: &self.cones[cones],
+                centre,
+                radius,
+                distance,
+            });
+            while met != 0 {
+                let place = cones * LANES + met.trailing_zeros() as usize;
+                met &= met - 1;
+                let Some(group) = self.groups.get(place) else {
+                    break;
+                };
+                let mut rays = eight(&GroupAndBall {
+                    group,
+                    centre,
+                    radius,
+                });
+                if rays != 0
+                    && let Some(slab) = &slab
+                {
+                    rays &= eight(&GroupAndBox { group, slab });
+                }
+                while rays != 0 {
+                    let lane = rays.trailing_zeros() as usize;
+                    rays &= rays - 1;
+                    #[allow(clippy::cast_possible_truncation, reason = "a bundle has few rays")]
+                    if let Some(end) = visit((place * LANES + lane) as u32) {
+                        let end = frame_end(end, self.scale);
+                        self.groups[place].end[lane % LANES] = end;
+                        is_shortened = true;
+                    }
+                }
+            }
+        }
+        is_shortened
+    }
+}
+
+/// A box as seen from the common origin, rounded outward.
+struct Slab {
+    low: [f32; 3],
+    high: [f32; 3],
+}
+
+impl Slab {
+    #[inline(always)]
+    fn new(cell: &Cell, origin: DVec3) -> Self {
+        let relative = |end: f32, axis: usize| f64::from(end) - origin[axis];
+        Slab {
+            low: [0, 1, 2].map(|i| f32_below(relative(cell.low[i], i))),
+            high: [0, 1, 2].map(|i| f32_above(relative(cell.high[i], i))),
+        }
+    }
+}
+
+impl Group {
+    const EMPTY: Group = Group {
+        dir: [[0.0; LANES]; 3],
+        end: [f32::NEG_INFINITY; LANES],
+    };
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, dir: Vec3) {
+        for axis in 0..3 {
+            self.dir[axis][lane] = dir[axis];
+        }
+    }
+
+    #[inline(always)]
+    fn dot(&self, with: Vec3) -> [f32; LANES] {
+        let [x, y, z] = &self.dir;
+        let mut dot = [0.0; LANES];
+        for i in 0..LANES {
+            dot[i] = x[i] * with.x + y[i] * with.y + z[i] * with.z;
+        }
+        dot
+    }
+
+    /// The middle direction, and a bound on the distance of the others from it.
+    #[inline(always)]
+    fn cone(&self) -> (Vec3, f32) {
+        #[allow(clippy::cast_precision_loss, reason = "8 is exact")]
+        let middle = Vec3::from_array(
+            self.dir
+                .map(|lanes| lanes.iter().sum::<f32>() / LANES as f32),
+        );
+        let mut off = [0.0; LANES];
+        for i in 0..LANES {
+            let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
+            off[i] = x * x + y * y + z * z;
+        }
+        let farthest = off.into_iter().fold(0.0, larger);
+        (middle, farthest.sqrt() + 4.0 * DOUBT)
+    }
+}
+
+/// Which rays of a group may meet a ball, one bit each: its centre lies near the line, neither behind nor beyond the end.
+struct GroupAndBall<'a> {
+    group: &'a Group,
+    centre: Vec3,
+    radius: f32,
+}
+
+impl Kernel for GroupAndBall<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let dir: [E; 3] = load(&self.group.dir);
+        let centre = all(self.centre.to_array());
+        let radius = E::all(self.radius);
+        let limit = E::all(self.radius * self.radius * (1.0 + 4.0 * DOUBT));
+        let along = dot(dir, centre);
+        let is_near = length_sq(cross(dir, centre)).not_above(limit);
+        let is_ahead = E::all(0.0).not_above(along.plus(radius));
+        let is_before = along.minus(radius).not_above(E::load(&self.group.end));
+        is_near & is_ahead & is_before
+    }
+}
+
+/// Which rays of a group may meet a box, one bit each.
+struct GroupAndBox<'a> {
+    group: &'a Group,
+    slab: &'a Slab,
+}
+
+impl Kernel for GroupAndBox<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let mut enter = E::all(0.0);
+        let mut leave = E::load(&self.group.end);
+        for axis in 0..3 {
+            let inverse = E::all(1.0).over(E::load(&self.group.dir[axis]));
+            let low = E::all(self.slab.low[axis]).times(inverse);
+            let high = E::all(self.slab.high[axis]).times(inverse);
+            // The running bound where a plane says nothing (zero times infinity).
+            enter = low.smaller(high).larger(enter);
+            leave = high.larger(low).smaller(leave);
+        }
+        let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
+        enter
+            .minus(slack)
+            .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+    }
+}
+
+/// Which of eight groups may hold a ray that meets a ball, one bit each. Moving a direction by a length moves its
+/// distance from the centre by no more than that share of the distance of the centre.
+struct ConesAndBall<'a> {
+    cones: &'a Cones,
+    centre: Vec3,
+    radius: f32,
+    distance: f32,
+}
+
+impl Kernel for ConesAndBall<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let middle: [E; 3] = load(&self.cones.middle);
+        let centre = all(self.centre.to_array());
+        let reach = E::all(self.distance).times(E::load(&self.cones.spread));
+        let limit = E::all(self.radius).plus(reach);
+        let limit_sq = limit.times(limit).times(E::all(1.0 + 4.0 * DOUBT));
+        let is_near = length_sq(cross(middle, centre)).not_above(limit_sq);
+        is_near & E::all(0.0).not_above(limit)
+    }
+}
+
+#[inline(always)]
+fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
+}
+
+#[inline(always)]
+fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
+    [
+        a[1].times(b[2]).minus(a[2].times(b[1])),
+        a[2].times(b[0]).minus(a[0].times(b[2])),
+        a[0].times(b[1]).minus(a[1].times(b[0])),
+    ]
+}
+
+// A closure would not take part in the wide lanes of its caller, so these are spelt out.
+
+#[inline(always)]
+fn load<E: Eight>(from: &[[f32; LANES]; 3]) -> [E; 3] {
+    [E::load(&from[0]), E::load(&from[1]), E::load(&from[2])]
+}
+
+#[inline(always)]
+fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
+    [E::all(of[0]), E::all(of[1]), E::all(of[2])]
+}
+
+#[inline(always)]
+fn length_sq<E: Eight>(a: [E; 3]) -> E {
+    dot(a, a)
+}
+
+/// The square of how near each box of a node comes to the origin at the least, and which boxes a ray that ends at `end`
+/// may meet, one bit each.
+struct PyramidAndNode<'a> {
+    pyramid: &'a Pyramid,
+    node: &'a Node,
+    end: f32,
+}
+
+impl Kernel for PyramidAndNode<'_> {
+    type Answer = ([f32; WIDTH], u32);
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> ([f32; WIDTH], u32) {
+        let (planes, pyramid) = (self.node.planes(), self.pyramid);
+        let mut met = u32::MAX;
+        for side in 0..4 {
+            let normal = pyramid.normals[side];
+            // The corner that lies farthest to the inner side.
+            let corner = [
+                E::load(&planes[0][usize::from(normal[0] < 0.0)]),
+                E::load(&planes[1][usize::from(normal[1] < 0.0)]),
+                E::load(&planes[2][usize::from(normal[2] < 0.0)]),
+            ];
+            met &= dot(all(normal), corner).not_above(E::all(pyramid.offsets[side]));
+        }
+        let mut near_sq = E::all(0.0);
+        for axis in 0..3 {
+            let below = E::load(&planes[axis][0]).minus(E::all(pyramid.high[axis]));
+            let above = E::all(pyramid.low[axis]).minus(E::load(&planes[axis][1]));
+            let gap = below.larger(above).larger(E::all(0.0));
+            near_sq = near_sq.plus(gap.times(gap));
+        }
+        let reach = E::all(self.end * self.end * (1.0 + 16.0 * DOUBT));
+        (near_sq.store(), met & near_sq.not_above(reach))
+    }
+}
+
+impl Bvh {
+    /// Visits, roughly front to back, the pairs of an item and a ray of the bundle that may meet before the end of the
+    /// ray. `visit` gives the new end of the ray, if that changes: the distance of a hit, or a negative number for a ray
+    /// that is done.
+    #[inline(always)]
+    pub fn together(&self, bundle: &mut Bundle, mut visit: impl FnMut(u32, u32) -> Option<f64>) {
+        let mut end = bundle.farthest();
+        let mut pending: Stack<Pending> = Stack::new();
+        let mut next = self.root();
+        while let Some(child) = next {
+            next = None;
+            if let Some(node) = child.node() {
+                let node = &self.nodes[node as usize];
+                let (near_sq, met) = eight(&PyramidAndNode {
+                    pyramid: &bundle.pyramid,
+                    node,
+                    end,
+                });
+                next = super::nearest_child(node, &near_sq, met, &mut pending);
+            } else {
+                let item = child.item();
+                let (ball, cell) = (&self.balls[item as usize], self.cells.get(item as usize));
+                if bundle.try_item(ball, cell, |ray| visit(item, ray)) {
+                    end = bundle.farthest();
+                }
+            }
+            while next.is_none()
+                && let Some(place) = pending.pop()
+            {
+                let is_reached = end >= 0.0
+                    && place.enter * (1.0 - 8.0 * DOUBT) <= end * end * (1.0 + 8.0 * DOUBT);
+                next = is_reached.then_some(place.child);
+            }
+        }
+    }
+}
+
+/// Where a ray ends in the frame, at the latest.
+#[inline(always)]
+fn frame_end(end: f64, scale: f64) -> f32 {
+    let end = nearest(end * scale);
+    if end.is_nan() {
+        f32::INFINITY
+    } else {
+        end * (1.0 + 4.0 * DOUBT)
+    }
+}
+
+/// The second where one is not a number.
+#[inline(always)]
+fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The second where one is not a number.
+#[inline(always)]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}

@@ -1,0 +1,166 @@
+//! The command without a name: draws a scene as POV-Ray would, by POV-Ray's switches and ini files.
+
+use std::io::{self, IsTerminal, Read};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use super::error::CliError;
+use super::ini::Reader;
+use super::modern::{self, Modern};
+use super::progress::{Progress, ProgressKind};
+use super::report::{MessageFormat, Reporter, Stream, say};
+use super::settings::{self, Scene, Settings, Talk};
+use super::surroundings::Surroundings;
+use super::words;
+use crate::options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
+use crate::output;
+use crate::source::MAX_FILE_BYTES;
+
+/// Draws a scene: what the stages do together.
+pub(super) type Draw =
+    dyn Fn(&Input, &ReadOptions, &RenderOptions, &Listen<'_>) -> Result<Picture, Failure>;
+
+/// What a command line asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// To draw.
+    Draw(Box<Settings>),
+    /// To print a text: help, or the version.
+    Print(String),
+}
+
+/// Does what the arguments ask for. Every message goes to standard error; standard output takes the picture, if that
+/// is where it is to go, and nothing else.
+pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+    match request(arguments, around)? {
+        Request::Print(text) => {
+            say(text.trim_end());
+            Ok(ExitCode::SUCCESS)
+        }
+        Request::Draw(settings) => carry_out(&settings, &crate::draw),
+    }
+}
+
+/// What the arguments, without the program's own name, ask for.
+///
+/// # Errors
+/// When an option is unknown, has no sense, or asks for what is not built; when a named file is not there.
+pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, CliError> {
+    let standard_folders: Vec<PathBuf> = around.standard_folders()?;
+    let mut typed = around.typed(&standard_folders)?;
+    let mut reader = Reader::new(&mut typed, &standard_folders);
+    let mut rest = arguments;
+    while let Some((first, others)) = rest.split_first() {
+        if first == "--" {
+            if let Some(scene) = others.last() {
+                reader.typed.scene = Some(scene.clone());
+            }
+            break;
+        }
+        let modern = modern::length::<Modern>(rest);
+        if modern > 0 {
+            let (option, others) = rest.split_at(modern);
+            match modern::parse::<Modern>(option) {
+                Ok(given) => given.set(reader.typed),
+                Err(said) => return modern::printed(&said).map(Request::Print),
+            }
+            rest = others;
+        } else {
+            for word in words::of_argument(first) {
+                words::read(&mut reader, &word)?;
+            }
+            rest = others;
+        }
+    }
+    let settings = settings::settle(typed, &standard_folders)?;
+    Ok(Request::Draw(Box::new(settings)))
+}
+
+/// Draws and writes.
+///
+/// # Errors
+/// When the scene cannot be had, or the picture cannot be written. A faulty scene has been told of.
+pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, CliError> {
+    let talk = settings.talk;
+    let input = settings.scene.input()?;
+    let mut reporter = Reporter::new(talk.format, Stream::Err);
+    reporter.warns = talk.warnings && !talk.quiet;
+    reporter.debugs = talk.debugs && !talk.quiet;
+    if reporter.warns {
+        settings.warnings.iter().for_each(say);
+    }
+    if talk.verbose && !talk.quiet {
+        settings.notes.iter().for_each(say);
+    }
+    let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
+    let drawn = draw(
+        &input,
+        &settings.read,
+        &settings.render,
+        &|event| match event {
+            Event::Drawn(pixels) => progress.advance(pixels),
+            event => reporter.hear(event),
+        },
+    );
+    progress.finish();
+    reporter.take_counts();
+    let Ok(picture) = drawn else {
+        return Ok(ExitCode::FAILURE);
+    };
+    if let Some((target, options)) = &settings.output {
+        let options = output::EncodeOptions {
+            working: picture.working,
+            ..options.clone()
+        };
+        output::write(&picture.film, target, &options).map_err(|refused| {
+            let error = CliError::new(refused.to_string());
+            match refused.hint() {
+                Some(hint) => error.with_hint(hint),
+                None => error,
+            }
+        })?;
+    }
+    if talk.stats && !picture.statistics.is_empty() {
+        say(picture.statistics.trim_end());
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+impl Scene {
+    /// The scene as reading takes it; standard input is read to its end.
+    pub(super) fn input(&self) -> Result<Input, CliError> {
+        let Scene::File(path) = self else {
+            let mut text = Vec::new();
+            io::stdin()
+                .lock()
+                .take(MAX_FILE_BYTES + 1)
+                .read_to_end(&mut text)
+                .map_err(|error| CliError::new(format!("cannot read standard input: {error}")))?;
+            if text.len() as u64 > MAX_FILE_BYTES {
+                return Err(CliError::new("standard input is too large for a scene"));
+            }
+            return Ok(Input::Text {
+                name: "standard input".to_owned(),
+                text,
+            });
+        };
+        Ok(Input::File(path.clone()))
+    }
+}
+
+fn progress_kind(talk: Talk) -> ProgressKind {
+    if talk.quiet || talk.format == MessageFormat::Json {
+        ProgressKind::Nothing
+    } else if io::stderr().is_terminal() {
+        ProgressKind::Bar
+    } else if talk.verbose {
+        ProgressKind::Lines
+    } else {
+        ProgressKind::Nothing
+    }
+}
+
+fn pixels(render: &RenderOptions) -> u64 {
+    u64::from(render.columns.end - render.columns.start)
+        * u64::from(render.rows.end - render.rows.start)
+}

@@ -1,0 +1,152 @@
+//! The lights of a world: which of them shine on a surface, and what they are projected through.
+
+use super::csg::{Found, Program};
+use super::leaf::Leaf;
+use super::world::{Query, Scratch};
+use crate::light::Light;
+
+/// Which lights shine on a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct LightList(u32);
+
+/// What a `light_group`, or what lies outside of all groups, is lit by.
+#[derive(Debug)]
+struct Listed {
+    has_global: bool,
+    own: Vec<u32>,
+}
+
+/// The lights of a scene with what they shine on.
+#[derive(Debug)]
+pub struct Lights {
+    lights: Vec<Light>,
+    /// The lights outside of all groups.
+    global: Vec<u32>,
+    listed: Vec<Listed>,
+    /// For each list, the numbers of its lights.
+    lists: Vec<Box<[u32]>>,
+    /// What lights are projected through, by the numbers of the lights.
+    projectors: Vec<(u32, Program)>,
+}
+
+impl Default for Lights {
+    fn default() -> Self {
+        Lights {
+            lights: Vec::new(),
+            global: Vec::new(),
+            listed: vec![Listed {
+                has_global: true,
+                own: Vec::new(),
+            }],
+            lists: Vec::new(),
+            projectors: Vec::new(),
+        }
+    }
+}
+
+impl Lights {
+    /// A new list for a group.
+    pub(super) fn group(&mut self, has_global: bool) -> LightList {
+        self.listed.push(Listed {
+            has_global,
+            own: Vec::new(),
+        });
+        LightList(number(self.listed.len() - 1))
+    }
+
+    /// Takes in a light, of a group or of all, and gives its number.
+    pub(super) fn add(&mut self, light: Light, group: Option<LightList>) -> u32 {
+        let light_number = number(self.lights.len());
+        self.lights.push(light);
+        match group {
+            Some(group) => self.listed[group.0 as usize].own.push(light_number),
+            None => self.global.push(light_number),
+        }
+        light_number
+    }
+
+    /// What lights are projected through.
+    pub(super) fn projectors_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        self.projectors.iter_mut().map(|(_, program)| program)
+    }
+
+    /// Says what a light is projected through.
+    pub(super) fn project(&mut self, light: u32, program: Program) {
+        self.projectors.push((light, program));
+    }
+
+    /// Makes the lists, when all lights are known.
+    pub(super) fn finish(&mut self) {
+        let list = |listed: &Listed| {
+            let global = self.global.iter().filter(|_| listed.has_global);
+            global.chain(&listed.own).copied().collect()
+        };
+        self.lists = self.listed.iter().map(list).collect();
+    }
+
+    /// The numbers of the lights in a list.
+    #[must_use]
+    pub fn of(&self, list: LightList) -> &[u32] {
+        &self.lists[list.0 as usize]
+    }
+
+    /// The light of a number.
+    #[must_use]
+    pub fn get(&self, number: u32) -> &Light {
+        &self.lights[number as usize]
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.lights.is_empty()
+    }
+
+    /// All of them, in the order of the scene.
+    pub fn iter(&self) -> impl Iterator<Item = &Light> {
+        self.lights.iter()
+    }
+
+    /// Whether a light shines only through some object.
+    #[must_use]
+    pub fn is_projected(&self, light: u32) -> bool {
+        self.projector(light).is_some()
+    }
+
+    fn projector(&self, light: u32) -> Option<&Program> {
+        let mut projectors = self.projectors.iter();
+        projectors
+            .find(|(projected, _)| *projected == light)
+            .map(|(_, program)| program)
+    }
+
+    /// How far things cast shadows on a ray to a light: up to what it is projected through. `None` where the ray
+    /// misses that, and so the light.
+    pub(super) fn reach(
+        &self,
+        light: u32,
+        leaves: &[Leaf],
+        query: &Query,
+        scratch: &mut Scratch,
+    ) -> Option<f64> {
+        let Some(program) = self.projector(light) else {
+            return Some(query.far);
+        };
+        let any = |_: &Found| true;
+        let span = (0.0, query.far);
+        let (from, sweep) = (query.from.as_ref(), &mut scratch.sweep);
+        program
+            .nearest(leaves, &query.ray, span, from, sweep, any)
+            .map(|found| found.root.t)
+    }
+}
+
+fn number(len: usize) -> u32 {
+    u32::try_from(len).expect("the number of objects is limited below 2^32")
+}

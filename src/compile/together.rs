@@ -1,0 +1,119 @@
+//! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
+
+use super::world::{Best, Hit, Query, Scratch, Way, World};
+use crate::math::lanes::with_widest;
+use glam::DVec3;
+
+impl World {
+    /// The nearest visible surface on each of these rays, which start at the same point and lie in an order in which
+    /// neighbours differ little.
+    pub fn nearest_of(
+        &self,
+        queries: &[Query],
+        scratch: &mut Scratch,
+        hits: &mut Vec<Option<Hit>>,
+    ) {
+        hits.clear();
+        let Some(first) = queries.first() else {
+            return;
+        };
+        let origin = first.ray.origin;
+        let mut bundle = std::mem::take(&mut scratch.bundle);
+        let mut bests = std::mem::take(&mut scratch.bests);
+        bests.clear();
+        with_widest(
+            #[inline(always)]
+            || {
+                for query in queries {
+                    let mut best = None;
+                    let mut far = query.far;
+                    for &item in &self.finder().unbounded {
+                        far = self.try_item(item, query, far, &mut best, scratch);
+                    }
+                    bests.push(best);
+                }
+                let far = |number: usize, bests: &[Option<Best>]| {
+                    bests[number].map_or(queries[number].far, |best| best.found.root.t)
+                };
+                let rays =
+                    (0..queries.len()).map(|number| (queries[number].ray.dir, far(number, &bests)));
+                if !bundle.fill(&self.finder().tree, origin, rays) {
+                    for (query, best) in queries.iter().zip(&mut bests) {
+                        self.nearest_bounded(query, best, scratch);
+                    }
+                    return;
+                }
+                self.finder().tree.together(
+                    &mut bundle,
+                    #[inline(always)]
+                    |number, ray| {
+                        let ray = ray as usize;
+                        let old = far(ray, &bests);
+                        let item = self.finder().bounded[number as usize];
+                        let new = self.try_item(item, &queries[ray], old, &mut bests[ray], scratch);
+                        (new < old).then_some(new)
+                    },
+                );
+            },
+        );
+        let found = queries.iter().zip(&bests);
+        hits.extend(found.map(|(query, best)| best.map(|best| self.hit(query, &best.found))));
+        scratch.bundle = bundle;
+        scratch.bests = bests;
+    }
+
+    /// What lies on each of these rays to the light of this number at `centre`, in an order in which neighbours differ
+    /// little.
+    pub fn ways_of(
+        &self,
+        queries: &[Query],
+        centre: DVec3,
+        light: u32,
+        scratch: &mut Scratch,
+        ways: &mut Vec<Way>,
+    ) {
+        ways.clear();
+        let mut bundle = std::mem::take(&mut scratch.bundle);
+        with_widest(
+            #[inline(always)]
+            || {
+                for query in queries {
+                    let mut way = Way::Free;
+                    let mut unbounded = self.finder().unbounded.iter();
+                    if unbounded.any(|&item| self.blocks(item, query, &mut way, scratch)) {
+                        way = Way::Blocked;
+                    }
+                    ways.push(way);
+                }
+                let rays = queries.iter().zip(ways.iter()).map(|(query, way)| {
+                    let end = if *way == Way::Blocked {
+                        f64::NEG_INFINITY
+                    } else {
+                        (centre - query.ray.origin).length()
+                    };
+                    (-query.ray.dir, end)
+                });
+                if !bundle.fill(&self.finder().tree, centre, rays) {
+                    for (query, way) in queries.iter().zip(ways.iter_mut()) {
+                        *way = self.way_found(query, light, scratch);
+                    }
+                    return;
+                }
+                self.finder().tree.together(
+                    &mut bundle,
+                    #[inline(always)]
+                    |number, ray| {
+                        let ray = ray as usize;
+                        let item = self.finder().bounded[number as usize];
+                        let is_blocked = self.blocks(item, &queries[ray], &mut ways[ray], scratch);
+                        is_blocked.then(|| {
+                            ways[ray] = Way::Blocked;
+                            f64::NEG_INFINITY
+                        })
+                    },
+                );
+            },
+        );
+        scratch.bundle = bundle;
+    }
+}

@@ -1,0 +1,123 @@
+//! `trace` and `inside`: what a scene asks the drawing wing about its own objects while it is read.
+
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::Parse;
+use crate::scene::Object;
+use crate::source::Diagnostic;
+use crate::syntax::{Kind, Symbol};
+use glam::DVec3;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// Answers about objects of the scene that is being read. Points and directions are in the object's surroundings: the
+/// world, if it were placed there as it is.
+pub trait Probe {
+    /// The first surface on the ray from `from` along `dir`, which need not have length 1: the point, and the normal
+    /// there as the object gives it, of length 1, smoothed where the object is, not turned towards the ray.
+    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)>;
+
+    /// Whether a point lies in a solid object.
+    fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool;
+}
+
+/// Sees nothing: for reading without a drawing wing.
+#[derive(Clone, Copy, Debug)]
+pub struct Blind;
+
+impl Probe for Blind {
+    fn trace(&mut self, _: &Arc<Object>, _: DVec3, _: DVec3) -> Option<(DVec3, DVec3)> {
+        None
+    }
+
+    fn is_inside(&mut self, _: &Arc<Object>, _: DVec3) -> bool {
+        false
+    }
+}
+
+/// The variable that takes the normal of `trace`: a name, or an item of the array of that name.
+struct Target {
+    symbol: Symbol,
+    item: Option<usize>,
+}
+
+impl Reader<'_> {
+    /// `object, from, direction [, variable for the normal]` behind `trace(`. A miss gives zeros.
+    pub(super) fn trace(&mut self) -> Parse<Number> {
+        let object = self.probed_object("trace")?;
+        self.take_mark(',')?;
+        let from = self.vector3()?;
+        self.take_mark(',')?;
+        let dir = self.vector3()?;
+        let target = if self.take_mark(',')? {
+            Some(self.normal_target()?)
+        } else {
+            None
+        };
+        let hit = self.probe.trace(&object, from, dir);
+        let (point, normal) = hit.unwrap_or((DVec3::ZERO, DVec3::ZERO));
+        if let Some(target) = target {
+            self.set_normal(&target, Value::Number(Number::vector(normal)))?;
+        }
+        Ok(Number::vector(point))
+    }
+
+    /// `object, point` behind `inside(`.
+    pub(super) fn inside(&mut self) -> Parse<Number> {
+        let object = self.probed_object("inside")?;
+        if !object.is_solid() {
+            let error = Diagnostic::error(self.taken_span(), "this object has no inside");
+            return Err(self.with_trace(error.with_hint(
+                "Triangles, meshes without `inside_vector` and lights have none, nor has what holds one.",
+            )));
+        }
+        self.take_mark(',')?;
+        let point = self.vector3()?;
+        Ok(Number::truth(self.probe.is_inside(&object, point)))
+    }
+
+    fn probed_object(&mut self, function: &str) -> Parse<Arc<Object>> {
+        match self.object_of_name()? {
+            Some(object) => Ok(object),
+            None => Err(self.expected_here(&format!("the name of an object in `{function}`"))),
+        }
+    }
+
+    fn normal_target(&mut self) -> Parse<Target> {
+        let what = "the name of a vector that takes the normal";
+        if self.peek()?.kind != Kind::Name {
+            return Err(self.expected_here(what));
+        }
+        let symbol = self.identifier(what)?;
+        let (item, is_vector) = match self.scopes.get(symbol) {
+            Some(Value::Array(array)) => {
+                let array = Rc::clone(array);
+                let at = self.array_index(&array.sizes)?;
+                (Some(at), array.items[at].as_ref().is_some_and(is_vector))
+            }
+            Some(Value::Poison) => return Err(self.consequence()),
+            held => (None, held.is_some_and(is_vector)),
+        };
+        if !is_vector {
+            let error = self.error_taken(format!("expected {what}"));
+            return Err(Box::new(
+                error.with_hint("Declare it before: `#declare Normal = <0, 0, 0>;`."),
+            ));
+        }
+        Ok(Target { symbol, item })
+    }
+
+    fn set_normal(&mut self, target: &Target, value: Value) -> Parse<()> {
+        match target.item {
+            None => {
+                self.scopes.declare(target.symbol, value);
+                Ok(())
+            }
+            Some(at) => self.set_item(target.symbol, at, value),
+        }
+    }
+}
+
+fn is_vector(value: &Value) -> bool {
+    matches!(value, Value::Number(Number { len: 3, .. }))
+}

@@ -1,0 +1,313 @@
+//! POV-Ray's solid noise: values and vectors that vary smoothly in space, and sums of them in octaves.
+//!
+//! Lattice noise after Perlin ("An Image Synthesizer", SIGGRAPH 1985): each corner of a cell has a hashed offset and
+//! gradient, and smooth weights blend the eight. The tables, the hash and the order of sums are POV-Ray's, so that
+//! values agree to the bit wherever the processor does.
+
+mod perlin;
+mod tables;
+
+use super::hash::{TABLE, wrapped};
+use glam::DVec3;
+pub use perlin::Perlin;
+use tables::RANDOM;
+
+/// What is missing to 1 where a negative coordinate is taken to the cell below, as in POV-Ray.
+const EPSILON: f64 = 1e-10;
+/// Moves cells about the origin into the positive; it also decides which entries they hash to.
+const ORIGIN: i64 = 10_000;
+/// Most octaves that are summed.
+const MOST_OCTAVES: u32 = 10;
+
+/// The order in which vector noise adds the corners: each is a neighbour of the one before.
+const ROUND_THE_CELL: [usize; 8] = [0, 1, 3, 2, 6, 7, 5, 4];
+
+/// `noise_generator`: which noise the patterns use.
+#[derive(Clone, Copy, Debug, Default)]
+pub enum NoiseGenerator {
+    /// 1: the noise of versions up to 3.1; flat where it is cut off at 0 and 1.
+    Original,
+    /// 2: the same, scaled to stay within 0 and 1.
+    #[default]
+    RangeCorrected,
+    /// 3: gradient noise, with its tables.
+    Perlin(&'static Perlin),
+}
+
+impl PartialEq for NoiseGenerator {
+    fn eq(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
+    }
+}
+
+/// How octaves of noise are summed; in single precision as POV-Ray keeps it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Octaves {
+    /// `octaves`: how many are summed, 1 to 10.
+    pub count: u32,
+    /// `lambda`: the frequency of one relative to the one before.
+    pub lambda: f32,
+    /// `omega`: the size of one relative to the one before.
+    pub omega: f32,
+}
+
+impl Default for Octaves {
+    fn default() -> Self {
+        Octaves {
+            count: 6,
+            lambda: 2.0,
+            omega: 0.5,
+        }
+    }
+}
+
+impl Octaves {
+    /// Octaves as a scene writes them: their number is cut to what POV-Ray sums.
+    #[must_use]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the number is cut to 1..=10"
+    )]
+    pub fn count_of(written: f64) -> u32 {
+        written.clamp(1.0, f64::from(MOST_OCTAVES)) as u32
+    }
+
+    /// The size and frequency of each octave but the first, for which both are 1.
+    fn above_the_first(self) -> impl Iterator<Item = (f64, f64)> {
+        let (omega, lambda) = (f64::from(self.omega), f64::from(self.lambda));
+        let next = move |(size, frequency): &(f64, f64)| Some((size * omega, frequency * lambda));
+        std::iter::successors(Some((omega, lambda)), next).take(self.count.max(1) as usize - 1)
+    }
+}
+
+impl NoiseGenerator {
+    /// The generator that a scene names by number; the nearest one if there is none of it.
+    #[must_use]
+    pub fn of_number(number: f64) -> Self {
+        if number < 2.0 {
+            NoiseGenerator::Original
+        } else if number < 3.0 {
+            NoiseGenerator::RangeCorrected
+        } else {
+            NoiseGenerator::Perlin(perlin::tables())
+        }
+    }
+
+    /// The noise at a point, 0 to 1.
+    #[must_use]
+    pub fn noise(self, point: DVec3) -> f64 {
+        let noise = match self {
+            NoiseGenerator::Original => lattice_noise(point) + 0.5,
+            NoiseGenerator::RangeCorrected => (lattice_noise(point) + 1.05242) * 0.489_855_82,
+            NoiseGenerator::Perlin(perlin) => 0.5 * (1.59 * perlin.noise(point) + 0.985),
+        };
+        noise.clamp(0.0, 1.0)
+    }
+
+    /// Octaves of noise; the first is cut to 0 and 1, the sum is not.
+    #[must_use]
+    pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
+        let centred = |point: DVec3| match self {
+            NoiseGenerator::Original => self.noise(point),
+            _ => 2.0 * self.noise(point) - 0.5,
+        };
+        let mut value = centred(point).clamp(0.0, 1.0);
+        for (size, frequency) in octaves.above_the_first() {
+            value += size * centred(point * frequency);
+        }
+        value
+    }
+}
+
+/// Noise in three components, each about -0.5 to 0.5; the same for all generators.
+#[must_use]
+pub fn vector_noise(point: DVec3) -> DVec3 {
+    let lattice = Lattice::new(point);
+    let mut sum = DVec3::ZERO;
+    for corner in ROUND_THE_CELL {
+        let (first, weight, above) = lattice.corner(corner);
+        sum.x += weight * linear(first, above);
+        sum.y += weight * linear(first + 4, above);
+        sum.z += weight * linear(first + 8, above);
+    }
+    sum
+}
+
+/// Octaves of vector noise.
+#[must_use]
+pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
+    let mut value = vector_noise(point);
+    for (size, frequency) in octaves.above_the_first() {
+        value += size * vector_noise(point * frequency);
+    }
+    value
+}
+
+/// `3t² - 2t³`, which leaves 0 and reaches 1 without a slope.
+#[must_use]
+pub fn smooth(t: f64) -> f64 {
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// The sum over the corners of a cell.
+fn lattice_noise(point: DVec3) -> f64 {
+    let lattice = Lattice::new(point);
+    (0..8).fold(0.0, |sum, corner| {
+        let (first, weight, above) = lattice.corner(corner);
+        sum + weight * linear(first, above)
+    })
+}
+
+/// A linear function whose coefficients stand in the random table.
+fn linear(first: usize, above: DVec3) -> f64 {
+    let r = &RANDOM[first..first + 4];
+    r[0] * 0.5 + r[1] * above.x + r[2] * above.y + r[3] * above.z
+}
+
+/// A point within a cell of the lattice.
+struct Lattice {
+    cell: [usize; 3],
+    above: DVec3,
+    weight: DVec3,
+}
+
+impl Lattice {
+    fn new(point: DVec3) -> Self {
+        let (x, fx) = cell(point.x);
+        let (y, fy) = cell(point.y);
+        let (z, fz) = cell(point.z);
+        Lattice {
+            cell: [x, y, z],
+            above: DVec3::new(fx, fy, fz),
+            weight: DVec3::new(smooth(fx), smooth(fy), smooth(fz)),
+        }
+    }
+
+    /// The first coefficient of a corner, its weight, and the point relative to it. The bits of `corner` are x, y, z.
+    #[inline(always)]
+    fn corner(&self, corner: usize) -> (usize, f64, DVec3) {
+        let [dx, dy, dz] = [corner & 1, (corner >> 1) & 1, corner >> 2];
+        let [x, y, z] = self.cell;
+        let row = usize::from(TABLE[x + dx]) ^ (y + dy);
+        let first = usize::from(TABLE[usize::from(TABLE[row]) ^ (z + dz)]) & 255;
+        let share = |d: usize, weight: f64| if d == 1 { weight } else { 1.0 - weight };
+        let weight = share(dx, self.weight.x) * share(dy, self.weight.y) * share(dz, self.weight.z);
+        let corner = DVec3::new(dx as f64, dy as f64, dz as f64);
+        (first, weight, self.above - corner)
+    }
+}
+
+/// The cell of a coordinate, wrapped, and how far the coordinate lies above it.
+fn cell(t: f64) -> (usize, f64) {
+    let whole = if t >= 0.0 { t } else { t - (1.0 - EPSILON) }.trunc();
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "the cast saturates; so far out there is no pattern left"
+    )]
+    let cell = wrapped((whole as i64).saturating_add(ORIGIN));
+    (cell, t - whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The points of the facts, appendix A.
+    const POINTS: [DVec3; 3] = [
+        DVec3::new(0.3, 0.2, 0.1),
+        DVec3::new(-1.7, 2.25, 0.6),
+        DVec3::new(12.34, -5.67, 8.9),
+    ];
+
+    #[test]
+    fn the_generators_are_those_of_pov_ray() {
+        // Facts, appendix A; ten digits are printed there.
+        let expected = [
+            [0.209_924_647_6, 0.801_849_110_5, 0.392_921_149_1],
+            [0.373_438_962_5, 0.663_396_605_6, 0.463_080_863_8],
+            [0.578_735_912_4, 0.517_431_379_0, 0.543_519_081_6],
+        ];
+        for (number, expected) in [1.0, 2.0, 3.0].into_iter().zip(expected) {
+            let generator = NoiseGenerator::of_number(number);
+            for (point, value) in POINTS.into_iter().zip(expected) {
+                let noise = generator.noise(point);
+                assert!((noise - value).abs() < 1e-10, "{number} {point} {noise}");
+            }
+        }
+    }
+
+    #[test]
+    fn values_are_those_of_pov_ray_to_the_bit() {
+        // Printed by POV-Ray 3.7 with twenty digits: `f_noise_generator` and `vturbulence`.
+        let point = DVec3::new(
+            0.505_593_364_054_149_2,
+            0.457_880_659_258_567_47,
+            -0.640_897_446_641_823_6,
+        );
+        let noise = [1.0, 2.0, 3.0].map(|n| NoiseGenerator::of_number(n).noise(point));
+        let expected = [
+            0.293_844_141_993_058_2,
+            0.414_547_415_212_605_9,
+            0.398_281_382_159_354_1,
+        ];
+        assert_eq!(noise, expected);
+        let expected = DVec3::new(
+            -0.206_155_858_006_941_78,
+            0.105_386_493_936_168_78,
+            0.301_794_675_074_659_6,
+        );
+        assert_eq!(vector_noise(point), expected);
+        let octaves = Octaves {
+            count: 5,
+            lambda: 2.3,
+            omega: 0.7,
+        };
+        let expected = DVec3::new(
+            -0.161_400_766_978_217_65,
+            0.281_070_275_509_701_65,
+            0.267_388_712_591_477_56,
+        );
+        assert_eq!(vector_turbulence(point, &octaves), expected);
+    }
+
+    #[test]
+    fn vector_noise_is_that_of_pov_ray() {
+        // Facts, appendix A.
+        let expected = [
+            DVec3::new(-0.290_075_352_4, -0.053_512_751_7, -0.394_393_213_0),
+            DVec3::new(0.301_849_110_5, -0.100_780_619_9, 0.107_387_320_3),
+            DVec3::new(-0.107_078_850_9, 0.282_105_694_3, -0.150_839_377_0),
+        ];
+        for (point, expected) in POINTS.into_iter().zip(expected) {
+            assert!(
+                (vector_noise(point) - expected).abs().max_element() < 1e-10,
+                "{point}"
+            );
+        }
+    }
+
+    #[test]
+    fn vector_turbulence_is_that_of_pov_ray() {
+        // Facts, appendix A.
+        let expected = [
+            DVec3::new(-0.426_615_879_9, -0.193_939_078_4, -0.365_478_992_6),
+            DVec3::new(0.224_776_295_7, -0.140_241_935_6, 0.219_361_663_2),
+            DVec3::new(-0.084_618_163_3, 0.338_964_799_5, -0.013_158_720_8),
+        ];
+        for (point, expected) in POINTS.into_iter().zip(expected) {
+            let value = vector_turbulence(point, &Octaves::default());
+            assert!((value - expected).abs().max_element() < 1e-10, "{point}");
+        }
+    }
+
+    #[test]
+    fn points_far_out_have_a_value() {
+        for point in [DVec3::splat(1e17), DVec3::splat(f64::MAX), DVec3::NAN] {
+            for number in [1.0, 2.0, 3.0] {
+                let _ = NoiseGenerator::of_number(number).noise(point);
+            }
+            let _ = vector_turbulence(point, &Octaves::default());
+        }
+    }
+}

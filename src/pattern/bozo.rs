@@ -1,0 +1,31 @@
+//! `bozo`, `spotted` and `bumps`: plain noise.
+
+use super::formula::NoiseFormula;
+use super::{Pattern, Stop};
+use crate::args::{Args, Parse};
+use crate::color::{Color, Rgb};
+use crate::math::noise::NoiseGenerator;
+
+/// The colours that POV-Ray gives where the scene does not.
+const COLORS: [Stop; 8] = [
+    (0.0, Color::opaque(Rgb::WHITE)),
+    (0.4, Color::opaque(Rgb::WHITE)),
+    (0.4, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
+    (0.6, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
+    (0.6, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (0.8, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (0.8, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
+    (1.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
+];
+
+/// `bozo`, which has colours of its own.
+pub(super) fn bozo(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(NoiseGenerator::noise)
+        .with_map(&COLORS)
+        .boxed()
+}
+
+/// `spotted` and `bumps`, from black to white.
+pub(super) fn spotted(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(NoiseGenerator::noise).boxed()
+}

@@ -1,0 +1,16 @@
+//! `dents`: noise with rare peaks, its third power.
+
+use super::Pattern;
+use super::formula::NoiseFormula;
+use crate::args::{Args, Parse};
+use crate::math::noise::NoiseGenerator;
+use glam::DVec3;
+
+pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(value).boxed()
+}
+
+fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
+    let noise = generator.noise(point);
+    noise * noise * noise
+}

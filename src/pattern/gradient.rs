@@ -1,0 +1,30 @@
+//! `gradient`: straight through the map along a direction, once for each unit of length.
+
+use super::{Pattern, Preparing, Spot, Value};
+use crate::args::{Args, Parse};
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug)]
+struct Gradient {
+    /// A unit vector; zero where the scene gives none.
+    dir: DVec3,
+}
+
+pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let dir = args.vector()?.normalize_or_zero();
+    Ok(Box::new(Gradient { dir }))
+}
+
+impl Pattern for Gradient {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+        Box::new(*self)
+    }
+}
+
+impl Value for Gradient {
+    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+        let along = point.dot(self.dir);
+        // The wave takes the remainder again, of a little more than 1; below zero it alone does.
+        if along > 1.0 { along % 1.0 } else { along }
+    }
+}

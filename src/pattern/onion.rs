@@ -1,0 +1,14 @@
+//! `onion`: concentric shells of thickness 1.
+
+use super::Pattern;
+use super::formula::Formula;
+use crate::args::{Args, Parse};
+use glam::DVec3;
+
+pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Formula::new(value).boxed()
+}
+
+fn value(p: DVec3) -> f64 {
+    (p.x * p.x + p.y * p.y + p.z * p.z).sqrt() % 1.0
+}

@@ -1,0 +1,50 @@
+//! `quilted`: cushions in unit cubes, flat where `control0` and `control1` say.
+
+use super::{Pattern, Preparing, Spot, Value, Wave};
+use crate::args::{Args, Parse, Word};
+use glam::DVec3;
+
+/// `2 / sqrt 3`, which takes the corner of a cube to 1.
+const SCALE: f64 = 1.154_700_538;
+
+#[derive(Clone, Copy, Debug)]
+struct Quilted {
+    controls: [f32; 2],
+}
+
+pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Ok(Box::new(Quilted { controls: [1.0; 2] }))
+}
+
+impl Pattern for Quilted {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+        Box::new(*self)
+    }
+
+    fn default_wave(&self) -> Wave {
+        Wave::NONE
+    }
+
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let control = match word {
+            Word::Control0 => &mut self.controls[0],
+            Word::Control1 => &mut self.controls[1],
+            _ => return Ok(false),
+        };
+        args.accept(word)?;
+        *control = args.single()?;
+        Ok(true)
+    }
+}
+
+impl Value for Quilted {
+    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+        let from_centre = point - point.floor() - 0.5;
+        let t = from_centre.length();
+        let [c0, c1] = self.controls.map(f64::from);
+        let s = 1.0 - t;
+        let height = t * t * t + 3.0 * t * s * s * c0 + 3.0 * t * t * s * c1;
+        let v = (from_centre * (height * SCALE)).abs();
+        (v.x + v.y + v.z) / 3.0
+    }
+}

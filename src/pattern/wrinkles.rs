@@ -1,0 +1,29 @@
+//! `wrinkles`: ten octaves of noise, each cut off below and above.
+
+use super::Pattern;
+use super::formula::NoiseFormula;
+use crate::args::{Args, Parse};
+use crate::math::noise::NoiseGenerator;
+use glam::DVec3;
+
+/// How many octaves are summed.
+const OCTAVES: u32 = 10;
+
+pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(value).boxed()
+}
+
+fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
+    let cut = |point: DVec3| match generator {
+        NoiseGenerator::Original => generator.noise(point),
+        _ => (2.0 * generator.noise(point) - 0.5).clamp(0.0, 1.0),
+    };
+    let (mut frequency, mut size) = (1.0, 1.0);
+    let mut sum = 0.0;
+    for _ in 0..OCTAVES {
+        sum += size * cut(point * frequency);
+        frequency *= 2.0;
+        size *= 0.5;
+    }
+    sum / 2.0
+}

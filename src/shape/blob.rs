@@ -1,0 +1,247 @@
+//! `blob { threshold, spheres and cylinders of a field }`: where the sum of all fields exceeds the threshold.
+//!
+//! A component has the field `strength · (1 − d²)²`, where `d` is the distance from its centre (of a cylinder: from the
+//! stretch between its ends) in units of its radius, and none where `d > 1`. Along a ray `d²` is quadratic, so that
+//! between the places where the ray enters or leaves a component, or passes an end of a cylinder, the sum is a quartic.
+//! Each such stretch is centred and scaled to -1..1. Neighbouring stretches share the sign of the field, taken at the
+//! place between them, so that no root is lost there.
+//!
+//! Where the threshold is negative the solid is everything outside the surface (checked with POV-Ray).
+
+mod component;
+
+use self::component::{Component, Part, Parts};
+use super::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::accel::Bvh;
+use crate::args::{Args, Parse, Word};
+use crate::math::polynomial::{is_quartic_positive, sign_changes_between};
+use crate::math::{Bounds, Ray, Step};
+use crate::source::Diagnostic;
+use glam::DVec3;
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// POV-Ray's, for a blob without `threshold`.
+const THRESHOLD: f64 = 1.0;
+/// With fewer components each is asked by itself.
+const TREE_FROM: usize = 8;
+
+/// A surface of equal field. It is one smooth piece, face 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blob(Arc<Field>);
+
+#[derive(Clone, Debug)]
+struct Field {
+    components: Vec<Component>,
+    threshold: f64,
+    bounds: Bounds,
+    tree: Option<Bvh>,
+}
+
+impl PartialEq for Field {
+    /// The rest follows.
+    fn eq(&self, other: &Self) -> bool {
+        self.components == other.components && self.threshold == other.threshold
+    }
+}
+
+type Crossings = SmallVec<[Root; 8]>;
+
+impl Blob {
+    /// Reads components and `threshold`, in any order.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, a cylinder without length, no component at all, a texture of a component.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let mut threshold = THRESHOLD;
+        let mut components = Vec::new();
+        loop {
+            if args.accept(Word::Threshold)? {
+                threshold = read::number(args, "the threshold of the blob")?;
+            } else if let Some(component) = Component::read(args)? {
+                components.push(component);
+            } else {
+                break;
+            }
+        }
+        if components.is_empty() {
+            let error = Diagnostic::error(args.span(), "need at least one component in a blob")
+                .with_hint("write `sphere { <centre>, radius, strength }` behind the threshold");
+            return Err(Box::new(error));
+        }
+        Ok(Blob::new(components, threshold))
+    }
+
+    fn new(components: Vec<Component>, threshold: f64) -> Self {
+        let boxes: Vec<Bounds> = components.iter().map(Component::bounds).collect();
+        let reach = |sign: f64| {
+            let some = components.iter().zip(&boxes);
+            some.filter(|(component, _)| sign * component.strength > 0.0)
+                .fold(Bounds::EMPTY, |sum, (_, bounds)| sum.union(bounds))
+        };
+        // Only what adds can lift the field above a threshold that it is not above anyway.
+        let bounds = reach(if threshold < 0.0 { -1.0 } else { 1.0 });
+        let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes));
+        Blob(Arc::new(Field {
+            components,
+            threshold,
+            bounds,
+            tree,
+        }))
+    }
+}
+
+impl Field {
+    /// The parts of components that the line of a ray passes, and all places where one begins or ends, in order.
+    fn parts(&self, ray: &Ray) -> (Parts, SmallVec<[f64; 16]>) {
+        let mut parts = Parts::new();
+        match &self.tree {
+            None => {
+                for component in &self.components {
+                    component.parts(ray, &mut parts);
+                }
+            }
+            Some(tree) => {
+                tree.any(ray, f64::NEG_INFINITY, f64::INFINITY, |number| {
+                    self.components[number as usize].parts(ray, &mut parts);
+                    false
+                });
+            }
+        }
+        let mut stops: SmallVec<[f64; 16]> = SmallVec::new();
+        for part in &parts {
+            stops.extend([part.from, part.to]);
+        }
+        stops.sort_unstable_by(f64::total_cmp);
+        stops.dedup();
+        (parts, stops)
+    }
+
+    /// Appends the roots on the stretches of a ray between `from` and `to`, with perhaps some outside.
+    fn crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
+        let mut roots = Crossings::new();
+        let (parts, stops) = self.parts(ray);
+        let is_inside_anyway = self.is_inside(0.0);
+        let mut starts_inside = is_inside_anyway;
+        for (i, pair) in stops.windows(2).enumerate() {
+            let (low, high) = (pair[0], pair[1]);
+            let is_gap = !parts.iter().any(|part| part.covers(low, high));
+            let next = stops.get(i + 2);
+            let is_before_gap =
+                next.is_none_or(|&next| !parts.iter().any(|part| part.covers(high, next)));
+            let ends_inside = if is_gap || is_before_gap {
+                is_inside_anyway
+            } else {
+                let here = parts.iter().filter(|part| part.covers(low, high));
+                self.is_inside(here.map(|part| part.field(high)).sum())
+            };
+            if !is_gap && high > from && low < to {
+                let here = parts.iter().filter(|part| part.covers(low, high));
+                self.solve(here, (low, high), (starts_inside, ends_inside), &mut roots);
+            }
+            starts_inside = ends_inside;
+        }
+        roots
+    }
+
+    fn solve<'p>(
+        &self,
+        parts: impl Iterator<Item = &'p Part>,
+        (low, high): (f64, f64),
+        (starts_inside, ends_inside): (bool, bool),
+        roots: &mut Crossings,
+    ) {
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        // How much the field lacks.
+        let mut quartic = [self.threshold, 0.0, 0.0, 0.0, 0.0];
+        for part in parts {
+            part.take_from(&mut quartic, middle, half);
+        }
+        if !starts_inside && !ends_inside && is_quartic_positive(&quartic) {
+            return;
+        }
+        let mut is_inside = starts_inside;
+        for place in sign_changes_between(&quartic, starts_inside, ends_inside) {
+            roots.push(Root {
+                t: middle + half * place,
+                crossing: if is_inside {
+                    Crossing::Leave
+                } else {
+                    Crossing::Enter
+                },
+                face: 0,
+                is_visible: true,
+            });
+            is_inside = !is_inside;
+        }
+    }
+
+    fn is_inside(&self, field: f64) -> bool {
+        field > self.threshold
+    }
+
+    /// The components that may reach a point.
+    fn around(&self, point: DVec3, mut visit: impl FnMut(&Component)) {
+        match &self.tree {
+            None => self.components.iter().for_each(visit),
+            Some(tree) => {
+                tree.around(point, |number| {
+                    visit(&self.components[number as usize]);
+                    false
+                });
+            }
+        }
+    }
+}
+
+impl Geometry for Blob {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend(self.0.crossings(ray, f64::NEG_INFINITY, f64::INFINITY));
+        if self.0.is_inside(0.0) {
+            Start::Inside
+        } else {
+            Start::Outside
+        }
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.0.crossings(ray, from, to), from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let mut normal = DVec3::ZERO;
+        self.0
+            .around(point, |component| normal += component.outward(point));
+        if normal == DVec3::ZERO {
+            DVec3::X
+        } else {
+            normal
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        let mut field = 0.0;
+        self.0
+            .around(point, |component| field += component.field(point));
+        self.0.is_inside(field)
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.0.bounds
+    }
+
+    fn solid_bounds(&self) -> Bounds {
+        if self.0.is_inside(0.0) {
+            Bounds::EVERYTHING
+        } else {
+            self.0.bounds
+        }
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,282 @@
+//! One component of a blob, and the parts of a ray on which its field is one polynomial.
+
+use crate::args::{Args, Parse, Word, transform_step};
+use crate::math::chord::ball_chord;
+use crate::math::conditioning::{Eased, is_comfortable, unit};
+use crate::math::{Bounds, Ray, Step, Transform};
+use crate::shape::read;
+use crate::source::Diagnostic;
+use glam::{DAffine3, DMat3, DVec3};
+use smallvec::SmallVec;
+
+/// A field around a centre, or around the stretch between two ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Component {
+    pub(super) strength: f64,
+    /// Takes the blob to the space in which the radius is 1, one end is the origin and the other above it.
+    unit_from_blob: DAffine3,
+    /// The height of the other end; zero for a sphere.
+    length: f64,
+    bounds: Bounds,
+}
+
+/// A stretch of a ray on which `d = |origin + t · dir|`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    origin: DVec3,
+    dir: DVec3,
+    strength: f64,
+}
+
+pub(super) type Parts = SmallVec<[Part; 12]>;
+
+impl Part {
+    /// Whether a stretch between neighbouring ends of parts lies in this one.
+    pub(super) fn covers(&self, low: f64, high: f64) -> bool {
+        self.from <= low && high <= self.to
+    }
+
+    /// The field at a place of the ray.
+    pub(super) fn field(&self, t: f64) -> f64 {
+        let p = self.origin + t * self.dir;
+        let rest = 1.0 - p.dot(p);
+        self.strength * rest * rest
+    }
+
+    /// Subtracts the field along `middle + half · x` from a quartic in `x`.
+    pub(super) fn take_from(&self, quartic: &mut [f64; 5], middle: f64, half: f64) {
+        let p = self.origin + middle * self.dir;
+        let h = half * self.dir;
+        let (a, b, c) = (1.0 - p.dot(p), -2.0 * p.dot(h), -h.dot(h));
+        let s = self.strength;
+        quartic[0] -= s * a * a;
+        quartic[1] -= s * (2.0 * a * b);
+        quartic[2] -= s * (b * b + 2.0 * a * c);
+        quartic[3] -= s * (2.0 * b * c);
+        quartic[4] -= s * c * c;
+    }
+}
+
+impl Component {
+    /// The component that begins at the next word, if one does.
+    pub(super) fn read(args: &mut dyn Args) -> Parse<Option<Self>> {
+        if args.accept(Word::Component)? {
+            let strength = read::number(args, "the strength of the component")?;
+            let radius = read::number(args, "the radius of the component")?;
+            let centre = read::vector(args, "the centre of the component")?;
+            return Ok(Some(Component::sphere(centre, radius, strength, &[])));
+        }
+        if args.accept(Word::Sphere)? {
+            args.open()?;
+            let centre = read::vector(args, "the centre of the component")?;
+            let radius = read::number(args, "the radius of the component")?;
+            let strength = read_strength(args)?;
+            let steps = read_modifiers(args)?;
+            return Ok(Some(Component::sphere(centre, radius, strength, &steps)));
+        }
+        if !args.accept(Word::Cylinder)? {
+            return Ok(None);
+        }
+        args.open()?;
+        let at = args.span();
+        let end = read::vector(args, "an end of the component")?;
+        let other = read::vector(args, "an end of the component")?;
+        let at = at.to(args.last_span());
+        let radius = read::number(args, "the radius of the component")?;
+        let strength = read_strength(args)?;
+        let steps = read_modifiers(args)?;
+        let component = Component::cylinder([end, other], radius, strength, &steps);
+        match component {
+            Some(component) => Ok(Some(component)),
+            None => Err(Box::new(
+                Diagnostic::error(at, "degenerate cylindrical component in blob")
+                    .with_hint("its two ends are one point: write a `sphere` instead"),
+            )),
+        }
+    }
+
+    pub(super) fn sphere(centre: DVec3, radius: f64, strength: f64, steps: &[Step]) -> Self {
+        let own = DAffine3::from_translation(centre) * DAffine3::from_scale(DVec3::splat(radius));
+        let inverse = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(1.0 / radius)),
+            translation: -centre / radius,
+        };
+        Component::placed((own, inverse), 0.0, strength, steps)
+    }
+
+    pub(super) fn cylinder(
+        [end, other]: [DVec3; 2],
+        radius: f64,
+        strength: f64,
+        steps: &[Step],
+    ) -> Option<Self> {
+        let axis = unit(other - end)?;
+        let across = axis.any_orthonormal_vector();
+        let turn = DMat3::from_cols(across, axis, across.cross(axis));
+        let own = DAffine3 {
+            matrix3: turn * radius.abs(),
+            translation: end,
+        };
+        let back = turn.transpose() * (1.0 / radius.abs());
+        let inverse = DAffine3 {
+            matrix3: back,
+            translation: -(back * end),
+        };
+        let length = (other - end).length() / radius.abs();
+        Some(Component::placed((own, inverse), length, strength, steps))
+    }
+
+    /// `own` takes the unit space to that of the component before its steps, and back.
+    fn placed(own: (DAffine3, DAffine3), length: f64, strength: f64, steps: &[Step]) -> Self {
+        let moved = Transform::from_steps(steps);
+        let blob_from_unit = moved.world_from_object * own.0;
+        let unit_from_blob = own.1 * moved.object_from_world;
+        // A ball of radius 1 reaches along an axis as far as the row of its matrix is long.
+        let rows = blob_from_unit.matrix3.transpose();
+        let reach = DVec3::new(
+            rows.x_axis.length(),
+            rows.y_axis.length(),
+            rows.z_axis.length(),
+        );
+        let ends = [DVec3::ZERO, length * DVec3::Y].map(|end| blob_from_unit.transform_point3(end));
+        let slack = 8.0 * f64::EPSILON * (ends[0].abs().max(ends[1].abs()) + reach);
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let bounds = Bounds::new(low - reach - slack, high + reach + slack);
+        let is_empty = reach == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
+        Component {
+            strength,
+            unit_from_blob,
+            length,
+            bounds: if is_empty { Bounds::EMPTY } else { bounds },
+        }
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    /// Appends the parts of a ray within reach.
+    pub(super) fn parts(&self, ray: &Ray, parts: &mut Parts) {
+        if self.bounds.is_empty() {
+            return;
+        }
+        let local = ray.to_object(&self.unit_from_blob);
+        if self.length == 0.0 {
+            self.push(&local, (f64::NEG_INFINITY, f64::INFINITY), parts);
+            return;
+        }
+        let above = Ray::new(local.origin - self.length * DVec3::Y, local.dir);
+        let flat = |v: DVec3| DVec3::new(v.x, 0.0, v.z);
+        let between = Ray::new(flat(local.origin), flat(local.dir));
+        if local.dir.y == 0.0 {
+            let piece = if local.origin.y < 0.0 {
+                &local
+            } else if above.origin.y > 0.0 {
+                &above
+            } else {
+                &between
+            };
+            self.push(piece, (f64::NEG_INFINITY, f64::INFINITY), parts);
+            return;
+        }
+        let bottom = -local.origin.y / local.dir.y;
+        let top = -above.origin.y / local.dir.y;
+        let (first, second, pieces) = if local.dir.y > 0.0 {
+            (bottom, top, [&local, &between, &above])
+        } else {
+            (top, bottom, [&above, &between, &local])
+        };
+        self.push(pieces[0], (f64::NEG_INFINITY, first), parts);
+        self.push(pieces[1], (first, second), parts);
+        self.push(pieces[2], (second, f64::INFINITY), parts);
+    }
+
+    /// Appends the part of a ray, given about a centre, that lies in the ball of radius 1 and in a stretch.
+    fn push(&self, about: &Ray, stretch: (f64, f64), parts: &mut Parts) {
+        let Some((enter, leave)) = unit_chord(about, stretch) else {
+            return;
+        };
+        let (from, to) = (enter.max(stretch.0), leave.min(stretch.1));
+        if from < to {
+            parts.push(Part {
+                from,
+                to,
+                origin: about.origin,
+                dir: about.dir,
+                strength: self.strength,
+            });
+        }
+    }
+
+    /// The field at a point.
+    pub(super) fn field(&self, point: DVec3) -> f64 {
+        let p = self.from_axis(self.unit_from_blob.transform_point3(point));
+        let rest = 1.0 - p.dot(p);
+        if rest > 0.0 {
+            self.strength * rest * rest
+        } else {
+            0.0
+        }
+    }
+
+    /// The direction and half the rate in which the field falls at a point.
+    pub(super) fn outward(&self, point: DVec3) -> DVec3 {
+        let p = self.from_axis(self.unit_from_blob.transform_point3(point));
+        let rest = 1.0 - p.dot(p);
+        if rest > 0.0 {
+            self.unit_from_blob.matrix3.transpose() * (p * (2.0 * self.strength * rest))
+        } else {
+            DVec3::ZERO
+        }
+    }
+
+    /// From the nearest point of the stretch between the ends.
+    fn from_axis(&self, p: DVec3) -> DVec3 {
+        DVec3::new(p.x, p.y - p.y.clamp(0.0, self.length), p.z)
+    }
+}
+
+/// Where a ray is in the ball of radius 1 about the origin; one without direction is there always or never.
+fn unit_chord(about: &Ray, stretch: (f64, f64)) -> Option<(f64, f64)> {
+    let dir_sq = about.dir.dot(about.dir);
+    let origin_sq = about.origin.dot(about.origin);
+    if about.dir == DVec3::ZERO {
+        return (origin_sq < 1.0).then_some(stretch);
+    }
+    if is_comfortable(1.0, dir_sq, origin_sq) {
+        return ball_chord(about.origin, about.dir, 1.0);
+    }
+    let eased = Eased::new(about, 1.0)?;
+    let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, 1.0 / eased.size)?;
+    Some((eased.t(enter), eased.t(leave)))
+}
+
+fn read_strength(args: &mut dyn Args) -> Parse<f64> {
+    args.comma()?;
+    args.accept(Word::Strength)?;
+    read::number(args, "the strength of the component")
+}
+
+/// Transforms up to the closing brace.
+fn read_modifiers(args: &mut dyn Args) -> Parse<Vec<Step>> {
+    let mut steps = Vec::new();
+    loop {
+        if args.accept_close()? {
+            return Ok(steps);
+        }
+        if let Some(step) = transform_step(args)? {
+            steps.push(step);
+            continue;
+        }
+        let textures = [Word::Texture, Word::Pigment, Word::Normal, Word::Finish];
+        if let Some(word) = args.word()?.filter(|word| textures.contains(word)) {
+            let message = format!("`{word}` of a component of a blob is not built yet");
+            return Err(Box::new(Diagnostic::error(args.span(), message).with_hint(
+                "give the whole blob one texture, behind its components",
+            )));
+        }
+        return Err(args.expected("a transform or `}` in a component of a blob"));
+    }
+}

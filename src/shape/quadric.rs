@@ -1,0 +1,295 @@
+//! `quadric { <A, B, C>, <D, E, F>, <G, H, I>, J }`: where `A·x² + B·y² + C·z² + D·xy + E·xz + F·yz + G·x + H·y + I·z + J`
+//! is zero; solid where it is not positive.
+//!
+//! Transforms stay in the matrix of the object and are never multiplied into the coefficients, which would cost twice
+//! the digits of a translation. A ray is first moved to where it comes closest to the middle of the quadric; there its
+//! quadratic has coefficients of the quadric's own size, and the discriminant is taken to the last digit (Kahan 2004,
+//! "On the cost of floating-point computation without extra-precise arithmetic").
+
+use super::{Crossing, Geometry, Root, Start, first_visible, read};
+use crate::args::{Args, Parse};
+use crate::math::conditioning::power_of_two;
+use crate::math::{Bounds, Ray, Step};
+use glam::{DMat3, DVec3};
+use smallvec::SmallVec;
+
+/// An ellipsoid that is longer than wide by more than this has no bounds: they would have no digits left.
+const LONGEST: f64 = 1e5;
+
+/// A surface of second order. It is one smooth piece, face 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadric {
+    /// Half of the matrix of second derivatives.
+    matrix: DMat3,
+    /// The factors of x, y and z.
+    linear: DVec3,
+    constant: f64,
+    /// Where the gradient is zero, if there is such a place; rays are moved near to it.
+    middle: DVec3,
+}
+
+/// The roots on one ray.
+type Crossings = SmallVec<[Root; 2]>;
+
+impl Quadric {
+    /// The quadric with the factors of `x², y², z²`, of `xy, xz, yz`, of `x, y, z`, and the constant.
+    #[must_use]
+    pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
+        let DVec3 { x: d, y: e, z: f } = 0.5 * mixed;
+        let matrix = DMat3::from_cols(
+            DVec3::new(squares.x, d, e),
+            DVec3::new(d, squares.y, f),
+            DVec3::new(e, f, squares.z),
+        );
+        let middle = matrix.inverse() * (-0.5 * linear);
+        Quadric {
+            matrix,
+            linear,
+            constant,
+            middle: if middle.is_finite() {
+                middle
+            } else {
+                DVec3::ZERO
+            },
+        }
+    }
+
+    /// Reads the three vectors and the constant.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let squares = read::vector(args, "the factors of the squares of the quadric")?;
+        let mixed = read::vector(args, "the factors of the mixed terms of the quadric")?;
+        let linear = read::vector(args, "the factors of x, y and z of the quadric")?;
+        let constant = read::number(args, "the constant of the quadric")?;
+        Ok(Quadric::new(squares, mixed, linear, constant))
+    }
+
+    fn value(&self, p: DVec3) -> f64 {
+        p.dot(self.matrix * p) + self.linear.dot(p) + self.constant
+    }
+
+    fn half_gradient(&self, p: DVec3) -> DVec3 {
+        self.matrix * p + 0.5 * self.linear
+    }
+
+    fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
+        let dir_size = power_of_two(ray.dir.abs().max_element());
+        let dir = ray.dir / dir_size;
+        let ahead = (self.middle - ray.origin).dot(dir) / dir.dot(dir);
+        let near = ray.origin + ahead * dir;
+        let (ahead, near) = if near.is_finite() {
+            (ahead, near)
+        } else {
+            (0.0, ray.origin)
+        };
+        let a = dir.dot(self.matrix * dir);
+        let b = self.half_gradient(near).dot(dir);
+        let c = self.value(near);
+        let (start, places) = sign_changes(a, b, c);
+        along(start, places, |t| (ahead + t) / dir_size)
+    }
+}
+
+/// The roots of `a·t² + 2b·t + c` in order, and whether it is negative far back. A place too far for a number is
+/// infinite.
+fn sign_changes(a: f64, b: f64, c: f64) -> (Start, SmallVec<[f64; 2]>) {
+    let is_inside = if a != 0.0 {
+        a < 0.0
+    } else if b != 0.0 {
+        b > 0.0
+    } else {
+        c <= 0.0
+    };
+    let start = if is_inside {
+        Start::Inside
+    } else {
+        Start::Outside
+    };
+    let mut places = SmallVec::new();
+    let discriminant = difference_of_products(b, b, a, c);
+    if a == 0.0 {
+        if b != 0.0 {
+            places.push(-0.5 * c / b);
+        }
+    } else if discriminant > 0.0 {
+        let q = -(b + discriminant.sqrt().copysign(b));
+        let (t, other) = (q / a, c / q);
+        places.extend([t.min(other), t.max(other)]);
+    }
+    (start, places)
+}
+
+/// `a·b − c·d` to within two roundings.
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let (left, right) = (a * b, c * d);
+    let rest = a.mul_add(b, -left) - c.mul_add(d, -right);
+    (left - right) + if rest.is_finite() { rest } else { 0.0 }
+}
+
+/// The roots at these places, without those that lie beyond all numbers.
+fn along(
+    mut start: Start,
+    places: SmallVec<[f64; 2]>,
+    t: impl Fn(f64) -> f64,
+) -> (Start, Crossings) {
+    let mut is_inside = start == Start::Inside;
+    let mut roots = Crossings::new();
+    for place in places {
+        let t = t(place);
+        let crossing = if is_inside {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        };
+        is_inside = !is_inside;
+        if t.is_finite() {
+            roots.push(Root {
+                t,
+                crossing,
+                face: 0,
+                is_visible: true,
+            });
+        } else if t < 0.0 {
+            start = match start {
+                Start::Inside => Start::Outside,
+                Start::Outside => Start::Inside,
+            };
+        }
+    }
+    (start, roots)
+}
+
+impl Geometry for Quadric {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        let (start, found) = self.crossings(ray);
+        roots.extend_from_slice(&found);
+        start
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.crossings(ray).1, from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let normal = self.half_gradient(point);
+        // Only where sheets meet, as in the apex of a cone.
+        if normal == DVec3::ZERO {
+            DVec3::X
+        } else {
+            normal
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.value(point) <= 0.0
+    }
+
+    /// Finite for ellipsoids.
+    fn bounds(&self) -> Bounds {
+        let inverse = self.matrix.inverse();
+        let [a, b, c] = inverse.to_cols_array_2d();
+        let diagonal = DVec3::new(a[0], b[1], c[2]);
+        let minor = self.matrix.x_axis.x * self.matrix.y_axis.y - self.matrix.x_axis.y.powi(2);
+        let determinant = self.matrix.determinant();
+        let is_definite = minor > 0.0 && determinant * self.matrix.x_axis.x > 0.0;
+        let depth = -(self.constant + 0.5 * self.linear.dot(self.middle));
+        let reach_sq = depth * diagonal;
+        let is_even = diagonal.abs().max_element() < LONGEST * diagonal.abs().min_element();
+        if !(is_definite && is_even && reach_sq.is_finite()) {
+            return Bounds::EVERYTHING;
+        }
+        if reach_sq.min_element() < 0.0 {
+            return if self.constant > 0.0 {
+                Bounds::EMPTY
+            } else {
+                Bounds::EVERYTHING
+            };
+        }
+        // The inverse of so even a matrix has ten digits.
+        let slack = 1e-8 * (self.middle.abs().max_element() + reach_sq.max_element().sqrt());
+        let reach = reach_sq.map(f64::sqrt) + slack;
+        Bounds::new(self.middle - reach, self.middle + reach)
+    }
+
+    fn solid_bounds(&self) -> Bounds {
+        if self.matrix.x_axis.x < 0.0 {
+            Bounds::EVERYTHING
+        } else {
+            self.bounds()
+        }
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+    use crate::shape::check;
+
+    fn quadric(text: &str) -> Quadric {
+        Quadric::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn an_ellipsoid_is_a_solid_with_bounds() {
+        let ellipsoid = quadric("<1, 2, 0.5>, <0.3, -0.2, 0.4>, <-2, 1, 0.5>, -1");
+        assert!(ellipsoid.bounds().is_finite());
+        check::solid(&ellipsoid);
+    }
+
+    #[test]
+    fn unbounded_quadrics_and_outsides_have_roots_in_order() {
+        for text in [
+            "<1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -1",
+            "<1, -1, 1>, <0, 0, 0>, <0, 0, 0>, 0.2",
+            "<1, -1, 1>, <0, 0, 0>, <0, 0, 0>, -0.2",
+            "<1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0",
+            "<0, 0, 0>, <0, 1, 0>, <0, 1, 0>, 0",
+            "<-1, -2, -1>, <0, 0, 0>, <0, 0, 0>, 3",
+            "<0, 0, 0>, <0, 0, 0>, <1, 2, 3>, -1",
+        ] {
+            check::half_space(&quadric(text));
+        }
+    }
+
+    #[test]
+    fn a_sphere_far_from_its_ray_keeps_its_roots() {
+        let sphere = quadric("<1,1,1>, <0,0,0>, <0,0,0>, -1");
+        for far in [1e3, 1e6, 1e9] {
+            let ray = Ray::new(DVec3::new(0.6, 0.0, -far), DVec3::Z);
+            let (_, roots) = sphere.crossings(&ray);
+            assert!((roots[0].t - (far - 0.8)).abs() <= f64::EPSILON * far);
+            assert!((roots[1].t - (far + 0.8)).abs() <= f64::EPSILON * far);
+        }
+        let ray = Ray::new(DVec3::new(0.0, 0.0, -3.0), DVec3::Z * 1e-200);
+        assert!((sphere.crossings(&ray).1[0].t / 2e200 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_ray_along_an_asymptote_has_one_root() {
+        let cylinder = quadric("<1, -1, 0>, <0,0,0>, <0,0,0>, -1");
+        let ray = Ray::new(DVec3::new(0.0, 1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
+        let (start, roots) = cylinder.crossings(&ray);
+        assert_eq!(start, Start::Outside);
+        assert_eq!(roots.len(), 1);
+        assert_eq!(roots[0].t, -1.0);
+    }
+
+    #[test]
+    fn nothing_and_everything() {
+        let nothing = quadric("<1,1,1>, <0,0,0>, <0,0,0>, 1");
+        assert!(nothing.bounds().is_empty());
+        let everything = quadric("<-1,-1,-1>, <0,0,0>, <0,0,0>, -1");
+        assert_eq!(everything.solid_bounds(), Bounds::EVERYTHING);
+        assert!(everything.contains(DVec3::X));
+        let zero = quadric("<0,0,0>, <0,0,0>, <0,0,0>, 0");
+        let (start, roots) = zero.crossings(&Ray::new(DVec3::ZERO, DVec3::X));
+        assert!(start == Start::Inside && roots.is_empty());
+    }
+}

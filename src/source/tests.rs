@@ -1,0 +1,170 @@
+//! Tests of the store of texts and of the search for files.
+
+use super::*;
+use std::fs::{self, File};
+use std::path::Path;
+
+fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn lines_and_columns_count_from_one_in_characters() {
+    let mut sources = Sources::new(Vec::new());
+    let file = sources.add_text("x", "ab\n\u{e9}c\r\nd\re");
+    let place = |at| sources.line_column(Span::new(file, at, at));
+    let places: Vec<_> = (0..=10).map(place).collect();
+    let line_2 = [(2, 1), (2, 1), (2, 2), (2, 3), (2, 4)];
+    assert_eq!(places[..3], [(1, 1), (1, 2), (1, 3)]);
+    assert_eq!(places[3..8], line_2);
+    assert_eq!(places[8..], [(3, 1), (3, 2), (4, 1)]);
+    assert_eq!(sources.line_column(Span::new(file, 99, 99)), (4, 2));
+}
+
+#[test]
+fn a_file_is_read_once() {
+    let folder = folder_with(&[("a.pov", "x"), ("sub/b.inc", "y")]);
+    let mut sources = Sources::new(Vec::new());
+    let first = sources.load_file(folder.path().join("a.pov")).unwrap();
+    let again = sources
+        .load_file(folder.path().join("sub/../a.pov"))
+        .unwrap();
+    assert_eq!(first, again);
+    sources.find_include("sub/b", first).unwrap();
+    sources.find_include("sub/b.inc", first).unwrap();
+    let read = ["a.pov", "sub/b.inc"].map(|name| Dependency {
+        path: folder.path().join(name),
+        is_there: true,
+    });
+    assert_eq!(sources.dependencies(), read);
+}
+
+#[test]
+fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
+    let folder = folder_with(&[("a.pov", "x"), ("data.txt", "1"), ("own.inc", "old")]);
+    let path = |name: &str| folder.path().join(name);
+    let name = |name: &str| path(name).display().to_string();
+    let mut sources = Sources::new(Vec::new());
+    let scene = sources.add_text("stdin", "");
+    assert!(sources.has_data("data.txt", scene) == Path::new("data.txt").exists());
+    assert!(!sources.has_data(&name("none"), scene));
+    assert!(sources.has_data(&name("data.txt"), scene));
+    assert!(sources.has_data(&name("data.txt"), scene));
+    let old = sources.find_include(&name("own"), scene).unwrap();
+    fs::write(path("own.inc"), "new").unwrap();
+    sources.wrote(&path("own.inc"));
+    let new = sources.find_include(&name("own"), scene).unwrap();
+    assert_eq!((&**sources.text(old), &**sources.text(new)), ("old", "new"));
+    fs::write(path("made.inc"), "").unwrap();
+    sources.wrote(&path("made.inc"));
+    sources.find_data(&name("made.inc"), scene).unwrap();
+    assert!(sources.find_data(&name("made"), scene).is_err());
+    let paths = sources.dependencies().iter();
+    let seen: Vec<_> = paths.map(|one| (one.path.clone(), one.is_there)).collect();
+    let expected = [
+        ("none", false),
+        ("data.txt", true),
+        ("own.inc", true),
+        ("made", false),
+    ];
+    assert_eq!(
+        seen[1..],
+        expected.map(|(name, is_there)| (path(name), is_there))
+    );
+}
+
+#[test]
+fn include_files_are_searched_near_first_then_in_the_library_in_order() {
+    let scenes = folder_with(&[("a.pov", ""), ("near.inc", "scene"), ("dir.inc/x", "")]);
+    let first = folder_with(&[("near.inc", "1"), ("lib.INC", "1"), ("dir.inc", "1")]);
+    let second = folder_with(&[("lib.inc", "2"), ("far", "2"), ("far.inc", "wrong")]);
+    let library = vec![first.path().to_owned(), second.path().to_owned()];
+    let mut sources = Sources::new(library);
+    let scene = sources.load_file(scenes.path().join("a.pov")).unwrap();
+    let stdin = sources.add_text("stdin", "");
+    let mut find = |name: &str, from: FileId| {
+        let file = sources.find_include(name, from).unwrap();
+        sources.text(file).to_string()
+    };
+    assert_eq!(find("near.inc", scene), "scene");
+    assert_eq!(find("near", stdin), "1");
+    assert_eq!(find("lib", scene), "1");
+    assert_eq!(find("lib.inc", scene), "2");
+    assert_eq!(find("far", scene), "2");
+    assert_eq!(find("dir.inc", scene), "1", "a folder is no file");
+    let absolute = second.path().join("lib").display().to_string();
+    assert_eq!(find(&absolute, stdin), "2");
+}
+
+#[test]
+fn a_missing_include_file_is_told_with_places_and_other_cases() {
+    let scenes = folder_with(&[("a.pov", "")]);
+    let library = folder_with(&[("Colors.inc", ""), ("sub/colors.INC", "")]);
+    let mut sources = Sources::new(vec![library.path().to_owned()]);
+    let scene = sources.load_file(scenes.path().join("a.pov")).unwrap();
+    let error = sources.find_include("colors", scene).unwrap_err();
+    let (near, far) = (scenes.path().display(), library.path().display());
+    assert_eq!(
+        error.message,
+        format!("cannot find the include file `colors` in `{near}`, the current folder or `{far}`")
+    );
+    assert_eq!(
+        error.hints,
+        [format!(
+            "`{far}/Colors.inc` differs only in case: write `Colors.inc`."
+        )]
+    );
+    let error = sources.find_include("sub/Colors", scene).unwrap_err();
+    assert_eq!(
+        error.hints,
+        [format!(
+            "`{far}/sub/colors.INC` differs only in case: write `sub/colors.INC`."
+        )]
+    );
+    let error = sources.find_include("sub\\colors", scene).unwrap_err();
+    assert_eq!(error.hints, ["Write `/` between folders, not `\\`."]);
+    let error = sources
+        .find_include("/nowhere/colors.inc", scene)
+        .unwrap_err();
+    assert_eq!(
+        error.message,
+        "cannot find the include file `/nowhere/colors.inc`"
+    );
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_told() {
+    let folder = folder_with(&[]);
+    let mut sources = Sources::new(Vec::new());
+    let error = sources
+        .load_file(folder.path().join("none.pov"))
+        .unwrap_err();
+    assert!(
+        error.message.starts_with("cannot read `"),
+        "{}",
+        error.message
+    );
+    assert!(sources.load_file(folder.path()).is_err());
+}
+
+#[test]
+fn a_file_over_the_limit_is_refused() {
+    let folder = folder_with(&[]);
+    let path = folder.path().join("huge.pov");
+    File::create(&path)
+        .unwrap()
+        .set_len(MAX_FILE_BYTES + 1)
+        .unwrap();
+    let error = Sources::new(Vec::new()).load_file(&path).unwrap_err();
+    assert!(
+        error
+            .message
+            .contains("is too large: a scene file may have 2 GiB")
+    );
+}

@@ -1,0 +1,197 @@
+//! Light from many lamps: soft shadows, and each lamp by itself with `area_illumination`.
+
+use super::Tracer;
+use super::light::{Coat, Lit, Shining, is_nothing, shine};
+use crate::color::Rgb;
+use crate::compile::Scratch;
+use crate::light::{Area, Arrival, Axes, Light};
+
+/// By this much, summed over the channels, corners must differ for the part between them to be divided.
+const DIFFERENCE: f32 = 0.1;
+
+/// The lamps of one light as one point sees them.
+pub(super) struct Lamps<'a> {
+    number: u32,
+    light: &'a Light,
+    area: &'a Area,
+    axes: Axes,
+    lit: &'a Lit<'a>,
+    /// The distance to the middle of the light.
+    distance: f64,
+    /// What is to be spread over them.
+    arriving: Rgb,
+}
+
+impl<'a> Lamps<'a> {
+    pub(super) fn new(
+        number: u32,
+        light: &'a Light,
+        area: &'a Area,
+        lit: &'a Lit<'a>,
+        arriving: Rgb,
+    ) -> Self {
+        let arrival = light.arrival(lit.point);
+        Lamps {
+            number,
+            light,
+            area,
+            axes: area.axes_for(arrival.to_light),
+            lit,
+            distance: arrival.distance,
+            arriving,
+        }
+    }
+}
+
+/// A part of a grid: the first and last indices along both sides.
+#[derive(Clone, Copy)]
+struct Part {
+    u: [u32; 2],
+    v: [u32; 2],
+}
+
+impl Part {
+    /// Its quarters, which share their edges where the number of lamps is odd.
+    fn quarters(self) -> [Part; 4] {
+        let halves = |[low, high]: [u32; 2]| {
+            let sum = low + high;
+            [[low, sum / 2], [sum.div_ceil(2), high]]
+        };
+        let (u, v) = (halves(self.u), halves(self.v));
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| Part { u: u[i], v: v[j] })
+    }
+
+    fn can_be_divided(self) -> bool {
+        self.u[1] - self.u[0] > 1 || self.v[1] - self.v[0] > 1
+    }
+}
+
+impl Tracer<'_> {
+    /// What is left of light after the shadows of all lamps.
+    pub(super) fn through_area(&self, lamps: &Lamps, scratch: &mut Scratch) -> Rgb {
+        let [columns, rows] = lamps.area.sizes;
+        scratch.lamps.clear();
+        scratch.lamps.resize(columns as usize * rows as usize, None);
+        let all = Part {
+            u: [0, columns - 1],
+            v: [0, rows - 1],
+        };
+        self.part_of_area(lamps, all, 0, scratch)
+    }
+
+    fn part_of_area(&self, lamps: &Lamps, part: Part, level: u32, scratch: &mut Scratch) -> Rgb {
+        let corners = [(0, 0), (1, 0), (0, 1), (1, 1)]
+            .map(|(i, j)| self.lamp(lamps, part.u[i], part.v[j], scratch));
+        let [low_low, high_low, low_high, high_high] = corners;
+        let is_divided = part.can_be_divided()
+            && (level < lamps.area.adaptive
+                || differ(low_low, high_low)
+                || differ(high_low, high_high)
+                || differ(high_high, low_high)
+                || differ(low_high, low_low));
+        let parts = if is_divided {
+            part.quarters()
+                .map(|quarter| self.part_of_area(lamps, quarter, level + 1, scratch))
+        } else {
+            corners
+        };
+        let [a, b, c, d] = parts;
+        (a + b + c + d) * 0.25_f64
+    }
+
+    /// What comes from one lamp, found out once for each point.
+    fn lamp(&self, lamps: &Lamps, u: u32, v: u32, scratch: &mut Scratch) -> Rgb {
+        let index = u as usize + lamps.area.sizes[0] as usize * v as usize;
+        if let Some(known) = scratch.lamps[index] {
+            return known;
+        }
+        let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
+        if lamps.area.has_jitter {
+            at_u += scratch.stream.next_number() - 0.5;
+            at_v += scratch.stream.next_number() - 0.5;
+        }
+        let centre = lamps.light.centre + lamps.area.lamp(&lamps.axes, at_u, at_v);
+        let arrival = if lamps.light.is_parallel {
+            Arrival {
+                to_light: (centre - lamps.light.points_at()).normalize_or_zero(),
+                distance: lamps.distance,
+            }
+        } else {
+            let offset = centre - lamps.lit.point;
+            let distance = offset.length();
+            Arrival {
+                to_light: offset / distance,
+                distance,
+            }
+        };
+        let left = self.through_shadows(lamps.arriving, lamps.lit, lamps.number, &arrival, scratch);
+        scratch.lamps[index] = Some(left);
+        left
+    }
+
+    /// What the lamps give to a layer, each from where it is. The shadows are still those of all lamps together.
+    pub(super) fn light_up_by_lamps(
+        &self,
+        mut lamps: Lamps,
+        coat: &Coat,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        if self.quality.has_shadows && !lamps.light.is_shadowless() {
+            lamps.arriving = self.through_area(&lamps, scratch);
+        }
+        let Lamps {
+            light, area, lit, ..
+        } = lamps;
+        let [columns, rows] = area.sizes;
+        let each = lamps.arriving * (1.0 / (f64::from(columns) * f64::from(rows)));
+        let mut sum = Rgb::BLACK;
+        for u in 0..columns {
+            for v in 0..rows {
+                let lamp = light.lamp(area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
+                let arrival = lamp.arrival(lit.point);
+                let left = each * lamp.share(lit.point, &arrival);
+                if is_nothing(left) {
+                    continue;
+                }
+                if let Some(side) = coat.side(lit, arrival.to_light) {
+                    let shining = Shining {
+                        to_light: arrival.to_light,
+                        side,
+                        arriving: left,
+                        has_highlights: side.is_in_front && !light.is_shadowless(),
+                    };
+                    sum += shine(&shining, lit, coat, scratch);
+                }
+            }
+        }
+        sum
+    }
+}
+
+fn differ(a: Rgb, b: Rgb) -> bool {
+    (a.r - b.r).abs() + (a.g - b.g).abs() + (a.b - b.b).abs() > DIFFERENCE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Part;
+
+    #[test]
+    fn quarters_of_odd_grids_share_their_middle() {
+        let quarters = Part {
+            u: [0, 2],
+            v: [0, 4],
+        }
+        .quarters();
+        assert_eq!((quarters[0].u, quarters[0].v), ([0, 1], [0, 2]));
+        assert_eq!((quarters[3].u, quarters[3].v), ([1, 2], [2, 4]));
+        let even = Part {
+            u: [0, 3],
+            v: [0, 0],
+        };
+        assert_eq!(
+            even.quarters().map(|part| part.u),
+            [[0, 1], [2, 3], [0, 1], [2, 3]]
+        );
+    }
+}

@@ -1,0 +1,66 @@
+//! Blocks of pixels give what single pixels give.
+
+use super::*;
+use crate::trace::{BLOCK, BlockScratch};
+
+/// Every pixel of a picture by blocks and by itself.
+fn assert_same(text: &str) {
+    const SIZE: (u32, u32) = (75, 53);
+    let world = world(text, 3.7, false);
+    let tracer = Tracer::new(&world, 9);
+    let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
+    let mut drawn = 0;
+    for top in (0..SIZE.1).step_by(BLOCK as usize) {
+        for left in (0..SIZE.0).step_by(BLOCK as usize) {
+            let columns = left..(left + BLOCK).min(SIZE.0);
+            let rows = top..(top + BLOCK).min(SIZE.1);
+            tracer.block(&columns, &rows, SIZE, &mut scratch, |x, y, sample| {
+                let alone = tracer.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
+                assert_eq!(sample, alone, "at {x}, {y}");
+                drawn += 1;
+            });
+        }
+    }
+    assert_eq!(drawn, SIZE.0 * SIZE.1);
+}
+
+#[test]
+fn many_small_things_under_two_lights() {
+    assert_same(
+        "camera { location <0, 3, -9> look_at 0 angle 60 }
+        light_source { <-8, 9, -9>, 1 } light_source { <1, 0.5, -1>, 0.5 }
+        plane { y, -1.5 pigment { checker rgb 1 rgb 0.2 } finish { diffuse 0.6, 0.3 } }
+        #local R = seed(4);
+        #for (I, 1, 120)
+          sphere { <rand(R), rand(R), rand(R)> * 6 - 3, 0.1 + 0.4 * rand(R) pigment { rgb 1 } finish { phong 1 } }
+          box { 0, <0.4, 0.2, 0.3> rotate 360 * rand(R) translate <rand(R), rand(R), rand(R)> * 6 - 3
+            pigment { rgbt <1, 0.5, 0.5, 0.3> } }
+        #end",
+    );
+}
+
+#[test]
+fn units_do_not_matter() {
+    for k in ["pow(2, -60)", "pow(2, 60)", "pow(10, -25)", "pow(10, 25)"] {
+        assert_same(&format!(
+            "#local K = {k};
+            camera {{ location <0, 1, -6> * K look_at 0 angle 50 }}
+            light_source {{ <-8, 9, -9> * K, 1 }}
+            #for (I, 0, 20)
+              torus {{ 0.5, 0.2 scale K translate <mod(I, 5) - 2, 0.7 * int(I / 5) - 1, I / 7> * K pigment {{ rgb 1 }} }}
+            #end"
+        ));
+    }
+}
+
+#[test]
+fn from_inside_and_from_far_away() {
+    assert_same(
+        "camera { location <0.2, 0, 0> look_at z angle 170 } light_source { <0, 0.5, 0>, 1 }
+        sphere { 0, 2 pigment { rgb 1 } } #for (I, 0, 40) sphere { <sin(I), cos(3 * I), cos(I)>, 0.15 pigment { rgb 1 } } #end",
+    );
+    assert_same(
+        "camera { location -1e9 * z look_at 0 angle 2.5e-7 } light_source { -1e8 * z, 1 }
+        #for (I, 0, 40) sphere { <2 * sin(I), 1.5 * cos(3 * I), cos(I)>, 0.25 pigment { rgb 1 } } #end",
+    );
+}

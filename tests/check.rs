@@ -1,0 +1,251 @@
+//! `povr check` and the forms of messages, as a user of the program sees them.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+const RIGHT: &str =
+    "camera { location -5*z look_at 0 }\nlight_source { -9*z, rgb 1 }\nsphere { 0, 1 }\n";
+const FAULTY: &str = "sphere { 0, 1 pigmnet { rgb 1 } }\nbox { -1, 1 rotaet y }\n";
+
+/// What the program wrote on its two streams, and its exit code.
+struct Ended {
+    out: String,
+    err: String,
+    code: Option<i32>,
+}
+
+/// A folder with a right and a faulty scene, one in a folder inside, and one that needs a library.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for name in ["inner", "library"] {
+        fs::create_dir(folder.path().join(name)).expect("a folder in it");
+    }
+    for (name, text) in [
+        ("right.pov", RIGHT),
+        ("faulty.pov", FAULTY),
+        (
+            "inner/doubtful.pov",
+            "#debug \"here\\n\"\n#warning \"old\"\nsphere { 0, 1 }\n",
+        ),
+        ("inner/part.inc", "}"),
+        ("library/ball.inc", "#declare Ball = sphere { 0, Size }\n"),
+        ("needy.txt", "#include \"ball.inc\"\nobject { Ball }\n"),
+        ("x.ini", "Input_File_Name=right.pov\n"),
+    ] {
+        fs::write(folder.path().join(name), text).expect("a file in it");
+    }
+    folder
+}
+
+fn povr(folder: &Path, arguments: &[&str], input: &str) -> Ended {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_povr"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("HOME", folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // Who does not read it has gone already.
+    let _ = child
+        .stdin
+        .take()
+        .expect("a pipe")
+        .write_all(input.as_bytes());
+    let output = child.wait_with_output().expect("the program ends");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    Ended {
+        out: text(&output.stdout),
+        err: text(&output.stderr),
+        code: output.status.code(),
+    }
+}
+
+#[test]
+fn a_right_scene_is_told_so_and_leaves_no_picture() {
+    let folder = folder();
+    let ended = povr(folder.path(), &["check", "right.pov"], "");
+    assert_eq!(
+        (ended.out.as_str(), ended.code),
+        ("right.pov: ok\n", Some(0))
+    );
+    assert_eq!(ended.err, "");
+    assert!(!folder.path().join("right.png").exists());
+}
+
+#[test]
+fn a_faulty_scene_is_shown_with_all_its_errors() {
+    let folder = folder();
+    let ended = povr(folder.path(), &["check", "faulty.pov"], "");
+    assert_eq!(ended.code, Some(1));
+    assert_eq!(
+        ended.out,
+        "\
+error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in `sphere`, found the undeclared identifier `pigmnet`
+ --> faulty.pov:1:15
+  |
+1 | sphere { 0, 1 pigmnet { rgb 1 } }
+  |        -      ^^^^^^^
+  |        |
+  |        this `{` is still open
+  |
+  = help: Did you mean `pigment`?
+
+error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in `box`, found the undeclared identifier `rotaet`
+ --> faulty.pov:2:13
+  |
+2 | box { -1, 1 rotaet y }
+  |     -       ^^^^^^
+  |     |
+  |     this `{` is still open
+  |
+  = help: Did you mean `rotate`?
+
+faulty.pov: 2 errors
+"
+    );
+}
+
+#[test]
+fn folders_are_searched_and_all_scenes_are_counted() {
+    let folder = folder();
+    let ended = povr(folder.path(), &["check", "--message-format=short", "."], "");
+    assert_eq!(ended.code, Some(1));
+    let lines: Vec<&str> = ended.out.lines().collect();
+    assert_eq!(lines.len(), 7, "{}", ended.out);
+    assert!(lines[0].starts_with("./faulty.pov:1:15: error: "));
+    assert!(
+        lines[0].ends_with("(Did you mean `pigment`?)"),
+        "{}",
+        lines[0]
+    );
+    assert!(lines[1].starts_with("./faulty.pov:2:13: error: "));
+    assert_eq!(
+        lines[2..],
+        [
+            "./faulty.pov: 2 errors",
+            "./inner/doubtful.pov:2:1: warning: old",
+            "./inner/doubtful.pov: 1 warning",
+            "./right.pov: ok",
+            "3 scenes: 2 right, 1 faulty; 2 errors, 1 warning",
+        ]
+    );
+    assert_eq!(ended.err, "here\n", "what a scene says is no finding");
+}
+
+#[test]
+fn quiet_leaves_errors_alone() {
+    let folder = folder();
+    let ended = povr(
+        folder.path(),
+        &["check", "--quiet", "inner", "right.pov"],
+        "",
+    );
+    assert_eq!((ended.out.as_str(), ended.err.as_str()), ("", ""));
+    assert_eq!(ended.code, Some(0));
+}
+
+#[test]
+fn json_is_an_object_a_line() {
+    let folder = folder();
+    let arguments = ["check", "--message-format", "json", "inner", "faulty.pov"];
+    let ended = povr(folder.path(), &arguments, "");
+    assert_eq!((ended.err.as_str(), ended.code), ("", Some(1)));
+    let lines: Vec<serde_json::Value> = ended
+        .out
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("an object"))
+        .collect();
+    let types: Vec<&str> = lines
+        .iter()
+        .filter_map(|line| line["type"].as_str())
+        .collect();
+    assert_eq!(
+        types,
+        [
+            "said", "finding", "file", "finding", "finding", "file", "total"
+        ]
+    );
+    assert_eq!(
+        lines[3],
+        serde_json::json!({
+            "type": "finding", "severity": "error", "code": "undeclared",
+            "message": "expected a modifier (texture, pigment, finish, transform, ...) or `}` in `sphere`, \
+                        found the undeclared identifier `pigmnet`",
+            "file": "faulty.pov", "line": 1, "column": 15, "end": { "line": 1, "column": 22 },
+            "labels": [{
+                "text": "this `{` is still open",
+                "file": "faulty.pov", "line": 1, "column": 8, "end": { "line": 1, "column": 9 },
+            }],
+            "trace": [],
+            "hints": ["Did you mean `pigment`?"],
+        })
+    );
+    assert_eq!(
+        lines[6],
+        serde_json::json!({ "type": "total", "files": 2, "errors": 2, "warnings": 1 })
+    );
+}
+
+#[test]
+fn switches_and_ini_files_count_and_standard_input_is_a_scene() {
+    let folder = folder();
+    let arguments = ["check", "needy.txt", "+Llibrary", "Declare=Size=2", "x.ini"];
+    let ended = povr(folder.path(), &arguments, "");
+    assert_eq!(ended.out, "needy.txt: ok\n", "{}", ended.err);
+    let ended = povr(folder.path(), &["check", "x.ini"], "");
+    assert_eq!(ended.out, "right.pov: ok\n", "{}", ended.err);
+    let ended = povr(folder.path(), &["check", "-"], RIGHT);
+    assert_eq!(ended.out, "standard input: ok\n", "{}", ended.err);
+}
+
+#[test]
+fn a_missing_scene_is_an_error_and_a_bad_option_a_refusal() {
+    let folder = folder();
+    let ended = povr(folder.path(), &["check", "none.pov", "right.pov"], "");
+    assert_eq!(ended.code, Some(1));
+    assert!(
+        ended.out.contains("cannot read `none.pov`"),
+        "{}",
+        ended.out
+    );
+    assert!(ended.out.contains("right.pov: ok"), "{}", ended.out);
+    for arguments in [
+        &["check"][..],
+        &["check", "--nonsense", "right.pov"],
+        &["check", "+Zz"],
+    ] {
+        let ended = povr(folder.path(), arguments, "");
+        assert_eq!(ended.code, Some(2), "{arguments:?}: {}", ended.err);
+        assert!(ended.err.starts_with("povr: "), "{}", ended.err);
+    }
+}
+
+#[test]
+fn help_names_the_command_and_the_command_has_help() {
+    let folder = folder();
+    let ended = povr(folder.path(), &["--help"], "");
+    assert!(ended.err.contains("povr check"), "{}", ended.err);
+    let ended = povr(folder.path(), &["check", "--help"], "");
+    assert!(ended.err.contains("--message-format"), "{}", ended.err);
+    assert_eq!(ended.code, Some(0));
+}
+
+#[test]
+fn drawing_tells_in_the_form_that_is_asked_for_and_in_the_order_of_the_scene() {
+    let folder = folder();
+    let scene = "inner/doubtful.pov";
+    let ended = povr(folder.path(), &[scene, "+W8", "+H6", "-F"], "");
+    let line = "File 'inner/doubtful.pov' line 2: Parse Warning: old";
+    assert_eq!(ended.err, format!("here\n{line}\n"));
+    let ended = povr(folder.path(), &[scene, "+W8", "+H6", "-F", "-GD"], "");
+    assert_eq!(ended.err, format!("{line}\n"));
+    let json = [scene, "+W8", "+H6", "-F", "--message-format", "json"];
+    let ended = povr(folder.path(), &json, "");
+    let is_object = |line: &str| serde_json::from_str::<serde_json::Value>(line).is_ok();
+    assert!(ended.err.lines().all(is_object), "{}", ended.err);
+    assert_eq!((ended.err.lines().count(), ended.out.as_str()), (2, ""));
+}

@@ -1,3 +1,0 @@
-isosurface { function { x } }
-camera { location -5*z look_at 0 }
-light_source { <4, 6, -8>, rgb 1 }
