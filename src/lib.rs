@@ -174,5 +174,9 @@ fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Resu
             None
         }
     };
-    scene.ok_or(Failure { errors })
+    match scene {
+        Some(scene) => Ok(scene),
+        None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
+        None => Err(Failure { errors }),
+    }
 }

@@ -69,7 +69,12 @@ pub struct ReadOptions {
     pub initial_clock: f64,
     /// `final_clock`; 0 for a still picture.
     pub final_clock: f64,
+    /// How many tokens loops and macros may read again, before a scene counts as one that does not come to an end.
+    pub patience: u64,
 }
+
+/// Ten seconds' worth of tokens. A loop of ten tokens goes round eight million times.
+const PATIENCE: u64 = 150_000_000;
 
 /// What to draw of the scene, and with what effort.
 #[derive(Clone, Debug, PartialEq)]
@@ -188,6 +193,7 @@ impl Default for ReadOptions {
             final_frame: 0,
             initial_clock: 0.0,
             final_clock: 0.0,
+            patience: PATIENCE,
         }
     }
 }

@@ -27,11 +27,14 @@ fn folder() -> tempfile::TempDir {
         ("faulty.pov", FAULTY),
         (
             "inner/doubtful.pov",
-            "#debug \"here\\n\"\n#warning \"old\"\nsphere { 0, 1 }\n",
+            "#debug \"here\\n\"\n#warning \"old\"\n#include \"../right.pov\"\n",
         ),
         ("inner/part.inc", "}"),
         ("library/ball.inc", "#declare Ball = sphere { 0, Size }\n"),
-        ("needy.txt", "#include \"ball.inc\"\nobject { Ball }\n"),
+        (
+            "needy.txt",
+            "#include \"ball.inc\"\ncamera { location -5*z }\nobject { Ball }\n",
+        ),
         ("x.ini", "Input_File_Name=right.pov\n"),
     ] {
         fs::write(folder.path().join(name), text).expect("a file in it");
@@ -88,9 +91,9 @@ error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in 
  --> faulty.pov:1:15
   |
 1 | sphere { 0, 1 pigmnet { rgb 1 } }
-  |        -      ^^^^^^^
-  |        |
-  |        this `{` is still open
+  | --------      ^^^^^^^
+  | |
+  | in this `sphere`
   |
   = help: Did you mean `pigment`?
 
@@ -98,9 +101,9 @@ error: expected a modifier (texture, pigment, finish, transform, ...) or `}` in 
  --> faulty.pov:2:13
   |
 2 | box { -1, 1 rotaet y }
-  |     -       ^^^^^^
-  |     |
-  |     this `{` is still open
+  | -----       ^^^^^^
+  | |
+  | in this `box`
   |
   = help: Did you mean `rotate`?
 
@@ -177,8 +180,8 @@ fn json_is_an_object_a_line() {
                         found the undeclared identifier `pigmnet`",
             "file": "faulty.pov", "line": 1, "column": 15, "end": { "line": 1, "column": 22 },
             "labels": [{
-                "text": "this `{` is still open",
-                "file": "faulty.pov", "line": 1, "column": 8, "end": { "line": 1, "column": 9 },
+                "text": "in this `sphere`",
+                "file": "faulty.pov", "line": 1, "column": 1, "end": { "line": 1, "column": 9 },
             }],
             "trace": [],
             "hints": ["Did you mean `pigment`?"],

@@ -82,6 +82,10 @@ pub trait Args {
     /// If the next token is an identifier that holds a value of this Rust type, takes it and gives the value.
     /// Use [`declared`], which knows the type.
     fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>>;
+    /// What `#default` holds of this Rust type. Use [`default_of`], which knows the type.
+    fn default_any(&self, _kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        None
+    }
     /// The place of the next token.
     fn span(&mut self) -> Span;
     /// The place of the token last taken.
@@ -102,6 +106,14 @@ pub fn declared<T: Any + Send + Sync>(args: &mut dyn Args) -> Parse<Option<Arc<T
     Ok(args
         .declared_any(TypeId::of::<T>())?
         .and_then(|value| value.downcast::<T>().ok()))
+}
+
+/// What `#default` says of a kind of element, or the kind's own default.
+pub fn default_of<T: Any + Send + Sync + Clone + Default>(args: &dyn Args) -> T {
+    let known = args.default_any(TypeId::of::<T>());
+    known
+        .and_then(|value| value.downcast::<T>().ok())
+        .map_or_else(T::default, |value| T::clone(&value))
 }
 
 /// The error for a word that the language has and this program does not have yet: "`spotlight` is not built yet".

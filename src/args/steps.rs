@@ -67,7 +67,12 @@ fn matrix(args: &mut dyn Args) -> Parse<Transform> {
             args.comma()?;
         }
         if !args.at_expression()? {
-            return Err(args.expected("twelve numbers after `matrix`"));
+            let error = args.expected(&format!(
+                "twelve numbers after `matrix`, of which {i} are here"
+            ));
+            return Err(Box::new(error.with_hint(
+                "three rows of three, and then the translation: `<a, b, c,  d, e, f,  g, h, i,  x, y, z>`",
+            )));
         }
         *entry = args.float()?;
     }

@@ -7,7 +7,7 @@ use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
-use crate::texture::Texture;
+use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -136,8 +136,24 @@ impl Args for Reader<'_> {
         }
     }
 
+    fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        let layer = &self.default_layer;
+        if kind == TypeId::of::<Pigment>() {
+            Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Layer>() {
+            Some(Arc::new(layer.clone()))
+        } else {
+            None
+        }
+    }
+
     fn span(&mut self) -> Span {
-        self.start_span()
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
     }
 
     fn last_span(&self) -> Span {

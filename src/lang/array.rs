@@ -122,7 +122,10 @@ impl Reader<'_> {
         let mut index = 0;
         while !self.take_close()? {
             if index == array.sizes[dimension] {
-                return Err(self.error_here(format!("the array has only {index} items here")));
+                let error = self.error_here(format!("the array has only {index} items here"));
+                return Err(Box::new(
+                    error.with_hint("Give it a larger size, or fewer values."),
+                ));
             }
             let at = from + index * inner;
             if dimension + 1 < array.sizes.len() {

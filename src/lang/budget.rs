@@ -126,7 +126,8 @@ impl Reader<'_> {
         let budget = &mut self.budget;
         // What goes round costs something beside its tokens.
         budget.again += tokens as u64 + 8;
-        let most = limits::AGAIN + limits::AGAIN_FOR_OBJECT * budget.objects;
+        let most = self.options.patience
+            + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects;
         if budget.again > most {
             let message = format!(
                 "the loops and macros of this scene do not come to an end: {} tokens were read in them",

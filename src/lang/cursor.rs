@@ -217,15 +217,6 @@ impl Reader<'_> {
         self.last.tokens.span(self.last.at)
     }
 
-    /// The place of the next token.
-    pub(super) fn start_span(&mut self) -> Span {
-        // Whoever asks only for the place reads on, whatever a directive before the token has met.
-        if let Err(error) = self.peek() {
-            self.record(*error);
-        }
-        self.here_span()
-    }
-
     /// Where the next token begins.
     pub(super) fn start(&mut self) -> Parse<Start> {
         let start = self.peek()?.start;

@@ -31,7 +31,11 @@ impl Reader<'_> {
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
-            return Err(self.expected_here(&format!("`=` after `#declare {spelling}`")));
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            if !error.message.is_empty() && error.hints.is_empty() {
+                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+            }
+            return Err(error);
         }
         let place = Declaring {
             symbol,

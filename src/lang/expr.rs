@@ -310,7 +310,10 @@ impl Reader<'_> {
                 break;
             }
             if number.len == 5 {
-                let error = self.expected_here("`>` after five components");
+                let mut error = self.expected_here("`>` after five components");
+                if !error.message.is_empty() {
+                    error.hints = vec!["A vector has two to five components.".to_owned()];
+                }
                 return Err(self.with_opened(error, '>', opened));
             }
         }

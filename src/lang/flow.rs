@@ -6,7 +6,7 @@ use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
 use crate::source::{Code, Diagnostic, Span};
-use crate::syntax::{Kind, Symbol, Token, Tokens};
+use crate::syntax::{Class, Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
 /// How far two floats may differ and still be equal to the language.
@@ -113,8 +113,20 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Goes behind the parentheses at hand, but not past a directive.
+    /// Goes behind the parentheses at hand, or, where they are missing, to the next object or statement; not past a
+    /// directive.
     fn pass_parentheses(&mut self) {
+        let begins = |token: Token| {
+            token.word().is_some_and(|word| {
+                matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+            })
+        };
+        if !self.is_raw_mark('(') {
+            while !matches!(self.raw().kind, Kind::End | Kind::Directive) && !begins(self.raw()) {
+                self.pass();
+            }
+            return;
+        }
         let mut depth = 0;
         loop {
             let token = self.raw();
@@ -479,7 +491,7 @@ impl Reader<'_> {
     }
 
     fn number_in_parentheses(&mut self) -> Parse<f64> {
-        self.expect_mark('(', "`(`")?;
+        self.expect_mark('(', "`(` and a condition or number")?;
         let open = self.start_taken();
         let value = self.condition_value()?;
         self.expect_end(')', "an operator or `)`", open)?;

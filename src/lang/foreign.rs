@@ -1,13 +1,16 @@
 //! Words of other programs and languages that people write into scenes, and what the scene language has instead.
 
 /// What a foreign word is in the scene language, as a sentence; spelling of capitals and `_` apart.
-pub(super) fn translated(name: &str) -> Option<String> {
+///
+/// `is_value` tells whether it stands in an expression, where other words are meant than in a block.
+pub(super) fn translated(name: &str, is_value: bool) -> Option<String> {
     let bare: String = name
         .chars()
         .filter(|&c| c != '_')
         .map(|c| c.to_ascii_lowercase())
         .collect();
-    let (_, instead) = WORDS
+    let words = if is_value { VALUES } else { WORDS };
+    let (_, instead) = words
         .iter()
         .find(|(words, _)| words.split(' ').any(|word| word == bare))?;
     Some(if instead.contains(' ') {
@@ -17,7 +20,7 @@ pub(super) fn translated(name: &str) -> Option<String> {
     })
 }
 
-/// Foreign words, and the word that is meant, or a sentence without its full stop.
+/// Foreign words in blocks and at the top, and the word that is meant, or a sentence without its full stop.
 const WORDS: &[(&str, &str)] = &[
     (
         "shininess shiny gloss glossy glossiness specularity",
@@ -71,7 +74,7 @@ const WORDS: &[(&str, &str)] = &[
     ("group add join combine", "union"),
     ("move moved translation shift", "translate"),
     ("rotation turn rotated", "rotate"),
-    ("scaling resize size scaled", "scale"),
+    ("scaling resize scaled", "scale"),
     ("endif endwhile endfor endmacro endswitch fi done", "#end"),
     ("elsif elif elseif", "#elseif"),
     ("foreach repeat loop", "#for"),
@@ -82,6 +85,10 @@ const WORDS: &[(&str, &str)] = &[
     ("func sub proc", "#macro"),
     ("import require use", "#include"),
     ("print printf echo log", "#debug"),
+];
+
+/// The same in expressions.
+const VALUES: &[(&str, &str)] = &[
     ("power", "pow"),
     ("length magnitude norm", "vlength"),
     ("dot dotproduct", "vdot"),
@@ -106,20 +113,26 @@ mod tests {
     #[test]
     fn a_foreign_word_is_told_in_the_words_of_the_language() {
         assert_eq!(
-            translated("fieldOfView").as_deref(),
+            translated("fieldOfView", false).as_deref(),
             Some("The scene language says `angle`.")
         );
         assert_eq!(
-            translated("Shininess").as_deref(),
+            translated("Shininess", false).as_deref(),
             Some("A highlight is `phong 0.8 phong_size 40` or `specular 0.5 roughness 0.02`.")
         );
-        assert_eq!(translated("Chair"), None);
+        assert_eq!(translated("Chair", false), None);
+        assert_eq!(translated("power", false), None);
+        assert_eq!(
+            translated("power", true).as_deref(),
+            Some("The scene language says `pow`.")
+        );
     }
 
     #[test]
     fn no_word_is_listed_twice() {
-        let mut words: Vec<&str> = super::WORDS
-            .iter()
+        let mut words: Vec<&str> = [super::WORDS, super::VALUES]
+            .into_iter()
+            .flatten()
             .flat_map(|(words, _)| words.split(' '))
             .collect();
         let count = words.len();

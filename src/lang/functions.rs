@@ -86,7 +86,8 @@ impl Reader<'_> {
     /// The `)` of a call; a comma there means too many arguments.
     pub(super) fn end_of_call(&mut self, word: Word, open: Start) -> Parse<()> {
         if self.peek()?.is_mark(',') {
-            return Err(self.error_here(format!("`{word}` takes no further argument")));
+            let error = self.error_here(format!("`{word}` takes no further argument"));
+            return Err(Box::new(error.with_hint("Write `)` before the comma.")));
         }
         if self.take_mark(')')? {
             return Ok(());
@@ -100,7 +101,8 @@ impl Reader<'_> {
             let a = self.number_at_sum()?;
             self.take_mark(',')?;
             if self.peek()?.is_mark(')') {
-                return Err(self.error_here(format!("`{word}` takes two arguments, found one")));
+                let error = self.error_here(format!("`{word}` takes two arguments, found one"));
+                return Err(Box::new(error.with_hint(format!("Write `{word}(a, b)`."))));
             }
             let b = self.number_at_sum()?;
             return two(word, a, b).map(Number::float).map_err(|message| {

@@ -1,27 +1,24 @@
-//! Soup of tokens from good scenes: reading it ends, with findings or without, and never in a panic.
+//! Broken scenes of every kind that the tests of the whole program know: reading them ends, with findings or without,
+//! and never in a panic. `tools/fuzz.rs` reads many more of them.
+
+#[path = "../../tests/malformed/broken.rs"]
+mod broken;
+#[path = "../../tests/malformed/random.rs"]
+mod random;
 
 use super::evaluate;
 use crate::options::ReadOptions;
-use crate::source::Sources;
+use crate::source::{Message, Severity, Sources};
+use random::Random;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many soups are read, in about half a minute of an unoptimised build.
-const SOUPS: u64 = 20_000;
-/// Tokens of one soup at most. Longer ones find nothing new: reading gives up after some errors.
-const TOKENS: usize = 120;
-
-/// A generator of Marsaglia's (Xorshift RNGs, 2003), so that a failure can be had again by its number.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        usize::try_from(self.0 >> 33).expect("31 bits fit") % end
-    }
-}
+/// How many scenes are read, in about twenty seconds.
+const SCENES: u64 = 20_000;
+/// Loops of the good scenes come to an end within so many tokens.
+const PATIENCE: u64 = 100_000;
+/// Findings of each scene that are told as messages.
+const TOLD: usize = 3;
 
 fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
@@ -38,81 +35,49 @@ fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
     }
 }
 
-/// The words, numbers, strings and marks of all scenes, in order.
-fn tokens(texts: &[String]) -> Vec<&str> {
-    let class = |c: char| match c {
-        'a'..='z' | 'A'..='Z' | '0'..='9' | '_' | '.' | '#' => 1,
-        c if c.is_whitespace() => 2,
-        _ => 0,
-    };
-    let mut tokens = Vec::new();
-    for line in texts.iter().flat_map(|text| text.lines()) {
-        let mut rest = line.split("//").next().unwrap_or_default();
-        while let Some(first) = rest.chars().next() {
-            let end = match class(first) {
-                0 => first.len_utf8(),
-                kind => rest.find(|c| class(c) != kind).unwrap_or(rest.len()),
-            };
-            if class(first) != 2 {
-                tokens.push(&rest[..end]);
-            }
-            rest = &rest[end..];
-        }
-    }
-    tokens
-}
-
-/// A stretch of a scene with some tokens taken out, doubled, or put in from elsewhere.
-fn soup(random: &mut Random, tokens: &[&str]) -> String {
-    let start = random.below(tokens.len());
-    let end = (start + 1 + random.below(TOKENS)).min(tokens.len());
-    let mut soup = tokens[start..end].to_vec();
-    for _ in 0..random.below(8) {
-        let at = random.below(soup.len());
-        let other = tokens[random.below(tokens.len())];
-        match random.below(4) {
-            0 => soup[at] = other,
-            1 => soup.insert(at, other),
-            2 => soup.insert(at, soup[at]),
-            _ if soup.len() > 1 => drop(soup.remove(at)),
-            _ => {}
-        }
-    }
-    soup.join(" ")
-}
-
 #[test]
-fn soup_of_tokens_is_read_to_an_end() {
+fn broken_scenes_are_read_to_an_end() {
     let mut paths = Vec::new();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     scenes(&root.join("pov_scenes"), &mut paths);
-    let texts: Vec<String> = paths
+    let good: Vec<Vec<u8>> = paths
         .iter()
-        .map(|path| {
-            let bytes = fs::read(path).expect("a scene can be read");
-            String::from_utf8_lossy(&bytes).into_owned()
-        })
+        .map(|path| fs::read(path).expect("a scene can be read"))
         .collect();
-    let tokens = tokens(&texts);
-    assert!(tokens.len() > 1_000);
+    assert!(good.len() > 100);
+    let options = ReadOptions {
+        patience: PATIENCE,
+        ..ReadOptions::default()
+    };
     let mut read = 0;
-    for number in 1..=SOUPS {
-        let mut random = Random(number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-        let text = soup(&mut random, &tokens);
-        let mut sources = Sources::new(Vec::new());
-        let file = sources.add_text("soup", &text);
-        let reading = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            evaluate(file, &mut sources, &ReadOptions::default())
-        }));
+    for number in 0..SCENES {
+        let at = usize::try_from(number).expect("few") % broken::KINDS.len();
+        let (kind, damage) = broken::KINDS[at];
+        let text = damage(&mut Random::new(number, kind), &good);
+        let reading = std::panic::catch_unwind(|| {
+            let mut sources = Sources::new(vec![root.join("pov_scenes/language/include")]);
+            let file = sources.add_text("broken", &text);
+            let reading = evaluate(file, &mut sources, &options);
+            for finding in reading.findings.iter().take(TOLD) {
+                assert!(!Message::new(finding, &sources).excerpt.is_empty());
+            }
+            reading
+        });
+        let shown = || String::from_utf8_lossy(&text).into_owned();
         let Ok(reading) = reading else {
-            panic!("soup {number} ends in a panic:\n{text}");
+            panic!("{kind} {number} ends in a panic:\n{}", shown());
         };
         let has_error = reading
             .findings
             .iter()
-            .any(|finding| finding.severity == crate::source::Severity::Error);
-        assert_ne!(reading.scene.is_some(), has_error, "soup {number}:\n{text}");
-        read += usize::from(reading.scene.is_some());
+            .any(|finding| finding.severity == Severity::Error);
+        assert_ne!(
+            reading.scene.is_some(),
+            has_error,
+            "{kind} {number}:\n{}",
+            shown()
+        );
+        read += u64::from(reading.scene.is_some());
     }
-    assert!(read > 0, "some soups are scenes");
+    assert!(read > SCENES / 20, "some scenes stay right: {read}");
 }

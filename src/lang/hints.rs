@@ -15,9 +15,28 @@ impl Reader<'_> {
         match token.kind {
             Kind::Name => self.remedy_of_name(Symbol(token.value), wanted),
             Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
-            Kind::Word => remedy_of_word(token.word()?, wanted),
+            Kind::Word => self
+                .remedy_behind_directive(token.word()?)
+                .or_else(|| remedy_of_word(token.word()?, wanted))
+                .or_else(|| self.remedy_of_no_value(wanted)),
+            Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.to_owned()),
             _ => None,
         }
+    }
+
+    /// `#else if` for `#elseif`.
+    fn remedy_behind_directive(&self, word: Word) -> Option<String> {
+        let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?];
+        let is_else = before.kind == Kind::Directive
+            && self.here.tokens.directives[before.value as usize].word == Some(Word::Else);
+        (is_else && word == Word::If).then(|| "Write `#elseif`.".to_owned())
+    }
+
+    /// A word whose value is missing: `rotate }`.
+    fn remedy_of_no_value(&self, wanted: &str) -> Option<String> {
+        let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?].word()?;
+        let is_value = matches!(before.class(), Class::Value | Class::Function);
+        (wants_value(wanted) && !is_value).then(|| format!("Write a value behind `{before}`."))
     }
 
     fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
@@ -36,12 +55,16 @@ impl Reader<'_> {
             '=' if wanted.contains("the start of `#for`") => {
                 "Write `#for (I, first, last)`, with commas only."
             }
+            ',' if wants_word(wanted) && self.is_between_numbers() => {
+                "A vector stands in `<` and `>`: `<1, 2, 3>`."
+            }
             ',' if wants_word(wanted) => "Parts of a block stand without commas; remove it.",
             ';' if wants_word(wanted) => {
                 "Only declarations of numbers, and some directives, end with `;`; remove it."
             }
             '(' if wants_word(wanted) => "Parameters stand in `{` and `}`, or in none at all.",
-            '=' | ':' if wants_word(wanted) => {
+            '}' => return self.remedy_of_no_value(wanted),
+            '=' | ':' if wants_word(wanted) || self.is_behind_word() => {
                 "A value follows its word without a sign: `ambient 0.2`."
             }
             _ => return None,
@@ -57,6 +80,20 @@ impl Reader<'_> {
         (token.kind == Kind::Mark && touches).then(|| char::from_u32(token.value))?
     }
 
+    /// Whether the token at hand stands behind a number and before another one.
+    fn is_between_numbers(&self) -> bool {
+        let kind = |at: usize| self.here.tokens.tokens.get(at).map(|token| token.kind);
+        let before = self.here.at.checked_sub(1).and_then(kind);
+        let behind = self.raw_ahead(1);
+        let is_signed = behind.is_mark('-') && self.raw_ahead(2).kind == Kind::Number;
+        before == Some(Kind::Number) && (behind.kind == Kind::Number || is_signed)
+    }
+
+    fn is_behind_word(&self) -> bool {
+        let before = self.here.at.checked_sub(1);
+        before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::Word)
+    }
+
     fn is_behind_string(&self) -> bool {
         let before = self.here.at.checked_sub(1);
         before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::String)
@@ -68,8 +105,15 @@ impl Reader<'_> {
             return remedy_of_value(name, value, wanted);
         }
         let small = name.to_lowercase();
-        if let Some(word) = Word::from_spelling(&small)
-            && fits(word, wanted)
+        // `Red` is the colour that is called so, not the word `red`.
+        let is_part_of_color = |word| {
+            matches!(
+                word,
+                Word::Red | Word::Green | Word::Blue | Word::Gray | Word::Filter | Word::Transmit
+            )
+        };
+        if Word::from_spelling(&small)
+            .is_some_and(|word| fits(word, wanted) && !is_part_of_color(word))
         {
             return Some(format!("Reserved words have small letters: `{small}`."));
         }
@@ -91,7 +135,7 @@ impl Reader<'_> {
         if let Some(near) = self.similar_name(name, wanted) {
             return Some(format!("Did you mean `{near}`?"));
         }
-        if let Some(translated) = super::foreign::translated(name) {
+        if let Some(translated) = super::foreign::translated(name, wants_value(wanted)) {
             return Some(translated);
         }
         Some(match wants_word(wanted) && !wanted.contains("statement") {
@@ -234,11 +278,14 @@ pub(super) fn opens_group(word: Word) -> bool {
     )
 }
 
+const NUMBER_FOR_STRING: &str = "A number becomes a string by `str(number, 0, digits)`.";
+
 /// What to do about a value that cannot stand here.
 fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
     let element = match value {
         Value::Element(element) => element.name,
         Value::Object(_) => "object",
+        Value::Number(_) if wanted == "a string" => return Some(NUMBER_FOR_STRING.to_owned()),
         _ => return None,
     };
     let is_part = ["texture", "pigment", "finish", "normal", "interior"]
@@ -252,6 +299,9 @@ fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
         }
         "object" if wants_value(wanted) => {
             format!("`{name}` is drawn by `object {{ {name} }}`; a number must stand here.")
+        }
+        _ if wanted.contains("statement") => {
+            format!("A {element} stands in an object: `{element} {{ {name} }}`.")
         }
         _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
         _ => return None,
@@ -284,6 +334,9 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     let is_in = |block: &str| wanted.ends_with(block);
     if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
         return Some(format!("Directives begin with `#`: `#{word}`."));
+    }
+    if let Some(translated) = super::foreign::translated(word.spelling(), false) {
+        return Some(translated);
     }
     if word.class() == Class::Color && is_in("`texture`") {
         return Some("A colour stands in `pigment { }`.".to_owned());

@@ -32,6 +32,7 @@ impl Reader<'_> {
     }
 
     fn light_items(&mut self) -> Parse<Object> {
+        self.has_light = true;
         let mut light = Light::begin(self)?;
         let mut held = Held::default();
         while !self.take_close()? {

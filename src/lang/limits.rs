@@ -13,11 +13,9 @@ pub(super) const EXPRESSION: usize = 1_000;
 pub(super) const INCLUDES: usize = 100;
 /// Objects inside each other, by whatever names they got there: the time and memory of compiling grow with the square.
 pub(super) const HEIGHT: usize = 2_000;
-/// Tokens that loops and macros read again in a run: ten seconds' worth. A loop of ten tokens goes round eight million
-/// times.
-pub(super) const AGAIN: u64 = 150_000_000;
-/// How many more may be read again for each object that the scene has made: who makes many objects works long.
-pub(super) const AGAIN_FOR_OBJECT: u64 = 2_000;
+/// Who makes many objects works long: for each object that the scene has made, this share of the reader's patience may
+/// be read again beyond it. 2,000 tokens, as patience commonly is.
+pub(super) const PATIENCE_FOR_OBJECT: u64 = 75_000;
 /// Items of one array.
 pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 /// Bytes of one string.

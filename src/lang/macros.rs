@@ -57,7 +57,12 @@ impl Reader<'_> {
         let name = self.identifier("a name after `#macro`")?;
         let mut parameters = Vec::new();
         if !self.take_raw_mark('(') {
-            return Err(self.expected_here("`(` after the macro's name"));
+            let name = self.taken_span();
+            let text = self.source_text(name).to_owned();
+            let error = self.expected_behind(name, "`(` after the macro's name");
+            return Err(Box::new(error.with_hint(format!(
+                "Write `#macro {text}()` if it takes nothing."
+            ))));
         }
         loop {
             self.take_raw_mark(',');

@@ -9,7 +9,7 @@ use super::probe::Probe;
 use super::replay::{Recording, Replays};
 use super::scope::Scopes;
 use super::value::{Number, Value};
-use crate::args::Parse;
+use crate::args::{Parse, Word};
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
@@ -69,6 +69,8 @@ pub(super) struct Reader<'a> {
     pub(super) default_texture: Arc<Texture>,
     pub(super) default_camera: Camera,
     pub(super) camera: Option<(Camera, Span)>,
+    /// Whether a light source has been read.
+    pub(super) has_light: bool,
     pub(super) background: Option<Color>,
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
@@ -151,6 +153,7 @@ impl<'a> Reader<'a> {
             default_texture: Arc::new(Texture::from(Layer::default())),
             default_camera: Camera::default(),
             camera: None,
+            has_light: false,
             background: None,
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
@@ -256,9 +259,7 @@ impl<'a> Reader<'a> {
         if self.errors == 0 {
             self.close_files();
         }
-        if self.errors == 0 && self.objects.is_empty() {
-            self.warning(Diagnostic::warning(None, "no objects in scene"));
-        }
+        self.doubt_the_whole();
         let version = if self.has_version {
             self.version
         } else {
@@ -282,6 +283,47 @@ impl<'a> Reader<'a> {
             messages: self.messages,
             dependencies: self.sources.dependencies().to_vec(),
         }
+    }
+}
+
+impl Reader<'_> {
+    /// What is missing from the scene as a whole. Only what is certain: a picture that is black by intention has no
+    /// camera of its own, and a light may come of ambient colours.
+    fn doubt_the_whole(&mut self) {
+        if self.errors > 0 {
+            return;
+        }
+        if self.objects.is_empty() {
+            self.warning(Diagnostic::warning(None, "no objects in scene"));
+            return;
+        }
+        if self.camera.is_none() && self.default_camera == Camera::default() {
+            self.warning(
+                Diagnostic::warning(None, "no camera: it stands at the origin and looks along z")
+                    .with_hint("Write `camera { location <0, 1, -5> look_at 0 }`."),
+            );
+        }
+        if !self.has_light && !self.may_glow() {
+            self.warning(
+                Diagnostic::warning(
+                    None,
+                    "no light source: only the default ambient light is seen",
+                )
+                .with_hint("Write `light_source { <4, 6, -8>, rgb 1 }`."),
+            );
+        }
+    }
+
+    /// Whether anything but lights may be bright: what an include file declares, and words for light of its own.
+    fn may_glow(&self) -> bool {
+        let glows = |word: Word| {
+            matches!(
+                word,
+                Word::Ambient | Word::Emission | Word::AmbientLight | Word::Radiosity | Word::Media
+            )
+        };
+        let tokens = &self.here.tokens.tokens;
+        !self.tokenized.is_empty() || tokens.iter().any(|token| token.word().is_some_and(glows))
     }
 }
 

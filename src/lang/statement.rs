@@ -31,7 +31,12 @@ impl Reader<'_> {
                 Err(error) => {
                     let error = self.with_trace(*error);
                     self.record(*error);
-                    if self.is_over || self.errors >= limits::ERRORS {
+                    if self.is_over {
+                        return;
+                    }
+                    if self.errors >= limits::ERRORS {
+                        let message = format!("nothing is read behind {} errors", limits::ERRORS);
+                        self.warning(Diagnostic::warning(None, message));
                         return;
                     }
                     self.recover();
@@ -106,6 +111,11 @@ impl Reader<'_> {
         }
         let token = self.raw();
         match token.word() {
+            Some(word) if is_part(word) => {
+                let error = self.expected_here("an object or a statement");
+                let hint = format!("`{word}` stands in the `{{` and `}}` of an object.");
+                Err(Box::new(error.with_hint(hint)))
+            }
             Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
             _ if token.is_mark('}') => Err(self.with_trace(
                 Diagnostic::error(self.here_span(), "this `}` closes nothing")
@@ -352,14 +362,7 @@ impl Reader<'_> {
     fn is_at_new_statement(&self) -> bool {
         let token = self.raw();
         let begins = match token.word() {
-            Some(
-                Word::Texture
-                | Word::Pigment
-                | Word::Finish
-                | Word::Normal
-                | Word::Interior
-                | Word::Material,
-            ) => false,
+            Some(word) if is_part(word) => false,
             Some(word) => matches!(word.class(), Class::Shape | Class::Statement | Class::Csg),
             None => token
                 .symbol()
@@ -427,4 +430,18 @@ impl Reader<'_> {
         }
         self.skip_token();
     }
+}
+
+/// Whether a word begins a part of objects, which stands nowhere else.
+fn is_part(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Texture
+            | Word::Pigment
+            | Word::Finish
+            | Word::Normal
+            | Word::Interior
+            | Word::InteriorTexture
+            | Word::Material
+    )
 }

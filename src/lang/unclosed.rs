@@ -49,22 +49,28 @@ impl Reader<'_> {
         (open, self.source_text(open))
     }
 
-    /// The `{` behind a word is missing. Where the next token stands in another line, the word's line is the faulty one.
+    /// The `{` behind a word is missing.
     pub(super) fn no_block(&mut self, element: Span) -> Box<Diagnostic> {
         let after = self.source_text(element).to_owned();
-        let mut error = self.expected_here(&format!("`{{` after `{after}`"));
-        let line = |span: Span| self.sources.line_column(span).0;
-        if let Some(found) = error.span
-            && found.file == element.file
-            && line(found) > line(element)
-        {
-            error.span = Some(element);
-            *error = error.with_label(found, "found here");
-        }
+        let mut error = self.expected_behind(element, &format!("`{{` after `{after}`"));
         if error.hints.is_empty() {
             error.hints.push(format!("Write `{after} {{`."));
         }
         error
+    }
+
+    /// "expected WHAT, found ...". Where the token found stands in a later line, the faulty line is that of the place
+    /// behind which something is missing.
+    pub(super) fn expected_behind(&mut self, place: Span, what: &str) -> Box<Diagnostic> {
+        let mut error = self.expected_here(what);
+        let line = |span: Span| self.sources.line_column(span).0;
+        match error.span {
+            Some(found) if found.file == place.file && line(found) > line(place) => {
+                error.span = Some(place);
+                Box::new(error.with_label(found, "found here"))
+            }
+            _ => error,
+        }
     }
 
     /// The error that `mark` does not close what was opened at `open`.
@@ -81,6 +87,12 @@ impl Reader<'_> {
         let opened = self.source_text(open).to_owned();
         let mut error = error.with_label(open, format!("this `{opened}` is still open"));
         if error.hints.is_empty() {
+            let before = (open.start as usize).checked_sub(1);
+            let text = self.sources.text(open.file).as_bytes();
+            if before.and_then(|at| text.get(at)) == Some(&b'<') {
+                error.hints.push("One `<` compares two values.".to_owned());
+                return Box::new(error);
+            }
             let found = self.source_text(self.here_span());
             let line = found.lines().next().unwrap_or_default();
             error.hints.push(match line {

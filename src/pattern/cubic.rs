@@ -11,9 +11,9 @@ const COLORS: [Stop; 6] = [
     (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
     (2.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
-    (3.0, Color::opaque(Rgb::new(1.0, 0.0, 1.0))),
+    (3.0, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
     (4.0, Color::opaque(Rgb::new(0.0, 1.0, 1.0))),
-    (5.0, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
+    (5.0, Color::opaque(Rgb::new(1.0, 0.0, 1.0))),
 ];
 
 pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {

@@ -6,6 +6,7 @@
 //! which pigments, normals, densities and textures share.
 
 mod agate;
+mod aoi;
 mod boxed;
 mod bozo;
 mod brick;
@@ -17,10 +18,14 @@ mod cubic;
 mod cylindrical;
 mod dents;
 mod formula;
+mod fractal;
 mod gradient;
 mod granite;
 mod hexagon;
+mod julia;
 mod leopard;
+mod magnet;
+mod mandel;
 mod map;
 mod marble;
 mod modifiers;
@@ -30,6 +35,7 @@ mod prepared;
 mod quilted;
 mod radial;
 mod ripples;
+mod slope;
 mod spherical;
 mod spiral;
 mod square;
@@ -66,6 +72,7 @@ pub type Stop = (f32, Color);
 /// The patterns by their words.
 static PATTERNS: &[(Word, New)] = &[
     (Word::Agate, agate::new),
+    (Word::Aoi, aoi::new),
     (Word::Boxed, boxed::new),
     (Word::Bozo, bozo::bozo),
     (Word::Brick, brick::new),
@@ -79,13 +86,17 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Gradient, gradient::new),
     (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),
+    (Word::Julia, julia::new),
     (Word::Leopard, leopard::new),
+    (Word::Magnet, magnet::new),
+    (Word::Mandel, mandel::new),
     (Word::Marble, marble::new),
     (Word::Onion, onion::new),
     (Word::Planar, planar::new),
     (Word::Quilted, quilted::new),
     (Word::Radial, radial::new),
     (Word::Ripples, ripples::ripples),
+    (Word::Slope, slope::new),
     (Word::Spherical, spherical::new),
     (Word::Spiral1, spiral::spiral1),
     (Word::Spiral2, spiral::spiral2),

@@ -8,9 +8,9 @@ use glam::DVec3;
 
 /// The colours that POV-Ray gives where the scene does not.
 const COLORS: [Stop; 4] = [
-    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
-    (2.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
+    (2.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
     (3.0, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
 ];
 

@@ -11,12 +11,12 @@ const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 /// The colours that POV-Ray gives where the scene does not.
 const COLORS: [Stop; 6] = [
-    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (0.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
     (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
-    (2.0, Color::opaque(Rgb::new(1.0, 0.0, 0.0))),
-    (3.0, Color::opaque(Rgb::new(1.0, 0.0, 1.0))),
+    (2.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (3.0, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
     (4.0, Color::opaque(Rgb::new(0.0, 1.0, 1.0))),
-    (5.0, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
+    (5.0, Color::opaque(Rgb::new(1.0, 0.0, 1.0))),
 ];
 
 pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {

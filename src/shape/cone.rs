@@ -73,7 +73,8 @@ impl Cone {
         let at = at.to(args.last_span());
         let apex_radius = read::number(args, "the apex radius of the cone")?;
         let Some(cone) = Cone::new(base, base_radius, apex, apex_radius) else {
-            let error = Diagnostic::error(at, "degenerate cone: base point = apex point");
+            let error = Diagnostic::error(at, "degenerate cone: base point = apex point")
+                .with_hint("Place its two ends apart.");
             return Err(Box::new(error));
         };
         let is_open = args.accept(Word::Open)?;

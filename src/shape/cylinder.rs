@@ -52,7 +52,8 @@ impl Cylinder {
         let at = at.to(args.last_span());
         let radius = read::number(args, "the radius of the cylinder")?;
         let Some(cylinder) = Cylinder::new(base, apex, radius) else {
-            let error = Diagnostic::error(at, "degenerate cylinder: base point = apex point");
+            let error = Diagnostic::error(at, "degenerate cylinder: base point = apex point")
+                .with_hint("Place its two ends apart.");
             return Err(Box::new(error));
         };
         let is_open = args.accept(Word::Open)?;

@@ -68,6 +68,13 @@ fn unclosed_comment(text: &str, file: FileId, at: usize) -> Diagnostic {
                 "comments nest, and this one is open as well",
             )
             .with_hint("Each `/*` needs a `*/` of its own.");
+    } else if let Some(inner) = text[at + 2..line_end(text, at)].find("/*") {
+        error = error
+            .with_label(
+                mark(at + 2 + inner),
+                "comments nest: this opens another one",
+            )
+            .with_hint("Each `/*` needs a `*/` of its own.");
     } else {
         error = error.with_hint("Write `*/` at the end of the comment.");
     }

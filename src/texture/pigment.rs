@@ -1,6 +1,6 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
-use crate::args::{Args, Parse, Word, declared, not_built};
+use crate::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::color::{Color, Rgb};
 use crate::math::Step;
 use crate::pattern::{self, Map, Modifiers, Pattern, Stop};
@@ -64,7 +64,8 @@ impl Pigment {
 
     /// An entry of a map: a pigment without its braces.
     fn read_entry(args: &mut dyn Args) -> Parse<Pigment> {
-        let mut pigment = Pigment::read_known(args, &Pigment::default())?;
+        let default = default_of(args);
+        let mut pigment = Pigment::read_known(args, &default)?;
         while pigment.read_item(args)? {}
         pigment.checked(args)
     }
@@ -216,17 +217,18 @@ fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
     Ok(Map::of_stops(&entries))
 }
 
-/// The pigments of a list, with or without commas between them; those left out are plain, as in `defaults`.
+/// The pigments of a list, with or without commas between them; those left out are the default pigment.
 fn pigment_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Pigment>> {
+    let default: Pigment = default_of(args);
     let mut entries: Vec<_> = defaults
         .iter()
-        .map(|&(at, color)| (at, Pigment::plain(color)))
+        .map(|&(at, _)| (at, default.clone()))
         .collect();
     for (_, slot) in &mut entries {
         if !args.accept(Word::Pigment)? {
             break;
         }
-        *slot = Pigment::read(args, &Pigment::default())?;
+        *slot = Pigment::read(args, &default)?;
         args.comma()?;
     }
     Map::new(entries).ok_or_else(|| args.expected("an entry"))

@@ -1,6 +1,6 @@
 //! Ways to damage a good scene.
 
-use crate::random::Random;
+use super::random::Random;
 
 /// Makes a broken scene from one or two of the given ones.
 pub(crate) type Damage = fn(&mut Random, &[Vec<u8>]) -> Vec<u8>;
@@ -21,7 +21,54 @@ pub(crate) const KINDS: &[(&str, Damage)] = &[
     ("braces_changed", braces_changed),
     ("lines_shuffled", lines_shuffled),
     ("two_spliced", two_spliced),
+    ("blocks_moved", blocks_moved),
+    ("blocks_nested", blocks_nested),
+    ("directives_strewn", directives_strewn),
+    ("macros_made", macros_made),
+    ("soup", soup),
 ];
+
+/// What acts between any two tokens.
+const DIRECTIVES: &[&str] = &[
+    "#if (1)",
+    "#if (0)",
+    "#ifdef (A)",
+    "#else",
+    "#elseif (A)",
+    "#end",
+    "#end #end",
+    "#while (0)",
+    "#while (1)",
+    "#for (A, 0, 3)",
+    "#for (A, 1, 0, -1)",
+    "#switch (A) #case (1)",
+    "#range (0, 2)",
+    "#break",
+    "#macro A(B, C)",
+    "#macro B()",
+    "#declare A =",
+    "#declare A = 1;",
+    "#local B =",
+    "#declare A[1] =",
+    "#declare A = array[2][2]",
+    "#undef A",
+    "#include \"ball.inc\"",
+    "#version 3.1;",
+    "#version 3.7;",
+    "#default {",
+    "#debug",
+    "#error \"x\"",
+    "A",
+    "A(B, 1)",
+    "B()",
+    "A[1]",
+    "A.x",
+    "declare A = 2;",
+];
+/// Tokens of a soup at most. Longer ones find nothing new: reading gives up after some errors.
+const SOUP: usize = 120;
+/// How often a block is put into itself.
+const NESTED: usize = 40;
 
 /// Numbers at which arithmetic breaks.
 const EXTREMES: &[&str] = &[
@@ -161,6 +208,99 @@ fn two_spliced(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
     let (first, second) = (random.pick(scenes), random.pick(scenes));
     let (end, start) = (random.below(first.len()), random.below(second.len()));
     [&first[..end], &second[start..]].concat()
+}
+
+/// A `{ ... }` with the word before it goes to another place, or there as well.
+fn blocks_moved(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
+    let here = some_tokens(random, scenes);
+    let mut there = some_tokens(random, scenes);
+    for _ in 0..=random.below(3) {
+        let block = some_block(random, &here);
+        let at = random.below(there.len());
+        let end = (at + random.below(2) * random.below(12)).min(there.len());
+        there.splice(
+            at..end,
+            [&b" "[..]].into_iter().chain(block.iter().copied()),
+        );
+    }
+    there.concat()
+}
+
+/// A block holds itself, many times over.
+fn blocks_nested(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
+    let tokens = some_tokens(random, scenes);
+    let block = some_block(random, &tokens).concat();
+    let at = random.below(block.len());
+    let (open, close) = block.split_at(at);
+    let times = random.below(NESTED);
+    let (mut nested, rest) = (open.repeat(times), close.repeat(times));
+    nested.extend_from_slice(&block);
+    nested.extend_from_slice(&rest);
+    nested
+}
+
+fn directives_strewn(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
+    let mut tokens = some_tokens(random, scenes);
+    for _ in 0..=random.below(6) {
+        let at = random.below(tokens.len());
+        let directive = random.pick(DIRECTIVES).as_bytes();
+        tokens.splice(at..at, [&b" "[..], directive, b" "]);
+    }
+    tokens.concat()
+}
+
+/// Stretches of tokens become macros, called where they stood and elsewhere.
+fn macros_made(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
+    let mut tokens = some_tokens(random, scenes);
+    let mut head = Vec::new();
+    for name in 0..=random.below(3) {
+        let start = random.below(tokens.len());
+        let end = (start + 1 + random.below(30)).min(tokens.len());
+        let call: &[u8] = [&b" M0(1) "[..], b" M1(x, 2) ", b" M2() "][name.min(2)];
+        let parameters = ["A", "A, B", ""][name.min(2)];
+        head.extend_from_slice(format!("#macro M{name}({parameters}) ").as_bytes());
+        head.extend(tokens.splice(start..end, [call]).flatten());
+        head.extend_from_slice(b" #end\n");
+        let elsewhere = random.below(tokens.len());
+        tokens.insert(elsewhere, call);
+    }
+    [head, tokens.concat()].concat()
+}
+
+/// Some tokens of one scene, some of which are those of others.
+fn soup(random: &mut Random, scenes: &[Vec<u8>]) -> Vec<u8> {
+    let tokens = some_tokens(random, scenes);
+    let start = random.below(tokens.len());
+    let end = (start + 1 + random.below(SOUP)).min(tokens.len());
+    let mut soup = tokens.get(start..end).unwrap_or_default().to_vec();
+    for _ in 0..random.below(8) {
+        let others = some_tokens(random, scenes);
+        let at = random.below(soup.len());
+        let other = others[random.below(others.len())];
+        match random.below(4) {
+            0 => soup[at] = other,
+            1 => soup.insert(at, other),
+            2 => soup.insert(at, soup[at]),
+            _ if soup.len() > 1 => drop(soup.remove(at)),
+            _ => {}
+        }
+    }
+    soup.join(&b' ')
+}
+
+/// The tokens of a `{ ... }` and of the word before it; some other tokens where braces are not paired.
+fn some_block<'a>(random: &mut Random, tokens: &[&'a [u8]]) -> Vec<&'a [u8]> {
+    let opens: Vec<usize> = (0..tokens.len()).filter(|&i| tokens[i] == b"{").collect();
+    let open = opens.get(random.below(opens.len())).copied().unwrap_or(0);
+    let mut depth = 0i32;
+    let length = tokens[open..]
+        .iter()
+        .position(|&token| {
+            depth += i32::from(token == b"{") - i32::from(token == b"}");
+            depth <= 0
+        })
+        .unwrap_or(0);
+    tokens[open.saturating_sub(2)..=open + length].to_vec()
 }
 
 /// The tokens of one of the scenes.

@@ -1,7 +1,9 @@
 //! The warps: one file each. A warp takes a point of the outside to the point of the pattern that shows there.
 
+mod black_hole;
 mod repeat;
 mod turbulence;
+mod wrap;
 
 use super::Settings;
 use crate::args::{Args, Parse, Word, not_built};
@@ -13,7 +15,12 @@ type Read = fn(&mut dyn Args) -> Parse<Box<dyn Warp>>;
 
 /// The warps by their words.
 static WARPS: &[(Word, Read)] = &[
+    (Word::BlackHole, black_hole::read),
+    (Word::Cylindrical, wrap::cylindrical),
+    (Word::Planar, wrap::planar),
     (Word::Repeat, repeat::read),
+    (Word::Spherical, wrap::spherical),
+    (Word::Toroidal, wrap::toroidal),
     (Word::Turbulence, turbulence::read),
 ];
 
@@ -55,9 +62,7 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
         return Err(args.expected("a kind of `warp`"));
     };
     let Some((_, read)) = WARPS.iter().find(|entry| entry.0 == word) else {
-        let is_missing = matches!(word, Word::BlackHole | Word::Toroidal | Word::Cubic)
-            || matches!(word, Word::Spherical | Word::Cylindrical | Word::Planar);
-        return Err(if is_missing {
+        return Err(if word == Word::Cubic {
             not_built(args, word)
         } else {
             args.expected("a kind of `warp`")

@@ -19,8 +19,12 @@ pub(super) fn assert_same_tokens(text: &str, name: &str) {
         Err(faults) => {
             let is_number = |fault: &crate::source::Diagnostic| fault.message.contains("decimal");
             let open = faults.iter().find(|fault| !is_number(fault));
-            let open = open
-                .and_then(|fault| fault.span)
+            // What has no end is told beside the string that is probably at fault.
+            let last = open.and_then(|fault| fault.labels.last());
+            let unended = last.filter(|label| label.text.contains("no end"));
+            let open = unended
+                .map(|label| label.span)
+                .or(open.and_then(|fault| fault.span))
                 .map(|span| span.start as usize);
             assert!(
                 open == stop || faults.len() >= 20,

@@ -53,7 +53,7 @@ fn every_bad_number_is_told() {
             "`7.8.9e1` has two decimal points"
         ]
     );
-    assert_eq!(faults[1].hints, ["write `5.6`"]);
+    assert_eq!(faults[1].hints, ["Write `5.6`."]);
 }
 
 #[test]
@@ -69,6 +69,8 @@ fn a_comment_that_stays_open_is_told_with_the_inner_one() {
     let faults = lex("a /* b /* c */ d").unwrap_err();
     assert_eq!(faults[0].message, "no `*/` for this comment");
     assert_eq!(faults[0].span.unwrap().start, 2);
+    assert_eq!(faults[0].labels[0].span.start, 7);
+    let faults = lex("a /* b\n/* c */ d").unwrap_err();
     assert!(faults[0].labels.is_empty());
     let faults = lex("a /* b /* c /* */ d").unwrap_err();
     assert_eq!(faults[0].labels[0].span.start, 7);

@@ -1,0 +1,8 @@
+// The value of type 3 for points outside of fractals.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0.3, 0.4, -6> look_at <0.3, 0.4, 0> angle 40 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { -z, -1 pigment { mandel 40 exterior 3, 0.2 color_map { [0 rgb <1, 0.9, 0.6>] [0.3 rgb <0.2, 0.5, 0.3>] [0.7 rgb <0.8, 0.2, 0.1>] [1 rgb <0.1, 0.1, 0.4>] } scale 1.2 } finish { ambient 1 diffuse 0 } }
+sphere { <0.8, -0.2, 0>, 1 pigment { julia <0.353, 0.288>, 30 exterior 3, 0.2 color_map { [0 rgb <1, 0.9, 0.6>] [0.3 rgb <0.2, 0.5, 0.3>] [0.7 rgb <0.8, 0.2, 0.1>] [1 rgb <0.1, 0.1, 0.4>] } scale 0.5 translate <0.6, -0.2, 0> } }
+box { <-1.4, -0.6, -0.6>, <-0.2, 0.6, 0.6> rotate <20, 30, 0> pigment { magnet 2 mandel 20 exterior 3, 0.2 color_map { [0 rgb <1, 0.9, 0.6>] [0.3 rgb <0.2, 0.5, 0.3>] [0.7 rgb <0.8, 0.2, 0.1>] [1 rgb <0.1, 0.1, 0.4>] } scale 0.4 } }

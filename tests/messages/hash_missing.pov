@@ -1,0 +1,6 @@
+// mistakes in lines 2, 4: directives without `#`
+if (1)
+  sphere { 0, 1 }
+end
+camera { location -5*z look_at 0 }
+light_source { <4, 6, -8>, rgb 1 }
