@@ -58,6 +58,9 @@ use std::sync::Arc;
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 256 << 20;
 
+/// Below this quality there is neither radiosity nor photons (facts 4.11).
+const QUALITY_OF_RADIOSITY: u8 = 9;
+
 /// Reads, compiles and renders a scene. `listen` hears what the scene says and what is found in it, as soon as it is.
 ///
 /// # Errors
@@ -69,7 +72,7 @@ pub fn draw(
     listen: &Listen<'_>,
 ) -> Result<Picture, Failure> {
     let (world, working) = with_deep_stack(listen, || {
-        let scene = read_scene(input, read, listen)?;
+        let scene = read_scene(input, read, render.quality, listen)?;
         Ok(prepared(&scene, render))
     })?;
     let progress = |pixels| listen(Event::Drawn(pixels));
@@ -95,7 +98,10 @@ pub fn draw(
 /// # Errors
 /// When the scene could not be drawn.
 pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
-    with_deep_stack(listen, || read_scene(input, read, listen).map(drop))
+    let quality = RenderOptions::default().quality;
+    with_deep_stack(listen, || {
+        read_scene(input, read, quality, listen).map(drop)
+    })
 }
 
 /// Does something on a stack that is deep enough for scenes that nest deep.
@@ -146,7 +152,13 @@ fn prepared(scene: &Scene, render: &RenderOptions) -> (World, Option<color::Gamm
     (compile::compile(scene, render), scene.working_gamma())
 }
 
-fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Result<Scene, Failure> {
+/// Reads a scene; what drawing cannot do yet is an error if it would be seen at this quality.
+fn read_scene(
+    input: &Input,
+    options: &ReadOptions,
+    quality: u8,
+    listen: &Listen<'_>,
+) -> Result<Scene, Failure> {
     let mut sources = Sources::new(options.library_paths.clone());
     let mut errors = Vec::new();
     let mut found = |finding: &Diagnostic, sources: &Sources| {
@@ -167,7 +179,13 @@ fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Resu
                 Heard::Found(finding, sources) => found(finding, sources),
             };
             let mut probe = OwnObjects::default();
-            lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear).scene
+            let reading = lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear);
+            if quality >= QUALITY_OF_RADIOSITY {
+                for undrawn in &reading.undrawn {
+                    found(undrawn, &sources);
+                }
+            }
+            reading.scene
         }
         Err(error) => {
             found(&error, &sources);
@@ -175,8 +193,8 @@ fn read_scene(input: &Input, options: &ReadOptions, listen: &Listen<'_>) -> Resu
         }
     };
     match scene {
-        Some(scene) => Ok(scene),
+        Some(scene) if errors.is_empty() => Ok(scene),
         None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
-        None => Err(Failure { errors }),
+        _ => Err(Failure { errors }),
     }
 }

@@ -45,6 +45,13 @@ pub trait Args {
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
     /// A string.
     fn string(&mut self) -> Parse<String>;
+    /// The bytes of the file whose name was taken last, searched like an include file, by its name and then with each of
+    /// `endings` appended.
+    fn file(&mut self, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+        let _ = endings;
+        let message = format!("cannot find the file `{name}`");
+        Err(Box::new(Diagnostic::error(self.last_span(), message)))
+    }
     /// Takes vectors of `len` components that are written as literal numbers, each with an optional comma before it, as
     /// long as `take` wants them; the first it does not want is left where it is. May stop early, or take none at
     /// all: whoever calls this for speed reads on with [`Args::vector`].

@@ -40,6 +40,7 @@ impl Leaf {
     #[must_use]
     pub fn new(mut shape: Shape, steps: &[Step], surface: u32, extent: Extent) -> (Leaf, Bounds) {
         let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
+        shape.prepare();
         let rest = &steps[absorbed..];
         if rest.is_empty() {
             let bounds = extent.of(&shape);

@@ -1,13 +1,13 @@
 //! Rays and points at single objects, before there is a world.
 
-use super::flatten::Flat;
+use super::flatten::{Flat, Item};
 use super::world::{Query, Scratch, Seen, World};
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
-use crate::math::Ray;
+use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::shape::Shape;
+use crate::shape::{Geometry, Shape};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -84,6 +84,14 @@ impl Probed {
 fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Flat::default();
     flat.add(object);
+    // The inside of a disc is a half-space, far beyond its surface.
+    for (item, bounds) in flat.items.iter().zip(&mut flat.bounds) {
+        if let Item::Leaf(leaf) = item
+            && !flat.leaves[*leaf as usize].shape.solid_bounds().is_finite()
+        {
+            *bounds = Bounds::EVERYTHING;
+        }
+    }
     for surface in &mut flat.surfaces {
         surface.flags.no_image = false;
     }

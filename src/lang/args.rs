@@ -55,6 +55,17 @@ impl Args for Reader<'_> {
         Reader::string(self)
     }
 
+    fn file(&mut self, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+        let at = self.taken_span();
+        let found = self.sources.find_bytes(name, at.file, endings);
+        found.map_err(|error| {
+            self.with_trace(Diagnostic {
+                span: Some(at),
+                ..*error
+            })
+        })
+    }
+
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
         self.take_literal_vectors(len, take);
     }

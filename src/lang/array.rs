@@ -1,5 +1,6 @@
 //! Arrays: their values, items and indices.
 
+use super::cursor::Declaring;
 use super::flow::EQUAL;
 use super::limits;
 use super::reader::Reader;
@@ -10,33 +11,68 @@ use crate::syntax::Symbol;
 use std::rc::Rc;
 
 impl Reader<'_> {
-    /// `[i] = value` behind `#declare` and the name of an array.
-    pub(super) fn declare_item(&mut self, symbol: Symbol) -> Parse<()> {
-        let Some(Value::Array(array)) = self.scopes.get(symbol) else {
-            return Ok(());
-        };
-        let sizes = array.sizes.clone();
-        let at = self.array_index(&sizes)?;
+    /// `[i] = value` behind `#declare` or `#local` and the name of an array, perhaps of arrays.
+    pub(super) fn declare_item(&mut self, symbol: Symbol, is_local: bool) -> Parse<()> {
+        let start = self.taken_span();
+        let item = self.item_path(symbol)?;
         if !self.take_mark('=')? {
             return Err(self.expected_here("`=` after the item of an array"));
         }
-        let Some(value) = self.value("a value")? else {
+        let place = Declaring {
+            is_item: true,
+            ..self.declaring_here(symbol, is_local)
+        };
+        let outer = self.declaring.replace(place);
+        self.without_semicolon = None;
+        let value = self.value("a value");
+        self.declaring = outer;
+        let Some(value) = value? else {
             return Err(self.expected_here("a value"));
         };
-        self.end_of_declaration(matches!(value, Value::Number(_)))?;
-        self.set_item(symbol, at, value)
+        let is_number = matches!(value, Value::Number(_));
+        if is_local && !self.scopes.is_local(symbol) {
+            let message = "`#local` does not reach this array, which is not local; nothing changes";
+            let warning = Diagnostic::warning(start, message);
+            self.warning(warning.with_hint("Write `#declare` to change it."));
+        } else {
+            self.set_item(symbol, &item, value)?;
+        }
+        let outer = self.declaring.replace(Declaring {
+            is_complete: true,
+            ..place
+        });
+        let end = self.end_of_declaration(is_number);
+        self.declaring = outer;
+        end
+    }
+
+    /// `[i]`, and further ones for items that are arrays themselves, as indices into their items.
+    pub(super) fn item_path(&mut self, symbol: Symbol) -> Parse<Vec<usize>> {
+        let mut path: Vec<usize> = Vec::new();
+        loop {
+            let held = self.scopes.get(symbol).and_then(|value| value.item(&path));
+            let Some(Value::Array(array)) = held else {
+                return Ok(path);
+            };
+            if !path.is_empty() && !self.is_raw_mark('[') {
+                return Ok(path);
+            }
+            let array = Rc::clone(array);
+            path.push(self.array_index(&array.sizes)?);
+        }
     }
 
     /// Gives an item of the array of this name a value.
-    pub(super) fn set_item(&mut self, symbol: Symbol, at: usize, value: Value) -> Parse<()> {
-        // An array that has another name as well is copied.
-        let copied = match self.scopes.get(symbol) {
-            Some(Value::Array(array)) if Rc::strong_count(array) > 1 => array.items.len(),
-            _ => 0,
-        };
+    pub(super) fn set_item(&mut self, symbol: Symbol, path: &[usize], value: Value) -> Parse<()> {
+        // Arrays that have another name as well are copied.
+        let copied = self
+            .scopes
+            .get(symbol)
+            .map_or(0, |array| array.copied_by(path));
         self.take_memory(array_bytes(copied), self.taken_span())?;
-        if let Some(Value::Array(array)) = self.scopes.get_mut(symbol) {
-            Rc::make_mut(array).items[at] = Some(value);
+        let item = self.scopes.get_mut(symbol);
+        if let Some(item) = item.and_then(|array| array.item_mut(path)) {
+            *item = Some(value);
         }
         Ok(())
     }
@@ -56,7 +92,7 @@ impl Reader<'_> {
 
     fn checked_index(&self, index: f64, size: usize, span: crate::source::Span) -> Parse<usize> {
         whole_index(index, size).ok_or_else(|| {
-            let whole = (index + EQUAL).trunc();
+            let whole = (index + EQUAL.copysign(index)).trunc();
             self.with_trace(
                 Diagnostic::error(
                     span,
@@ -145,7 +181,7 @@ impl Reader<'_> {
 
 /// An index into so many items, without what stands behind its decimal point; `None` if there is no such item.
 pub(super) fn whole_index(index: f64, size: usize) -> Option<usize> {
-    let whole = (index + EQUAL).trunc();
+    let whole = (index + EQUAL.copysign(index)).trunc();
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -44,6 +44,8 @@ impl Start {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
+    /// Whether an item of the array of this name is declared, not the name.
+    pub(super) is_item: bool,
     /// How many frames, parentheses and blocks were open where the value began.
     pub(super) frames: usize,
     pub(super) depth: usize,
@@ -70,8 +72,8 @@ pub(super) struct Frame {
 pub(super) enum Entered {
     /// The chosen part of an `#if`.
     If,
-    /// The chosen part of a `#switch`.
-    Switch,
+    /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
+    Switch { value: f64, is_chosen: bool },
     /// A `#while`, with the place of its condition, and which round it is in.
     While { condition: usize, rounds: u64 },
     /// A `#for`.
@@ -94,7 +96,7 @@ impl Reader<'_> {
     pub(super) fn enter_frame(&mut self, home: Rc<Tokens>, end: u32, kind: Entered) {
         let repeats = match kind {
             Entered::While { .. } | Entered::For(_) | Entered::Macro { .. } => true,
-            Entered::If | Entered::Switch | Entered::Include { .. } => self.is_repeated(),
+            Entered::If | Entered::Switch { .. } | Entered::Include { .. } => self.is_repeated(),
         };
         self.frames.push(Frame {
             home,
@@ -122,7 +124,7 @@ impl Reader<'_> {
     /// The same where the token at hand might not be the next one.
     fn peek_word(&mut self, token: Token) -> Parse<Token> {
         let stays = match token.kind {
-            Kind::Name => !self.scopes.is_macro(Symbol(token.value)),
+            Kind::Name => !self.scopes.is_macro(Symbol(token.value)) && self.deprecated.is_empty(),
             Kind::Word => !is_bare_directive(token),
             _ => false,
         };
@@ -138,6 +140,9 @@ impl Reader<'_> {
         loop {
             match token.kind {
                 Kind::Name => {
+                    if !self.deprecated.is_empty() {
+                        self.warn_of_deprecated(Symbol(token.value));
+                    }
                     let Some(Value::Macro(called)) = self.scopes.get(Symbol(token.value)) else {
                         return Ok(token);
                     };
@@ -179,7 +184,7 @@ impl Reader<'_> {
             return false;
         };
         let frames = self.frames.len();
-        (frames == open.frames || open.is_complete && frames > open.frames)
+        (frames <= open.frames || open.is_complete)
             && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
             && matches!(
                 self.here.tokens.directives[token.value as usize].word,
@@ -376,7 +381,7 @@ impl Reader<'_> {
     }
 
     /// At the end of a file: goes back to the `#include` that entered it. False in the scene's own file.
-    fn leave_file(&mut self) -> bool {
+    pub(super) fn leave_file(&mut self) -> bool {
         let Some(at) = self
             .frames
             .iter()

@@ -16,18 +16,30 @@ use crate::syntax::{Class, Kind, Symbol, Token};
 use crate::texture::{Finish, Material, Pigment, Texture};
 use std::rc::Rc;
 
+/// What `deprecated` says of a name.
+#[derive(Debug)]
+pub(super) struct Deprecation {
+    is_once: bool,
+    message: Option<String>,
+}
+
 impl Reader<'_> {
     /// `#declare Name = value` and `#local Name = value`, and the same for an item of an array.
     pub(super) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
-        if self.raw().kind == Kind::Word && self.raw().value == Word::Deprecated as u32 {
-            self.pass();
-            self.take_word(Word::Once)?;
-            self.string()?;
-        }
+        let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;
         let name = self.start_taken();
+        match deprecation {
+            Some(deprecation) => {
+                self.deprecated.insert(symbol, deprecation);
+            }
+            None if !self.deprecated.is_empty() => {
+                self.deprecated.remove(&symbol);
+            }
+            None => {}
+        }
         if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
-            return self.declare_item(symbol);
+            return self.declare_item(symbol, is_local);
         }
         if !self.take_mark('=')? {
             let spelling = self.names.spelling(symbol).to_owned();
@@ -37,17 +49,17 @@ impl Reader<'_> {
             }
             return Err(error);
         }
-        let place = Declaring {
-            symbol,
-            is_local,
-            frames: self.frames.len(),
-            depth: self.depth,
-            blocks: self.blocks.len(),
-            is_complete: false,
-        };
-        let outer = self.declaring.replace(place);
+        let outer = self.declaring.take();
+        let mut place = self.declaring_here(symbol, is_local);
         self.without_semicolon = None;
-        let value = self.value("a value");
+        let value = self.replayed(Level::Value, |reader| {
+            // Directives before the value run before it and may enter a file or a macro where it is then read:
+            // `#declare N = #declare A = 1; N + A;`.
+            reader.peek()?;
+            place = reader.declaring_here(symbol, is_local);
+            reader.declaring = Some(place);
+            reader.read_value("a value")
+        });
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {
@@ -76,6 +88,53 @@ impl Reader<'_> {
         }
     }
 
+    /// `deprecated [once] ["message"]` before a name that is declared.
+    fn deprecation(&mut self) -> Parse<Option<Deprecation>> {
+        if self.raw().word() != Some(Word::Deprecated) {
+            return Ok(None);
+        }
+        self.pass();
+        let is_once = self.raw().word() == Some(Word::Once);
+        if is_once {
+            self.pass();
+        }
+        let message = if self.raw().kind == Kind::String {
+            Some(self.string()?)
+        } else {
+            None
+        };
+        Ok(Some(Deprecation { is_once, message }))
+    }
+
+    /// Warns where a deprecated name is used, or only where it is used first.
+    pub(super) fn warn_of_deprecated(&mut self, symbol: Symbol) {
+        let Some(deprecation) = self.deprecated.get(&symbol) else {
+            return;
+        };
+        let name = self.names.spelling(symbol);
+        let message = match &deprecation.message {
+            Some(message) => message.trim_end().to_owned(),
+            None => format!("`{name}` was declared deprecated"),
+        };
+        if deprecation.is_once {
+            self.deprecated.remove(&symbol);
+        }
+        self.warning(Diagnostic::warning(self.here_span(), message));
+    }
+
+    /// A declaration whose value begins here.
+    pub(super) fn declaring_here(&self, symbol: Symbol, is_local: bool) -> Declaring {
+        Declaring {
+            symbol,
+            is_local,
+            is_item: false,
+            frames: self.frames.len(),
+            depth: self.depth,
+            blocks: self.blocks.len(),
+            is_complete: false,
+        }
+    }
+
     /// Looks at what follows a value that may be complete. A directive there may use the name that is being declared,
     /// so it gets what it has until now.
     pub(super) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
@@ -84,7 +143,7 @@ impl Reader<'_> {
             .declaring
             .filter(|open| (open.depth, open.blocks) == place);
         if let Some(open) = open {
-            if self.raw().kind == Kind::Directive {
+            if self.raw().kind == Kind::Directive && !open.is_item {
                 self.assign(open.symbol, value(), open.is_local);
             }
             self.declaring = Some(Declaring {
@@ -135,14 +194,21 @@ impl Reader<'_> {
             return;
         };
         self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
-        if self.scopes.get(open.symbol).is_none() {
+        if !open.is_item && self.scopes.get(open.symbol).is_none() {
             self.assign(open.symbol, Value::Poison, open.is_local);
         }
     }
 
     /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
     pub(super) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
-        if self.take_mark(';')? || !is_number {
+        if self.take_mark(';')? {
+            while self.is_raw_mark(';') {
+                self.pass();
+            }
+            self.without_semicolon = None;
+            return Ok(());
+        }
+        if !is_number {
             self.without_semicolon = None;
             return Ok(());
         }
@@ -195,7 +261,12 @@ impl Reader<'_> {
     /// The bracketed name of `#ifdef`, perhaps an item of an array.
     pub(super) fn is_defined(&mut self) -> Parse<bool> {
         self.expect_mark('(', "`(` after `#ifdef`")?;
-        let is_defined = self.names_a_value()?;
+        // A reserved word is no identifier.
+        let is_word = self.raw().kind == Kind::Word;
+        if is_word {
+            self.pass();
+        }
+        let is_defined = !is_word && self.names_a_value()?;
         self.expect_mark(')', "`)` after the name")?;
         Ok(is_defined)
     }
@@ -203,14 +274,14 @@ impl Reader<'_> {
     /// Whether the identifier at hand, with its indices, has a value.
     pub(super) fn names_a_value(&mut self) -> Parse<bool> {
         let symbol = self.identifier("a name")?;
-        if let Some(Value::Array(array)) = self.scopes.get(symbol) {
-            let array = Rc::clone(array);
-            if self.is_raw_mark('[') {
-                let at = self.array_index(&array.sizes)?;
-                return Ok(array.items[at].is_some());
-            }
-        }
-        Ok(self.scopes.get(symbol).is_some())
+        let is_array = matches!(self.scopes.get(symbol), Some(Value::Array(_)));
+        let path = if is_array && self.is_raw_mark('[') {
+            self.item_path(symbol)?
+        } else {
+            Vec::new()
+        };
+        let held = self.scopes.get(symbol);
+        Ok(held.is_some_and(|value| value.item(&path).is_some()))
     }
 
     pub(super) fn run_include(&mut self) -> Parse<()> {

@@ -158,8 +158,8 @@ impl Reader<'_> {
                 self.run_while(index)
             }
             Word::For => self.run_for(index, span),
-            Word::Switch => self.run_switch(index, span),
-            Word::Case | Word::Range => self.run_further_case(index, span, word),
+            Word::Switch => self.run_switch(index),
+            Word::Case | Word::Range => self.run_case(index, span, word),
             Word::Break => self.run_break(span),
             Word::End => self.run_end(span),
             Word::Macro => self.define_macro(index, span),
@@ -250,8 +250,7 @@ impl Reader<'_> {
     /// From a part that is not chosen to the first later one that is.
     fn next_branch(&mut self, mut index: usize, span: Span) -> Parse<()> {
         loop {
-            let (next, _) = self.group(index);
-            self.jump(next, span)?;
+            self.next_part(index, span)?;
             index = self.here.at;
             let token = self.raw();
             let word = self.here.tokens.directives[token.value as usize].word;
@@ -267,19 +266,82 @@ impl Reader<'_> {
         }
     }
 
-    /// `#else` reached from a chosen part: everything to the `#end` is left out.
-    fn run_else(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
-        if !matches!(self.innermost(), Some(Entered::If | Entered::Switch)) {
-            let error = Diagnostic::error(span, format!("`#{word}` without an open `#if`"));
-            return Err(self.with_trace(
-                error.with_hint("Remove it, or look for an `#end` above that closes too early."),
-            ));
+    /// Goes to the next part of the group that `index` belongs to. A group that its file does not end may end in the
+    /// file that includes it.
+    fn next_part(&mut self, index: usize, span: Span) -> Parse<()> {
+        let (next, _) = self.group(index);
+        if next != u32::MAX {
+            self.here.at = next as usize;
+            return Ok(());
         }
-        let (_, end) = self.group(index);
-        self.jump(end, span)?;
+        self.find_on(span, |word| {
+            matches!(word, Word::End | Word::Else | Word::Elseif)
+        })
+    }
+
+    /// Goes to the first directive that `is_it` likes and that is in no group which begins from here on, in this file,
+    /// or in the file that includes it or one further out.
+    fn find_on(&mut self, span: Span, is_it: impl Fn(Word) -> bool) -> Parse<()> {
+        let mut depth = 0_usize;
+        loop {
+            let token = self.raw();
+            if token.kind == Kind::End && !self.leave_file() {
+                return self.jump(u32::MAX, span);
+            }
+            if token.kind == Kind::Directive {
+                let word = self.here.tokens.directives[token.value as usize].word;
+                match word {
+                    Some(word) if super::hints::opens_group(word) => depth += 1,
+                    Some(word) if depth == 0 && is_it(word) => return Ok(()),
+                    Some(Word::End) => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
+            }
+            if token.kind != Kind::End {
+                self.here.at += 1;
+            }
+        }
+    }
+
+    /// `#else` reached from a chosen part: everything to the `#end` is left out, but in a `#switch`, which falls
+    /// through.
+    fn run_else(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
+        match self.innermost_group() {
+            Some(Entered::If) => {}
+            Some(Entered::Switch { is_chosen, .. }) if word == Word::Else => {
+                *is_chosen = true;
+                return Ok(());
+            }
+            _ => {
+                let error = Diagnostic::error(span, format!("`#{word}` without an open `#if`"));
+                return Err(self
+                    .with_trace(error.with_hint(
+                        "Remove it, or look for an `#end` above that closes too early.",
+                    )));
+            }
+        }
+        match self.group(index) {
+            (u32::MAX, u32::MAX) => self.find_on(span, |word| word == Word::End)?,
+            (_, end) => self.jump(end, span)?,
+        }
         self.pass();
-        self.frames.pop();
+        self.leave_group();
         Ok(())
+    }
+
+    /// The innermost group, which may have begun in a file that includes the one at hand.
+    fn innermost_group(&mut self) -> Option<&mut Entered> {
+        let is_group = |frame: &&mut Frame| !matches!(frame.kind, Entered::Include { .. });
+        let mut frames = self.frames.iter_mut().rev();
+        frames.find(is_group).map(|frame| &mut frame.kind)
+    }
+
+    /// Ends the innermost group.
+    fn leave_group(&mut self) {
+        let is_group = |frame: &Frame| !matches!(frame.kind, Entered::Include { .. });
+        if let Some(at) = self.frames.iter().rposition(is_group) {
+            self.frames.remove(at);
+        }
     }
 
     fn run_while(&mut self, index: usize) -> Parse<()> {
@@ -325,8 +387,9 @@ impl Reader<'_> {
             end,
             step,
         };
+        // The variable is local to the macro or file, whoever else has that name.
         self.scopes
-            .declare(variable, Value::Number(Number::float(start)));
+            .local(variable, Value::Number(Number::float(start)));
         if run.is_over() {
             let (_, end) = self.group(index);
             self.jump(end, span)?;
@@ -337,44 +400,35 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn run_switch(&mut self, index: usize, span: Span) -> Parse<()> {
-        let chosen = self.number_in_parentheses()?;
-        let mut part = index;
-        loop {
-            let (next, _) = self.group(part);
-            self.jump(next, span)?;
-            part = self.here.at;
-            let token = self.raw();
-            let word = self.here.tokens.directives[token.value as usize].word;
-            self.pass();
-            let is_chosen = match word {
-                Some(Word::Case) => (self.number_in_parentheses()? - chosen).abs() < EQUAL,
-                Some(Word::Range) => {
-                    let (low, high) = self.pair_in_parentheses()?;
-                    chosen >= low - EQUAL && chosen <= high + EQUAL
-                }
-                Some(Word::End) => return Ok(()),
-                _ => true,
-            };
-            if is_chosen {
-                self.enter(index, Entered::Switch);
-                return Ok(());
-            }
-        }
+    /// `#switch (value)`: what stands before its first part is read, then its parts tell whether they are chosen.
+    fn run_switch(&mut self, index: usize) -> Parse<()> {
+        let value = self.number_in_parentheses()?;
+        let is_chosen = false;
+        self.enter(index, Entered::Switch { value, is_chosen });
+        Ok(())
     }
 
-    /// `#case` reached from the part above it: POV-Ray falls through.
-    fn run_further_case(&mut self, _index: usize, span: Span, word: Word) -> Parse<()> {
-        if !matches!(self.innermost(), Some(Entered::Switch)) {
+    /// `#case` or `#range`. Reached from a chosen part above it, it falls through.
+    fn run_case(&mut self, index: usize, span: Span, word: Word) -> Parse<()> {
+        let Some(&Entered::Switch { value, is_chosen }) = self.innermost() else {
             return Err(self.with_trace(Diagnostic::error(
                 span,
                 format!("`#{word}` without `#switch`"),
             )));
+        };
+        let is_chosen = is_chosen
+            | if word == Word::Case {
+                (self.number_in_parentheses()? - value).abs() < EQUAL
+            } else {
+                let (low, high) = self.pair_in_parentheses()?;
+                value >= low - EQUAL && value <= high + EQUAL
+            };
+        if !is_chosen {
+            let (next, _) = self.group(index);
+            return self.jump(next, span);
         }
-        if word == Word::Case {
-            self.number_in_parentheses()?;
-        } else {
-            self.pair_in_parentheses()?;
+        if let Some(Entered::Switch { is_chosen, .. }) = self.innermost_group() {
+            *is_chosen = true;
         }
         Ok(())
     }
@@ -409,11 +463,20 @@ impl Reader<'_> {
 
     /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
     fn run_end(&mut self, span: Span) -> Parse<()> {
+        if matches!(self.innermost(), Some(Entered::Include { .. }))
+            && matches!(
+                self.innermost_group(),
+                Some(Entered::If | Entered::Switch { .. })
+            )
+        {
+            self.leave_group();
+            return Ok(());
+        }
         let Some(frame) = self.frames.last_mut() else {
             return Err(self.unopened_end(span));
         };
         match &mut frame.kind {
-            Entered::If | Entered::Switch => {
+            Entered::If | Entered::Switch { .. } => {
                 self.frames.pop();
                 Ok(())
             }
@@ -440,7 +503,7 @@ impl Reader<'_> {
                     self.count_round(body, end, self.start_taken())?;
                 }
                 self.scopes
-                    .declare(variable, Value::Number(Number::float(value)));
+                    .local(variable, Value::Number(Number::float(value)));
                 Ok(())
             }
             Entered::Macro { .. } => {

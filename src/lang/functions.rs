@@ -1,18 +1,15 @@
 //! The built-in functions that give numbers and vectors.
 
 use super::cursor::Start;
-use super::flow::EQUAL;
 use super::reader::Reader;
 use super::replay::Op;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
+use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{axis_rotation, rotation};
 use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
-
-/// What POV-Ray gives as the extent of unbounded objects.
-const UNBOUNDED: f64 = 1e10;
 
 impl Reader<'_> {
     /// The call that begins with the function word at hand.
@@ -40,7 +37,7 @@ impl Reader<'_> {
                 let left = self.string()?;
                 self.take_mark(',')?;
                 let right = self.string()?;
-                Number::float(f64::from(left.as_bytes().cmp(right.as_bytes()) as i8))
+                Number::float(f64::from(difference(&left, &right)))
             }
             Word::FileExists => {
                 let file = self.file_name()?;
@@ -64,6 +61,7 @@ impl Reader<'_> {
                 vectors(word, a, b, self.number_at_sum()?)
             }
             Word::MinExtent | Word::MaxExtent => self.extent(word)?,
+            Word::Vturbulence => self.vturbulence()?,
             Word::Trace => self.trace()?,
             Word::Inside => self.inside()?,
             _ => self.float_function(word, name)?,
@@ -104,7 +102,16 @@ impl Reader<'_> {
                 let error = self.error_here(format!("`{word}` takes two arguments, found one"));
                 return Err(Box::new(error.with_hint(format!("Write `{word}(a, b)`."))));
             }
-            let b = self.number_at_sum()?;
+            let mut b = self.number_at_sum()?;
+            if matches!(word, Word::BitwiseAnd | Word::BitwiseOr | Word::BitwiseXor) {
+                while self.take_mark(',')? {
+                    b = bits(word, b, self.number_at_sum()?);
+                }
+            }
+            if matches!(word, Word::Div | Word::Mod) && b == 0.0 {
+                let message = format!("`{word}` divides by zero");
+                self.warning(Diagnostic::warning(self.taken_span(), message));
+            }
             return two(word, a, b).map(Number::float).map_err(|message| {
                 self.with_trace(Diagnostic::error(name.to(self.taken_span()), message))
             });
@@ -123,8 +130,10 @@ impl Reader<'_> {
                 format!("`{word}` of {a}: the argument is taken as {}", a.signum()),
             ));
         }
+        // What does not exist is the NaN that processors make of it, which C writes with a sign.
+        let with_sign = |value: f64| if value.is_nan() { -f64::NAN } else { value };
         one(word, a)
-            .map(Number::float)
+            .map(|value| Number::float(with_sign(value)))
             .map_err(|message| self.with_trace(Diagnostic::error(place, message)))
     }
 
@@ -133,21 +142,39 @@ impl Reader<'_> {
         let Some(object) = self.object_of_name()? else {
             return Err(self.expected_here("an object identifier"));
         };
-        let bounds = object.bounds();
-        let corner = if word == Word::MinExtent {
-            bounds.min
+        let extent = object.extent();
+        Ok(Number::vector(if word == Word::MinExtent {
+            extent.min
         } else {
-            bounds.max
-        };
-        Ok(Number::vector(
-            corner.clamp(DVec3::splat(-UNBOUNDED), DVec3::splat(UNBOUNDED)),
-        ))
+            extent.max
+        }))
     }
 
     fn two_vectors(&mut self) -> Parse<(DVec3, DVec3)> {
         let a = self.vector3()?;
         self.take_mark(',')?;
         Ok((a, self.vector3()?))
+    }
+
+    /// `lambda, omega, octaves, point`.
+    fn vturbulence(&mut self) -> Parse<Number> {
+        let lambda = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let omega = self.number_at_sum()?;
+        self.take_mark(',')?;
+        let count = Octaves::count_of(self.number_at_sum()?);
+        self.take_mark(',')?;
+        let point = self.vector3()?;
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "single precision, as in patterns"
+        )]
+        let octaves = Octaves {
+            count,
+            lambda: lambda as f32,
+            omega: omega as f32,
+        };
+        Ok(Number::vector(vector_turbulence(point, &octaves)))
     }
 
     fn vnormalize(&mut self) -> Parse<Number> {
@@ -206,7 +233,13 @@ impl Reader<'_> {
 
     fn dimensions(&mut self, word: Word) -> Parse<Number> {
         let symbol = self.identifier("an array")?;
-        let Some(Value::Array(array)) = self.scopes.get(symbol) else {
+        let path = if self.is_raw_mark('[') {
+            self.item_path(symbol)?
+        } else {
+            Vec::new()
+        };
+        let held = self.scopes.get(symbol).and_then(|held| held.item(&path));
+        let Some(Value::Array(array)) = held else {
             return Err(self.error_taken("expected an array"));
         };
         let sizes = array.sizes.clone();
@@ -228,12 +261,7 @@ impl Reader<'_> {
     /// `seed(n)` opens a stream of random numbers and gives its handle.
     fn seed(&mut self) -> Parse<Number> {
         let start = self.number_at_sum()?;
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the stream wraps at 32 bits"
-        )]
-        self.streams.push(start as i64 as u32);
+        self.streams.push(whole(start).cast_unsigned());
         Ok(Number::float((self.streams.len() - 1) as f64))
     }
 
@@ -296,6 +324,7 @@ pub(super) fn vectors(word: Word, a: DVec3, b: DVec3, degrees: f64) -> Number {
         Word::Vdot => Number::float(a.dot(b)),
         Word::Vcross => Number::vector(a.cross(b)),
         Word::Vrotate => Number::vector(rotation(b) * a),
+        _ if b == DVec3::ZERO => Number::vector(DVec3::splat(-f64::NAN)),
         _ => Number::vector(axis_rotation(b, degrees) * a),
     }
 }
@@ -360,7 +389,7 @@ pub(super) fn one(word: Word, a: f64) -> Result<f64, String> {
         Word::Degrees => a.to_degrees(),
         Word::Exp => a.exp(),
         Word::Floor => a.floor(),
-        Word::Int => a.trunc(),
+        Word::Int => f64::from(whole(a)),
         Word::Ln | Word::Log if a <= 0.0 => {
             return Err(format!("the logarithm of {a} does not exist"));
         }
@@ -378,33 +407,72 @@ pub(super) fn one(word: Word, a: f64) -> Result<f64, String> {
 
 /// A function of two arguments, or what is wrong with them.
 pub(super) fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "bit functions take whole numbers, as in POV-Ray"
-    )]
-    let (left, right) = (a as i64, b as i64);
-    #[allow(clippy::cast_precision_loss, reason = "as above")]
     Ok(match word {
         Word::Atan2 if a == 0.0 && b == 0.0 => {
             return Err("`atan2(0, 0)` does not exist".to_owned());
         }
         Word::Atan2 => a.atan2(b),
-        Word::BitwiseAnd => (left & right) as f64,
-        Word::BitwiseOr => (left | right) as f64,
-        Word::BitwiseXor => (left ^ right) as f64,
-        Word::Div | Word::Mod if b.abs() < EQUAL => {
-            return Err(format!("`{word}` divides by zero"));
-        }
-        Word::Div => (a / b).trunc(),
+        Word::BitwiseAnd | Word::BitwiseOr | Word::BitwiseXor => bits(word, a, b),
+        Word::Div => f64::from(whole(a / b)),
+        Word::Mod if b == 0.0 => -f64::NAN,
         Word::Mod => a % b,
         _ if a == 0.0 && b == 0.0 => return Err("`pow(0, 0)` does not exist".to_owned()),
         _ => a.powf(b),
     })
 }
 
-/// The number at the start of a text, 0 if there is none.
+/// A whole number as POV-Ray has it: of 32 bits, and the least of them for all that has no place there.
+fn whole(value: f64) -> i32 {
+    let value = value.trunc();
+    if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) {
+        #[allow(clippy::cast_possible_truncation, reason = "checked just above")]
+        let whole = value as i32;
+        whole
+    } else {
+        i32::MIN
+    }
+}
+
+fn bits(word: Word, a: f64, b: f64) -> f64 {
+    let (a, b) = (whole(a), whole(b));
+    f64::from(match word {
+        Word::BitwiseAnd => a & b,
+        Word::BitwiseOr => a | b,
+        _ => a ^ b,
+    })
+}
+
+/// As C's `strcmp`: the difference of the first letters that differ, where the end of a text is zero.
+fn difference(left: &str, right: &str) -> i32 {
+    let codes =
+        |text: &str| -> Vec<i64> { text.chars().map(|c| i64::from(u32::from(c))).collect() };
+    let (left, right) = (codes(left), codes(right));
+    let code = |text: &[i64], at: usize| text.get(at).copied().unwrap_or(0);
+    let differences = (0..left.len().max(right.len())).map(|at| code(&left, at) - code(&right, at));
+    let first = differences.into_iter().find(|&difference| difference != 0);
+    i32::try_from(first.unwrap_or(0)).unwrap_or(0)
+}
+
+/// The number at the start of a text as C's `atof` finds it, 0 if there is none.
 fn leading_number(text: &str) -> f64 {
     let text = text.trim_start();
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let sign = if text.starts_with('-') { -1.0 } else { 1.0 };
+    let start = |word: &str| {
+        unsigned
+            .get(..word.len())
+            .is_some_and(|s| s.eq_ignore_ascii_case(word))
+    };
+    if start("inf") {
+        return sign * f64::INFINITY;
+    }
+    if start("nan") {
+        return sign * f64::NAN;
+    }
+    if start("0x") {
+        let digits = unsigned[2..].chars().map_while(|c| c.to_digit(16));
+        return sign * digits.fold(0.0, |sum, digit| 16.0 * sum + f64::from(digit));
+    }
     let is_part = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
     let end = text.find(|c| !is_part(c)).unwrap_or(text.len());
     (0..=end)
@@ -412,4 +480,49 @@ fn leading_number(text: &str) -> f64 {
         .filter(|&at| text.is_char_boundary(at))
         .find_map(|at| text[..at].parse().ok())
         .unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Measured with POV-Ray.
+    #[test]
+    fn numbers_at_the_start_of_texts_are_those_of_atof() {
+        let texts = [
+            "12",
+            "  -1.5e-2 z",
+            "abc",
+            "",
+            ".5",
+            "0x10",
+            "1e",
+            "+3",
+            "1,2",
+            "1.2.3",
+        ];
+        let expected = [12.0, -0.015, 0.0, 0.0, 0.5, 16.0, 1.0, 3.0, 1.0, 1.2];
+        assert_eq!(texts.map(leading_number), expected);
+        assert_eq!(leading_number("inf"), f64::INFINITY);
+        assert_eq!(leading_number("\u{e4}"), 0.0);
+    }
+
+    #[test]
+    fn texts_are_compared_by_their_first_difference() {
+        assert_eq!(difference("a", "b"), -1);
+        assert_eq!(difference("abcd", "abc"), 100);
+        assert_eq!(difference("", "z"), -122);
+        assert_eq!(difference("abc", "abc"), 0);
+    }
+
+    #[test]
+    fn whole_numbers_have_32_bits() {
+        assert_eq!(whole(-3.9), -3);
+        assert_eq!(whole(1e12), i32::MIN);
+        assert_eq!(whole(f64::NAN), i32::MIN);
+        assert_eq!(
+            bits(Word::BitwiseOr, 4_294_967_296.0, 1.0),
+            -2_147_483_647.0
+        );
+    }
 }

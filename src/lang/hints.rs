@@ -226,6 +226,17 @@ impl Reader<'_> {
             Word::Plane => "`plane { <normal>, distance ... }`",
             Word::Disc => "`disc { <centre>, <normal>, radius [, hole] ... }`",
             Word::Torus => "`torus { major, minor ... }`",
+            Word::Quadric => "`quadric { <A, B, C>, <D, E, F>, <G, H, I>, J ... }`",
+            Word::Blob => "`blob { threshold value sphere { <centre>, radius, strength } ... }`",
+            Word::Superellipsoid => "`superellipsoid { <e, n> ... }`",
+            Word::Prism => "`prism { height, other height, number of points, <x, z>, ... }`",
+            Word::Lathe => "`lathe { number of points, <r, y>, ... }`",
+            Word::Sor => "`sor { number of points, <r, y>, ... }`",
+            Word::Polygon => "`polygon { number of points, <point>, ... }`",
+            Word::Poly => "`poly { order, <coefficients> ... }`",
+            Word::Cubic => "`cubic { <20 coefficients> ... }`",
+            Word::Quartic => "`quartic { <35 coefficients> ... }`",
+            Word::Ovus => "`ovus { bottom radius, top radius ... }`",
             Word::Triangle => "`triangle { <corner>, <corner>, <corner> ... }`",
             Word::SmoothTriangle => {
                 "`smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> ... }`"

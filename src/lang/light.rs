@@ -17,6 +17,7 @@ struct Held {
 impl Reader<'_> {
     /// `light_source { ... }`. Behind a name stand the modifiers of any object.
     pub(super) fn light(&mut self) -> Parse<Object> {
+        self.has_light = true;
         self.pass();
         self.open_block()?;
         if let Some(known) = self.object_of_name()? {

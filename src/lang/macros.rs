@@ -4,6 +4,7 @@ use super::cursor::{Entered, Place, Start};
 use super::limits;
 use super::reader::Reader;
 use super::replay::Source;
+use super::scope::Target;
 use super::value::Value;
 use crate::args::{Parse, Word};
 use crate::source::{Diagnostic, Span};
@@ -30,7 +31,7 @@ impl Macro {
 
 /// What a call gives for one parameter.
 enum Argument {
-    Reference((Symbol, usize)),
+    Reference(Target),
     Value(Value),
 }
 
@@ -201,6 +202,14 @@ impl Reader<'_> {
             arguments.sources.push(source);
             return Ok(());
         }
+        if token.kind == Kind::Name
+            && behind.is_mark('[')
+            && let Some(target) = self.item_by_reference(Symbol(token.value))?
+        {
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(None);
+            return Ok(());
+        }
         let what = "an argument of the macro";
         match self.value(what)? {
             Some(value) => {
@@ -210,6 +219,27 @@ impl Reader<'_> {
             }
             None => Err(self.expected_here(what)),
         }
+    }
+
+    /// The item of an array, if the argument is no more than that; otherwise nothing is taken.
+    fn item_by_reference(&mut self, symbol: Symbol) -> Parse<Option<Target>> {
+        if !matches!(self.scopes.get(symbol), Some(Value::Array(_))) {
+            return Ok(None);
+        }
+        self.spoil();
+        let before = self.here.clone();
+        self.pass();
+        let path = self.item_path(symbol)?;
+        let is_whole = matches!(self.peek()?, token if token.is_mark(',') || token.is_mark(')'));
+        let has_value = self
+            .scopes
+            .get(symbol)
+            .is_some_and(|array| array.item(&path).is_some());
+        if is_whole && has_value {
+            return Ok(self.scopes.target_of_item(symbol, &path));
+        }
+        self.here = before;
+        Ok(None)
     }
 
     /// An identifier as it is written, whatever it holds; no macro of that name is called.

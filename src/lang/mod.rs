@@ -7,6 +7,7 @@ mod bulk;
 mod color;
 mod cursor;
 mod data_file;
+mod datetime;
 mod declare;
 mod expr;
 mod files;
@@ -15,6 +16,7 @@ mod foreign;
 mod functions;
 #[cfg(test)]
 mod fuzz;
+mod global_blocks;
 mod hints;
 mod light;
 mod limits;
@@ -78,6 +80,7 @@ pub fn evaluate_with(
                 scene: None,
                 findings,
                 messages: String::new(),
+                undrawn: Vec::new(),
                 dependencies: sources.dependencies().to_vec(),
             }
         }

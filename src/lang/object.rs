@@ -208,6 +208,7 @@ impl Reader<'_> {
                 object.interior = Some(Arc::new(Interior::read(self)?));
             }
             Word::Material => self.material(object)?,
+            Word::Radiosity => self.importance()?,
             Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
             _ => return self.switch(object, word),
         }

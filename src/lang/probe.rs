@@ -7,7 +7,6 @@ use crate::scene::Object;
 use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
-use std::rc::Rc;
 use std::sync::Arc;
 
 /// Answers about objects of the scene that is being read. Points and directions are in the object's surroundings: the
@@ -38,7 +37,7 @@ impl Probe for Blind {
 /// The variable that takes the normal of `trace`: a name, or an item of the array of that name.
 struct Target {
     symbol: Symbol,
-    item: Option<usize>,
+    item: Option<Vec<usize>>,
 }
 
 impl Reader<'_> {
@@ -89,16 +88,16 @@ impl Reader<'_> {
             return Err(self.expected_here(what));
         }
         let symbol = self.identifier(what)?;
-        let (item, is_vector) = match self.scopes.get(symbol) {
-            Some(Value::Array(array)) => {
-                let array = Rc::clone(array);
-                let at = self.array_index(&array.sizes)?;
-                (Some(at), array.items[at].as_ref().is_some_and(is_vector))
-            }
+        let item = match self.scopes.get(symbol) {
+            Some(Value::Array(_)) => Some(self.item_path(symbol)?),
             Some(Value::Poison) => return Err(self.consequence()),
-            held => (None, held.is_some_and(is_vector)),
+            _ => None,
         };
-        if !is_vector {
+        let held = self.scopes.get(symbol);
+        if !held
+            .and_then(|held| held.item(item.as_deref().unwrap_or_default()))
+            .is_some_and(is_vector)
+        {
             let error = self.error_taken(format!("expected {what}"));
             return Err(Box::new(
                 error.with_hint("Declare it before: `#declare Normal = <0, 0, 0>;`."),
@@ -108,12 +107,12 @@ impl Reader<'_> {
     }
 
     fn set_normal(&mut self, target: &Target, value: Value) -> Parse<()> {
-        match target.item {
+        match &target.item {
             None => {
                 self.scopes.declare(target.symbol, value);
                 Ok(())
             }
-            Some(at) => self.set_item(target.symbol, at, value),
+            Some(path) => self.set_item(target.symbol, path, value),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::Heard;
 use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place};
+use super::declare::Deprecation;
 use super::files::Files;
 use super::limits;
 use super::probe::Probe;
@@ -59,6 +60,8 @@ pub(super) struct Reader<'a> {
     pub(super) undeclared: FxHashSet<Symbol>,
     /// Whether an include file was not found, so that any name may be one of its.
     pub(super) lacks_file: bool,
+    /// Names whose use is to be warned of.
+    pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
     pub(super) streams: Vec<u32>,
     /// What `#fopen` opened.
     pub(super) files: Files,
@@ -75,6 +78,8 @@ pub(super) struct Reader<'a> {
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
+    /// What drawing cannot do yet.
+    pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
     findings: Vec<Diagnostic>,
     pub(super) errors: usize,
@@ -89,6 +94,8 @@ pub struct Reading {
     pub findings: Vec<Diagnostic>,
     /// What `#debug`, `#render` and `#statistics` write.
     pub messages: String,
+    /// What the scene asks for and drawing cannot do yet, where the quality is high enough for it: errors.
+    pub undrawn: Vec<Diagnostic>,
     /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
     pub dependencies: Vec<Dependency>,
 }
@@ -144,6 +151,7 @@ impl<'a> Reader<'a> {
             is_over: false,
             undeclared: FxHashSet::default(),
             lacks_file: false,
+            deprecated: FxHashMap::default(),
             streams: Vec::new(),
             files: Files::default(),
             version: options.version.unwrap_or(3.7),
@@ -159,6 +167,7 @@ impl<'a> Reader<'a> {
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
+            undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,
         };
@@ -281,6 +290,7 @@ impl<'a> Reader<'a> {
             scene,
             findings: self.findings,
             messages: self.messages,
+            undrawn: self.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
         }
     }

@@ -5,6 +5,7 @@
 
 use super::value::Value;
 use crate::syntax::Symbol;
+use std::rc::Rc;
 
 /// A binding: the depth of the scope that owns it, and what it holds.
 #[derive(Debug)]
@@ -18,6 +19,18 @@ enum Held {
     Value(Value),
     /// A macro parameter given by reference: the binding of another symbol, by its place in that symbol's stack.
     Alias(Symbol, u32),
+    /// A macro parameter given an item of an array: the array's binding, and the indices from the outermost array on.
+    Item(Symbol, u32, Rc<[usize]>),
+}
+
+/// What a macro parameter by reference stands for.
+#[derive(Clone, Debug)]
+pub(super) struct Target {
+    /// The binding that holds the value, by its place in the symbol's stack.
+    symbol: Symbol,
+    at: usize,
+    /// The indices of an item of the array there; empty for the value itself.
+    path: Vec<usize>,
 }
 
 /// All bindings of a run.
@@ -56,12 +69,28 @@ impl Scopes {
     /// The value of a symbol.
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Value> {
         let stack = self.stacks.get(symbol.0 as usize)?;
-        let mut binding = stack.last()?;
+        self.held(stack.last()?)
+    }
+
+    /// The value that a symbol has in the scope of that depth, if it is bound there.
+    pub(super) fn bound_at(&self, symbol: Symbol, depth: u32) -> Option<&Value> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        self.held(stack.iter().find(|binding| binding.depth == depth)?)
+    }
+
+    fn held<'a>(&'a self, mut binding: &'a Binding) -> Option<&'a Value> {
         loop {
             match &binding.held {
                 Held::Value(value) => return Some(value),
                 Held::Alias(target, at) => {
                     binding = self.stacks[target.0 as usize].get(*at as usize)?
+                }
+                Held::Item(target, at, path) => {
+                    let array = &self.stacks[target.0 as usize].get(*at as usize)?.held;
+                    return match array {
+                        Held::Value(array) => array.item(path),
+                        _ => None,
+                    };
                 }
             }
         }
@@ -84,30 +113,27 @@ impl Scopes {
         }
     }
 
-    /// The value that a symbol has in the scope of that depth, if it is bound there.
-    pub(super) fn bound_at(&self, symbol: Symbol, depth: u32) -> Option<&Value> {
-        let stack = self.stacks.get(symbol.0 as usize)?;
-        let mut binding = stack.iter().find(|binding| binding.depth == depth)?;
-        loop {
-            match &binding.held {
-                Held::Value(value) => return Some(value),
-                Held::Alias(target, at) => {
-                    binding = self.stacks[target.0 as usize].get(*at as usize)?
-                }
-            }
-        }
-    }
-
     /// The value of a symbol, to be changed in place.
     pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
         let (symbol, at) = self.owner(symbol)?;
-        match &mut self.stacks[symbol.0 as usize][at].held {
-            Held::Value(value) => Some(value),
-            Held::Alias(..) => None,
+        let (symbol, at, path) = match &self.stacks[symbol.0 as usize][at].held {
+            Held::Item(array, at, path) => (*array, *at as usize, Some(Rc::clone(path))),
+            _ => (symbol, at, None),
+        };
+        match (&mut self.stacks[symbol.0 as usize].get_mut(at)?.held, path) {
+            (Held::Value(value), None) => Some(value),
+            (Held::Value(array), Some(path)) => array.item_mut(&path)?.as_mut(),
+            _ => None,
         }
     }
 
-    /// Where the value of a symbol is kept: the end of its chain of aliases.
+    /// Whether a name is bound in the innermost scope, as its own or as a parameter.
+    pub(super) fn is_local(&self, symbol: Symbol) -> bool {
+        let stack = self.stacks.get(symbol.0 as usize);
+        stack.is_some_and(|stack| stack.last().is_some_and(|last| last.depth == self.depth()))
+    }
+
+    /// Where the value of a symbol is kept, or what names the item of an array: the end of its chain of aliases.
     fn owner(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
         let stack = self.stacks.get(symbol.0 as usize)?;
         let (mut symbol, mut at) = (symbol, stack.len().checked_sub(1)?);
@@ -138,10 +164,15 @@ impl Scopes {
     }
 
     /// Binds a macro parameter in the innermost scope to the binding that `target` had before that scope opened.
-    pub(super) fn alias(&mut self, symbol: Symbol, target: (Symbol, usize)) {
+    pub(super) fn alias(&mut self, symbol: Symbol, target: Target) {
         let depth = self.depth();
-        let at = u32::try_from(target.1).expect("stacks of bindings are short");
-        self.bind(symbol, depth, Held::Alias(target.0, at));
+        let at = u32::try_from(target.at).expect("stacks of bindings are short");
+        let held = if target.path.is_empty() {
+            Held::Alias(target.symbol, at)
+        } else {
+            Held::Item(target.symbol, at, target.path.into())
+        };
+        self.bind(symbol, depth, held);
     }
 
     /// The place of the binding that a symbol has now in its stack of bindings.
@@ -150,8 +181,27 @@ impl Scopes {
     }
 
     /// What an alias made now would stand for.
-    pub(super) fn target(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
-        self.owner(symbol)
+    pub(super) fn target(&self, symbol: Symbol) -> Option<Target> {
+        let (symbol, at) = self.owner(symbol)?;
+        Some(match &self.stacks[symbol.0 as usize].get(at)?.held {
+            Held::Item(array, at, path) => Target {
+                symbol: *array,
+                at: *at as usize,
+                path: path.to_vec(),
+            },
+            _ => Target {
+                symbol,
+                at,
+                path: Vec::new(),
+            },
+        })
+    }
+
+    /// The same for an item of the array that the name holds.
+    pub(super) fn target_of_item(&self, symbol: Symbol, path: &[usize]) -> Option<Target> {
+        let mut target = self.target(symbol)?;
+        target.path.extend_from_slice(path);
+        Some(target)
     }
 
     fn bind(&mut self, symbol: Symbol, depth: u32, held: Held) {

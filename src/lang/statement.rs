@@ -10,7 +10,7 @@ use crate::atmosphere::{Fog, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::pattern::read_noise_generator;
-use crate::scene::Object;
+use crate::scene::{Charset, Object};
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
@@ -89,6 +89,11 @@ impl Reader<'_> {
                 }
             }
             Some(Word::GlobalSettings) => self.global_settings()?,
+            Some(word) if is_old_setting(word) => {
+                let message = format!("`{word}` should stand in `global_settings`");
+                self.warning(Diagnostic::warning(self.here_span(), message));
+                self.global_setting(word)?;
+            }
             Some(Word::Default) => {
                 self.pass();
                 self.run_default()?;
@@ -154,7 +159,7 @@ impl Reader<'_> {
             Entered::Macro { .. } => "a macro",
             Entered::While { .. } => "`#while`",
             Entered::For(_) => "`#for`",
-            Entered::Switch => "`#switch`",
+            Entered::Switch { .. } => "`#switch`",
             _ => "`#if`",
         };
         let start = Self::unclosed_directive(&open.home);
@@ -191,7 +196,8 @@ impl Reader<'_> {
                     layer.read_part(word, self)?;
                     self.set_default(layer);
                 }
-                Some(word @ (Word::Radiosity | Word::Rainbow | Word::Fog | Word::Media)) => {
+                Some(Word::Radiosity) => self.importance()?,
+                Some(word @ (Word::Rainbow | Word::Fog | Word::Media)) => {
                     return Err(self.not_built(word));
                 }
                 _ => {
@@ -216,11 +222,11 @@ impl Reader<'_> {
     }
 
     fn global_setting(&mut self, word: Word) -> Parse<()> {
-        if matches!(word, Word::Radiosity | Word::Photons | Word::Subsurface) {
-            return Err(self.not_built(word));
-        }
         let at = self.here_span();
         match word {
+            Word::Radiosity => return self.radiosity(),
+            Word::Photons => return self.photons(),
+            Word::Subsurface => return self.subsurface(),
             Word::AssumedGamma => {
                 self.pass();
                 let gamma = self.gamma()?;
@@ -266,23 +272,33 @@ impl Reader<'_> {
                 self.pass();
                 self.globals.number_of_waves = self.number_of_waves()?;
             }
-            // These matter only to features that are refused by name where they are used.
-            Word::MaxIntersections | Word::HfGray16 | Word::MmPerUnit => {
+            Word::MaxIntersections | Word::HfGray16 => {
                 self.pass();
-                self.float_or(1.0)?;
+                if word == Word::HfGray16 {
+                    self.float_or(1.0)?;
+                } else {
+                    self.float()?;
+                }
+                let message = format!("`{word}` has no effect from version 3.7 on");
+                self.warning(Diagnostic::warning(at, message));
+            }
+            Word::MmPerUnit => {
+                self.pass();
+                self.globals.mm_per_unit = self.float()?;
             }
             Word::IridWavelength => {
                 self.pass();
-                self.color_value()?;
+                self.globals.irid_wavelength = self.color_value()?.rgb;
             }
             Word::Charset => {
                 self.pass();
-                if !(self.take_word(Word::Ascii)?
-                    || self.take_word(Word::Utf8)?
-                    || self.take_word(Word::Sys)?)
-                {
+                self.globals.charset = if self.take_word(Word::Utf8)? {
+                    Charset::Utf8
+                } else if self.take_word(Word::Ascii)? || self.take_word(Word::Sys)? {
+                    Charset::Ascii
+                } else {
                     return Err(self.expected_here("`ascii`, `utf8` or `sys` after `charset`"));
-                }
+                };
             }
             _ => return Err(self.expected_here("a setting or `}` in `global_settings`")),
         }
@@ -341,9 +357,15 @@ impl Reader<'_> {
                 Kind::Mark if token.is_mark('}') => {
                     if depth <= 1 {
                         self.pass();
-                        return;
+                        if self.raw().is_mark(';') {
+                            self.pass();
+                        }
+                        // The next layer of a texture belongs to the one that is faulty.
+                        if !self.raw().word().is_some_and(is_part) {
+                            return;
+                        }
                     }
-                    depth -= 1;
+                    depth = depth.saturating_sub(1);
                 }
                 _ if depth == 0 && self.is_at_new_statement() => return,
                 _ => {}
@@ -430,6 +452,21 @@ impl Reader<'_> {
         }
         self.skip_token();
     }
+}
+
+/// Settings that old scenes write outside of `global_settings`.
+fn is_old_setting(word: Word) -> bool {
+    matches!(
+        word,
+        Word::AdcBailout
+            | Word::AmbientLight
+            | Word::AssumedGamma
+            | Word::HfGray16
+            | Word::IridWavelength
+            | Word::MaxIntersections
+            | Word::MaxTraceLevel
+            | Word::NumberOfWaves
+    )
 }
 
 /// Whether a word begins a part of objects, which stands nowhere else.

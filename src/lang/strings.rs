@@ -1,9 +1,11 @@
 //! Strings and the functions that make them.
 
+use super::datetime;
 use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Parse, Word};
+use crate::scene::Charset;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 
@@ -23,10 +25,7 @@ impl Reader<'_> {
         match token.kind {
             Kind::String => {
                 self.pass();
-                if let Some(escape) = self.last.tokens.bad_escape(token.value) {
-                    return Err(self.bad_escape(escape));
-                }
-                Ok(self.last.tokens.string(token.value))
+                self.string_literal(token.value)
             }
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
                 Some(Value::Text(text)) => {
@@ -48,6 +47,22 @@ impl Reader<'_> {
                 None => Err(self.expected_here("a string")),
             },
         }
+    }
+
+    fn string_literal(&mut self, value: u32) -> Parse<String> {
+        if let Some(escape) = self.last.tokens.bad_escape(value) {
+            return Err(self.bad_escape(escape));
+        }
+        let is_plain = self.globals.charset == Charset::Utf8
+            || self.version < 3.5
+            || self.last.tokens.string_raw(value).is_ascii();
+        if is_plain {
+            return Ok(self.last.tokens.string(value));
+        }
+        let message = "blanks stand here for letters beyond ASCII, as in POV-Ray";
+        let hint = "Write `global_settings { charset utf8 }` above, or `\\uXXXX` for the letters.";
+        self.warning(Diagnostic::warning(self.taken_span(), message).with_hint(hint));
+        Ok(self.last.tokens.string_in_ascii(value))
     }
 
     fn bad_escape(&self, escape: Span) -> Box<Diagnostic> {
@@ -85,7 +100,11 @@ impl Reader<'_> {
                     clippy::cast_sign_loss,
                     reason = "checked by from_u32"
                 )]
-                char::from_u32(code as u32).map_or(String::new(), String::from)
+                let letter = char::from_u32(code as u32).filter(|_| (0.0..65536.0).contains(&code));
+                match letter {
+                    Some(letter) => String::from(letter),
+                    None => return Err(self.error_taken(format!("no letter has the code {code}"))),
+                }
             }
             Word::Str => {
                 let value = self.number_at_sum()?;
@@ -94,9 +113,10 @@ impl Reader<'_> {
                 formatted(value, width, digits)
             }
             Word::Vstr => self.vstr()?,
-            Word::Strlwr => self.string()?.to_lowercase(),
-            Word::Strupr => self.string()?.to_uppercase(),
+            Word::Strlwr => self.string()?.to_ascii_lowercase(),
+            Word::Strupr => self.string()?.to_ascii_uppercase(),
             Word::Substr => self.substr()?,
+            Word::Datetime => self.datetime()?,
             _ => {
                 return Err(self.with_trace(Diagnostic::error(
                     name,
@@ -122,7 +142,8 @@ impl Reader<'_> {
     fn vstr(&mut self) -> Parse<String> {
         let count = self.number_at_sum()?;
         self.take_mark(',')?;
-        let vector = self.vector_of(5)?;
+        // A float stands for one component only here.
+        let vector = self.sum()?;
         self.take_mark(',')?;
         let between = self.string()?;
         self.take_mark(',')?;
@@ -138,6 +159,19 @@ impl Reader<'_> {
             .map(|&v| formatted(v, width, digits))
             .collect();
         Ok(parts.join(&between))
+    }
+
+    /// `days since 2000 [, format]`.
+    fn datetime(&mut self) -> Parse<String> {
+        let days = self.number_at_sum()?;
+        if !self.take_mark(',')? {
+            return Ok(datetime::text(days, datetime::DEFAULT));
+        }
+        let format = self.string()?;
+        if format.is_empty() {
+            return Err(self.error_taken("the format of `datetime` is empty"));
+        }
+        Ok(datetime::text(days, &format))
     }
 
     fn substr(&mut self) -> Parse<String> {
@@ -166,7 +200,10 @@ impl Reader<'_> {
 fn formatted(value: f64, width: i32, digits: i32) -> String {
     let digits = usize::try_from(digits).unwrap_or(6);
     let length = width.unsigned_abs() as usize;
-    if width < 0 {
+    if value.is_nan() {
+        let sign = if value.is_sign_negative() { "-" } else { "" };
+        format!("{:>length$}", format!("{sign}nan"))
+    } else if width < 0 && value.is_finite() {
         format!("{value:0length$.digits$}")
     } else {
         format!("{value:length$.digits$}")
@@ -177,11 +214,7 @@ fn formatted(value: f64, width: i32, digits: i32) -> String {
 pub(super) fn general(value: f64) -> String {
     const DIGITS: i32 = 6;
     if !value.is_finite() {
-        return if value.is_nan() {
-            "nan".to_owned()
-        } else {
-            format!("{value}")
-        };
+        return formatted(value, 0, 0);
     }
     let scientific = format!("{value:.5e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -232,5 +265,7 @@ mod tests {
         assert_eq!(formatted(std::f64::consts::PI, 8, 2), "    3.14");
         assert_eq!(formatted(std::f64::consts::PI, -8, 2), "00003.14");
         assert_eq!(formatted(2.0, 0, -1), "2.000000");
+        assert_eq!(formatted(f64::NEG_INFINITY, -6, 1), "  -inf");
+        assert_eq!(formatted(f64::NAN.copysign(-1.0), 0, 3), "-nan");
     }
 }

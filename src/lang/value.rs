@@ -166,6 +166,41 @@ impl Drop for Array {
 }
 
 impl Value {
+    /// The item of an array, or of arrays in arrays, by the indices from the outermost on.
+    pub(super) fn item(&self, path: &[usize]) -> Option<&Value> {
+        path.iter().try_fold(self, |value, &at| match value {
+            Value::Array(array) => array.items.get(at)?.as_ref(),
+            _ => None,
+        })
+    }
+
+    /// The place of an item, to be changed; arrays on the way that have other names as well are copied.
+    pub(super) fn item_mut(&mut self, path: &[usize]) -> Option<&mut Option<Value>> {
+        let (&first, rest) = path.split_first()?;
+        let Value::Array(array) = self else {
+            return None;
+        };
+        let item = Rc::make_mut(array).items.get_mut(first)?;
+        if rest.is_empty() {
+            return Some(item);
+        }
+        item.as_mut()?.item_mut(rest)
+    }
+
+    /// How many items [`Value::item_mut`] copies on the way.
+    pub(super) fn copied_by(&self, path: &[usize]) -> usize {
+        let Value::Array(array) = self else {
+            return 0;
+        };
+        let own = if Rc::strong_count(array) > 1 {
+            array.items.len()
+        } else {
+            0
+        };
+        let item = path.first().and_then(|&at| array.items.get(at)?.as_ref());
+        own + item.map_or(0, |item| item.copied_by(&path[1..]))
+    }
+
     /// Whether it is an element of this Rust type.
     pub(super) fn is_element(&self, kind: TypeId) -> bool {
         matches!(self, Value::Element(element) if element.kind() == kind)

@@ -4,6 +4,7 @@ mod bernstein;
 mod bounds;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
+pub(crate) mod enclosed;
 #[cfg(test)]
 pub(crate) mod exact;
 pub mod hash;

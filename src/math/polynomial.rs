@@ -123,7 +123,8 @@ pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool)
     x
 }
 
-fn value(c: &[f64], x: f64) -> f64 {
+/// The value at a place.
+pub(crate) fn value(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 

@@ -1,8 +1,11 @@
 //! The hall: what a scene file says, as plain data. Reading fills it, drawing draws it; a Rust program can build it
 //! without any file.
 
+mod extent;
+mod globals;
 mod object;
 
+pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
 
 use crate::atmosphere::Atmosphere;
@@ -47,6 +50,18 @@ pub struct Globals {
     pub max_trace_level: u32,
     /// The factor of every `ambient`.
     pub ambient_light: Rgb,
+    /// How letters beyond ASCII in strings are read.
+    pub charset: Charset,
+    /// The wavelengths of red, green and blue for `irid`, in micrometres.
+    pub irid_wavelength: Rgb,
+    /// How long the unit of the scene is, in millimetres.
+    pub mm_per_unit: f64,
+    /// Light that surfaces gather from each other, if the file asks for it.
+    pub radiosity: Option<Radiosity>,
+    /// How photons are shot, if the file says so.
+    pub photons: Option<Photons>,
+    /// How light in solids is sampled, if the file says so.
+    pub subsurface: Option<Subsurface>,
     /// The noise of patterns that choose none; `None` where the file says nothing.
     pub noise_generator: Option<NoiseGenerator>,
     /// How many sources `waves` and `ripples` have.
@@ -60,6 +75,12 @@ impl Default for Globals {
             adc_bailout: 1.0 / 255.0,
             max_trace_level: 5,
             ambient_light: Rgb::WHITE,
+            charset: Charset::default(),
+            irid_wavelength: Rgb::new(0.25, 0.18, 0.14),
+            mm_per_unit: 10.0,
+            radiosity: None,
+            photons: None,
+            subsurface: None,
             noise_generator: None,
             number_of_waves: Settings::default().number_of_waves,
         }

@@ -2,7 +2,7 @@
 
 use crate::interior::Interior;
 use crate::light::{Light, ObjectPhotons};
-use crate::math::{Bounds, Step, Transform};
+use crate::math::Step;
 use crate::shape::{Geometry, Shape};
 use crate::texture::Texture;
 use std::sync::Arc;
@@ -154,27 +154,6 @@ impl Object {
         }
     }
 
-    /// A box around the object, its clips taken into account, as POV-Ray gives it: a combination's box is turned as a
-    /// box at each step, so it grows.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds {
-        let whole = match &self.kind {
-            _ if self.is_inverse => Bounds::EVERYTHING,
-            Kind::Shape(shape) => moved(shape, &self.steps),
-            Kind::Light { looks_like, .. } => looks_like
-                .as_ref()
-                .map_or(Bounds::EMPTY, |look| turned(look.bounds(), &self.steps)),
-            Kind::Csg {
-                operation,
-                children,
-            } => turned(combined(*operation, children), &self.steps),
-        };
-        let clips = self.clipped_by.iter();
-        clips.fold(whole, |bounds, clip| {
-            bounds.intersection(&turned(clip.what.bounds(), &self.steps[clip.after..]))
-        })
-    }
-
     /// Whether it has an inside: no part of it is a patch or a light.
     #[must_use]
     pub fn is_solid(&self) -> bool {
@@ -266,35 +245,6 @@ fn with<T>(list: &mut Box<[T]>, item: T) -> Box<[T]> {
     let mut longer = std::mem::take(list).into_vec();
     longer.push(item);
     longer.into()
-}
-
-/// The box around a primitive that is moved: the steps it can take in itself leave no slack.
-fn moved(shape: &Shape, steps: &[Step]) -> Bounds {
-    let mut shape = shape.clone();
-    let taken_in = steps.iter().take_while(|step| shape.absorb(step)).count();
-    shape
-        .bounds()
-        .transformed(&Transform::from_steps(&steps[taken_in..]).world_from_object)
-}
-
-/// A box after each step in turn.
-fn turned(bounds: Bounds, steps: &[Step]) -> Bounds {
-    steps.iter().fold(bounds, |bounds, step| {
-        bounds.transformed(&step.transform().world_from_object)
-    })
-}
-
-fn combined(operation: Operation, children: &[Arc<Object>]) -> Bounds {
-    let mut bounds = children.iter().map(|child| child.bounds());
-    match operation {
-        Operation::Union | Operation::Merge => {
-            bounds.fold(Bounds::EMPTY, |sum, child| sum.union(&child))
-        }
-        Operation::Intersection => {
-            bounds.fold(Bounds::EVERYTHING, |sum, child| sum.intersection(&child))
-        }
-        Operation::Difference => bounds.next().unwrap_or(Bounds::EMPTY),
-    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! What cylinders and cones share: an axis between two caps, and the stretch of a ray between the planes of the caps.
 
-use super::{Root, even_scale, span};
+use super::{Root, along, even_scale, span};
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, rotation};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// The face numbers.
 pub(super) const SIDE: u32 = 0;
@@ -31,6 +31,19 @@ impl Axis {
     pub(super) fn new(base: DVec3, apex: DVec3) -> Option<Self> {
         let unit = unit(apex - base)?;
         Some(Axis { base, apex, unit })
+    }
+
+    /// The box of a cylinder or cone as POV-Ray holds it: around the axis from the narrower end to the wider one, as wide
+    /// as that everywhere.
+    pub(super) fn held_box(&self, base_radius: f64, apex_radius: f64) -> (Bounds, DAffine3) {
+        let (start, dir, radius) = if apex_radius > base_radius {
+            (self.base, self.unit, apex_radius)
+        } else {
+            (self.apex, -self.unit, base_radius)
+        };
+        let corner = DVec3::new(radius, radius, 0.0);
+        let held = Bounds::new(-corner, corner + self.length() * DVec3::Z);
+        (held, along(dir, start))
     }
 
     pub(super) fn length(&self) -> f64 {
@@ -128,6 +141,27 @@ impl Axis {
 }
 
 impl Slab {
+    /// Between two heights above the xz plane; a lower cap that is the upper one too is met all the same.
+    pub(super) fn between(ray: &Ray, low: f64, high: f64) -> Option<Self> {
+        let (slope, height) = (ray.dir.y, ray.origin.y);
+        if slope == 0.0 {
+            return (low <= height && height <= high).then_some(Slab {
+                enter: (f64::NEG_INFINITY, BASE),
+                leave: (f64::INFINITY, APEX),
+            });
+        }
+        let (base, apex) = (
+            ((low - height) / slope, BASE),
+            ((high - height) / slope, APEX),
+        );
+        let (enter, leave) = if slope > 0.0 {
+            (base, apex)
+        } else {
+            (apex, base)
+        };
+        Some(Slab { enter, leave })
+    }
+
     /// What a stretch inside the infinite side shares with the slab. On a rim the side is taken. Parity is right by
     /// construction: there is one way in and one way out.
     #[inline]
@@ -142,7 +176,9 @@ impl Slab {
         } else {
             (side.1, SIDE)
         };
-        let is_stretch = enter.0 < leave.0;
+        // A slab without height is seen; a side that touches its own other end is not.
+        let is_stretch =
+            enter.0 < leave.0 || enter.0 == leave.0 && enter.1 != SIDE && leave.1 != SIDE;
         let roots = if is_stretch { span(enter, leave) } else { None }?;
         Some(roots.map(|root| Root {
             is_visible: !is_open || root.face == SIDE,

@@ -11,7 +11,7 @@
 mod component;
 
 use self::component::{Component, Part, Parts};
-use super::{Crossing, Geometry, Root, Start, first_visible, read};
+use super::{Crossing, Crossings, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
 use crate::math::polynomial::{is_quartic_positive, sign_changes_between};
@@ -44,8 +44,6 @@ impl PartialEq for Field {
         self.components == other.components && self.threshold == other.threshold
     }
 }
-
-type Crossings = SmallVec<[Root; 8]>;
 
 impl Blob {
     /// Reads components and `threshold`, in any order.

@@ -116,6 +116,20 @@ fn within(bounds: &Bounds, ray: &Ray, root: &Root) {
 
 /// What every bounded solid shows.
 pub(crate) fn solid(shape: &dyn Geometry) {
+    creased(shape);
+    let bounds = shape.bounds();
+    let size = (bounds.max - bounds.min).length();
+    let mut rng = Random::new(1);
+    for _ in 0..4000 {
+        let ray = rng.ray_near(&bounds);
+        for root in roots_of(shape, &ray).1 {
+            surface(shape, &ray, &root, size);
+        }
+    }
+}
+
+/// What a bounded solid shows that has creases within a face, across which normals say nothing.
+pub(crate) fn creased(shape: &dyn Geometry) {
     let bounds = shape.bounds();
     let size = (bounds.max - bounds.min).length();
     let mut rng = Random::new(1);
@@ -126,7 +140,6 @@ pub(crate) fn solid(shape: &dyn Geometry) {
         assert_eq!(roots.len() % 2, 0);
         hits += roots.len();
         for root in &roots {
-            surface(shape, &ray, root, size);
             within(&bounds, &ray, root);
         }
         parity(shape, &ray, Start::Outside, &roots, size);

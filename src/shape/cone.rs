@@ -13,7 +13,7 @@ use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::{Eased, is_comfortable};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
 /// A truncated cone. Face 0 is the side, 1 the base cap, 2 the apex cap.
@@ -250,6 +250,10 @@ impl Geometry for Cone {
             return Bounds::EMPTY;
         }
         self.axis.bounds(self.base_radius, self.apex_radius.abs())
+    }
+
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        Some(self.axis.held_box(self.base_radius, self.apex_radius))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

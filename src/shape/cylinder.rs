@@ -11,7 +11,7 @@ use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// A round cylinder. Face 0 is the side, 1 the base cap, 2 the apex cap.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,6 +141,10 @@ impl Geometry for Cylinder {
             return Bounds::EMPTY;
         }
         self.axis.bounds(self.radius, self.radius)
+    }
+
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        Some(self.axis.held_box(self.radius, self.radius))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -3,12 +3,15 @@
 //! In CSG it is the whole half-space on the side opposite to its normal, of which only the ring can be seen.
 //! Negative radii work like their absolute values; a hole wider than the disc leaves nothing (checked with POV-Ray).
 
-use super::{Geometry, Plane, Root, Start, even_scale, first_visible, read};
+use super::{Geometry, Plane, Root, Start, along, even_scale, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, rotation};
 use crate::source::Diagnostic;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
+
+/// Half the height of the box that POV-Ray puts around a disc.
+const HALF_HEIGHT: f64 = 1e-3_f32 as f64;
 
 /// A flat ring and the half-space behind it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,6 +113,12 @@ impl Geometry for Disc {
 
     fn solid_bounds(&self) -> Bounds {
         Bounds::EVERYTHING
+    }
+
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        let corner = DVec3::new(self.radius, self.radius, HALF_HEIGHT);
+        let held = Bounds::new(-corner, corner);
+        Some((held, along(self.normal, self.centre)))
     }
 
     fn absorb(&mut self, step: &Step) -> bool {

@@ -167,6 +167,7 @@ fn read_textured_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
     args.open()?;
     let count = read_count(args, &FACES)?;
     for found in 0..count {
+        args.comma()?;
         let at = args.span();
         let corners: [f64; 3] = item(args, &FACES, found, count)?;
         let fault = |args: &dyn Args, fault| error(at.to(args.last_span()), fault);
@@ -309,6 +310,7 @@ fn list<const N: usize>(
         if found == count {
             break;
         }
+        args.comma()?;
         let at = args.span();
         let vector = slow_item::<N>(args, list, found, count)?;
         add(vector).map_err(|fault| error(at.to(args.last_span()), fault))?;

@@ -7,6 +7,7 @@
 //! A shape that can never be hit (radius zero, a degenerate triangle) has empty bounds, so that a caller can drop it.
 
 mod axial;
+mod bicubic_patch;
 mod blob;
 #[cfg(test)]
 pub(crate) mod check;
@@ -14,39 +15,60 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
+mod height_field;
+mod lathe;
 mod mesh;
 mod mesh2;
 mod mesh_build;
 mod mesh_looks;
 #[cfg(test)]
 mod oracle;
+mod ovus;
 mod plane;
+mod poly;
+mod polygon;
+mod prism;
 mod quadric;
 mod read;
 mod skin;
 mod smooth_triangle;
+mod sor;
 mod sphere;
+mod spline;
+mod superellipsoid;
+mod text;
 mod torus;
 mod triangle;
 
+pub use bicubic_patch::BicubicPatch;
 pub use blob::Blob;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use height_field::HeightField;
+pub use lathe::Lathe;
 pub use mesh::Mesh;
+pub use ovus::Ovus;
 pub use plane::Plane;
+pub use poly::Poly;
+pub use polygon::Polygon;
+pub use prism::Prism;
 pub use quadric::Quadric;
 pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
+pub use sor::Sor;
 pub use sphere::Sphere;
+pub use superellipsoid::Superellipsoid;
+pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
 
 use crate::args::{Args, Parse, Word};
 use crate::math::conditioning::Eased;
 use crate::math::{Bounds, Ray, Step};
-use glam::DVec3;
+use glam::{DAffine3, DMat3, DVec3};
+use smallvec::SmallVec;
 
 /// What a ray does to the inside of a solid at a crossing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -122,6 +144,9 @@ pub trait Geometry {
     /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
     fn absorb(&mut self, step: &Step) -> bool;
 
+    /// Works out what rays need, when no further step is to be absorbed.
+    fn prepare(&mut self) {}
+
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         [point.x, point.y]
@@ -161,16 +186,22 @@ pub trait Geometry {
         first_visible(&roots, from, to)
     }
 
+    /// The box by which POV-Ray knows a shape that it holds in a space of its own, turned along some axis, and what
+    /// takes that space to the shape's: for `min_extent` and `max_extent`. `None` where the box is that of the bounds.
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        None
+    }
+
     /// Whether [`Geometry::contains`] can ever be true: solids and half-spaces can be cut, patches cannot.
     fn is_solid(&self) -> bool {
         true
     }
 }
 
-/// The list of shapes: variant, description, word, and for a shape with two words the other one and its reader.
+/// The list of shapes: variant, description, word, and for a shape with more words the others and their readers.
 /// A new shape is its file and one line here.
 macro_rules! shapes {
-    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)?),+ $(,)?) => {
+    ($($(#[$doc:meta])* $name:ident from $word:ident $(or $also:ident by $reader:ident)*),+ $(,)?) => {
         /// Any shape.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Shape {
@@ -179,7 +210,7 @@ macro_rules! shapes {
 
         impl Shape {
             /// The words that begin the shapes, in the order of the list.
-            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)?),+];
+            pub const WORDS: &[Word] = &[$(Word::$word $(, Word::$also)*),+];
 
             /// Reads what stands after `word {`: the shape's numbers and its own words, neither the object's
             /// modifiers nor the closing brace. `None` if the word begins no shape of this list.
@@ -190,13 +221,13 @@ macro_rules! shapes {
                 match word {
                     $(
                         Word::$word => Some($name::read(args).map(Shape::$name)),
-                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)?
+                        $(Word::$also => Some($name::$reader(args).map(Shape::$name)),)*
                     )+
                     _ => None,
                 }
             }
 
-            /// The word that begins this shape in a scene, the first of two.
+            /// The word that begins this shape in a scene, the first of several.
             #[must_use]
             pub fn word(&self) -> Word {
                 match self { $(Shape::$name(_) => Word::$word),+ }
@@ -229,6 +260,9 @@ macro_rules! shapes {
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }
             }
+            fn prepare(&mut self) {
+                match self { $(Shape::$name(shape) => shape.prepare()),+ }
+            }
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
             }
@@ -249,6 +283,9 @@ macro_rules! shapes {
             }
             fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest_beside(ray, from, to, face)),+ }
+            }
+            fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+                match self { $(Shape::$name(shape) => shape.held_box()),+ }
             }
             fn is_solid(&self) -> bool {
                 match self { $(Shape::$name(shape) => shape.is_solid()),+ }
@@ -280,8 +317,28 @@ shapes! {
     Quadric from Quadric,
     /// `blob`
     Blob from Blob,
+    /// `superellipsoid`
+    Superellipsoid from Superellipsoid,
+    /// `prism`
+    Prism from Prism,
+    /// `lathe`
+    Lathe from Lathe,
+    /// `poly`, `cubic` and `quartic`
+    Poly from Poly or Cubic by read_cubic or Quartic by read_quartic,
+    /// `sor`
+    Sor from Sor,
+    /// `polygon`
+    Polygon from Polygon,
+    /// `ovus`
+    Ovus from Ovus,
     /// `mesh` and `mesh2`
     Mesh from Mesh or Mesh2 by read_mesh2,
+    /// `height_field`
+    HeightField from HeightField,
+    /// `bicubic_patch`
+    BicubicPatch from BicubicPatch,
+    /// `text`
+    Text from Text,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
@@ -315,6 +372,56 @@ fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
     roots.iter().all(|root| root.t.is_finite()).then_some(roots)
 }
 
+/// What turns the z axis to a unit direction by the shortest way, and moves the origin: where POV-Ray holds discs,
+/// cylinders and cones.
+fn along(dir: DVec3, origin: DVec3) -> DAffine3 {
+    let to_z = 1.0 + dir.z;
+    let matrix = if to_z < 1e-10 {
+        DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))
+    } else {
+        let (a, b) = (dir.x, dir.y);
+        let mixed = -a * b / to_z;
+        DMat3::from_cols(
+            DVec3::new(1.0 - a * a / to_z, mixed, -a),
+            DVec3::new(mixed, 1.0 - b * b / to_z, -b),
+            dir,
+        )
+    };
+    DAffine3::from_mat3_translation(matrix, origin)
+}
+
+/// The roots on one ray of a surface that cuts space in two.
+type Crossings = SmallVec<[Root; 8]>;
+
+/// The visible roots of one smooth surface, face 0, at places in order, through each of which the line goes in or out.
+/// Those that lie beyond all numbers are left out, and the start is then on this side of them.
+fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
+    let mut is_inside = start == Start::Inside;
+    let mut roots = Crossings::new();
+    for t in places {
+        let crossing = if is_inside {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        };
+        is_inside = !is_inside;
+        if t.is_finite() {
+            roots.push(Root {
+                t,
+                crossing,
+                face: 0,
+                is_visible: true,
+            });
+        } else if t < 0.0 {
+            start = match start {
+                Start::Inside => Start::Outside,
+                Start::Outside => Start::Inside,
+            };
+        }
+    }
+    (start, roots)
+}
+
 /// Appends the span of a convex bounded solid.
 fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
     if let Some(span) = span {
@@ -330,65 +437,4 @@ fn even_scale(by: DVec3) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::args::text::TextArgs;
-    use crate::syntax::Class;
-
-    fn read(word: Word, text: &str) -> (Shape, TextArgs) {
-        let mut args = TextArgs::new(text);
-        let shape = Shape::read(word, &mut args).unwrap().unwrap();
-        (shape, args)
-    }
-
-    #[test]
-    fn every_word_of_the_list_is_a_shape_of_the_grammar() {
-        for word in Shape::WORDS {
-            assert_eq!(word.class(), Class::Shape);
-        }
-    }
-
-    #[test]
-    fn a_shape_reads_its_parameters_and_stops() {
-        for (word, text) in [
-            (Word::Sphere, "<1,2,3>, 4"),
-            (Word::Sphere, "1 4"),
-            (Word::Box, "-1, 1"),
-            (Word::Cylinder, "<0,0,0>, <0,1,0>, 1"),
-            (Word::Cylinder, "<0,0,0> <0,1,0> 1 open"),
-            (Word::Cone, "<0,0,0>, 1, <0,1,0>, 0"),
-            (Word::Cone, "<0,0,0> 1 <0,1,0> 0 open"),
-            (Word::Torus, "1, .3"),
-            (Word::Torus, "1 .3 sturm"),
-            (Word::Plane, "<0,1,0>, -1"),
-            (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
-            (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
-            (Word::Triangle, "<0,0,0>, <0,1,0>, <1,0,0>"),
-            (
-                Word::SmoothTriangle,
-                "<0,0,0>, <0,0,1>, <0,1,0>, <0,0,1>, <1,0,0>, <0,0,1>",
-            ),
-        ] {
-            let (shape, args) = read(word, text);
-            assert_eq!(shape.word(), word);
-            assert!(args.is_done(), "{text}");
-            assert!(args.warnings().is_empty());
-            assert!(!shape.bounds().is_empty());
-            let (_, mut args) = read(word, &format!("{text} rotate"));
-            assert!(args.accept(Word::Rotate).unwrap());
-        }
-    }
-
-    #[test]
-    fn a_word_that_begins_no_shape_reads_nothing() {
-        assert!(Shape::read(Word::Union, &mut TextArgs::new("")).is_none());
-    }
-
-    #[test]
-    fn a_missing_parameter_is_an_error() {
-        for word in Shape::WORDS {
-            let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
-            assert_eq!(result.is_ok(), *word == Word::Box);
-        }
-    }
-}
+mod tests;

@@ -6,7 +6,7 @@
 //! quadratic has coefficients of the quadric's own size, and the discriminant is taken to the last digit (Kahan 2004,
 //! "On the cost of floating-point computation without extra-precise arithmetic").
 
-use super::{Crossing, Geometry, Root, Start, first_visible, read};
+use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::power_of_two;
 use crate::math::{Bounds, Ray, Step};
@@ -27,9 +27,6 @@ pub struct Quadric {
     /// Where the gradient is zero, if there is such a place; rays are moved near to it.
     middle: DVec3,
 }
-
-/// The roots on one ray.
-type Crossings = SmallVec<[Root; 2]>;
 
 impl Quadric {
     /// The quadric with the factors of `x², y², z²`, of `xy, xz, yz`, of `x, y, z`, and the constant.
@@ -88,7 +85,7 @@ impl Quadric {
         let b = self.half_gradient(near).dot(dir);
         let c = self.value(near);
         let (start, places) = sign_changes(a, b, c);
-        along(start, places, |t| (ahead + t) / dir_size)
+        alternate(start, places.iter().map(|t| (ahead + t) / dir_size))
     }
 }
 
@@ -126,39 +123,6 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (left, right) = (a * b, c * d);
     let rest = a.mul_add(b, -left) - c.mul_add(d, -right);
     (left - right) + if rest.is_finite() { rest } else { 0.0 }
-}
-
-/// The roots at these places, without those that lie beyond all numbers.
-fn along(
-    mut start: Start,
-    places: SmallVec<[f64; 2]>,
-    t: impl Fn(f64) -> f64,
-) -> (Start, Crossings) {
-    let mut is_inside = start == Start::Inside;
-    let mut roots = Crossings::new();
-    for place in places {
-        let t = t(place);
-        let crossing = if is_inside {
-            Crossing::Leave
-        } else {
-            Crossing::Enter
-        };
-        is_inside = !is_inside;
-        if t.is_finite() {
-            roots.push(Root {
-                t,
-                crossing,
-                face: 0,
-                is_visible: true,
-            });
-        } else if t < 0.0 {
-            start = match start {
-                Start::Inside => Start::Outside,
-                Start::Outside => Start::Inside,
-            };
-        }
-    }
-    (start, roots)
 }
 
 impl Geometry for Quadric {

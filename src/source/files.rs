@@ -30,6 +30,8 @@ pub struct Sources {
     /// Files that the scene wrote itself.
     written: FxHashSet<PathBuf>,
     dependencies: Vec<Dependency>,
+    /// Files that are no text, by their canonical paths.
+    pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
 }
 
 /// A file whose content or whose presence matters to the picture.
@@ -170,7 +172,7 @@ impl Sources {
     }
 
     /// The file of this name, seen from the current folder, if the scene wrote it itself.
-    fn own_file(&self, name: &str) -> Option<PathBuf> {
+    pub(super) fn own_file(&self, name: &str) -> Option<PathBuf> {
         if self.written.is_empty() {
             return None;
         }
@@ -185,7 +187,7 @@ impl Sources {
         &self.dependencies
     }
 
-    fn note(&mut self, path: &Path, is_there: bool) {
+    pub(super) fn note(&mut self, path: &Path, is_there: bool) {
         let is_own = fs::canonicalize(path).is_ok_and(|path| self.written.contains(&path));
         let dependency = Dependency {
             path: path.to_owned(),
@@ -242,7 +244,7 @@ impl Sources {
     }
 
     /// Where include files are searched; an empty path is the current folder.
-    fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
+    pub(super) fn folders(&self, including_file: FileId) -> Vec<PathBuf> {
         let including = self.path(including_file).and_then(Path::parent);
         let near = including.into_iter().chain([Path::new("")]);
         let mut folders: Vec<PathBuf> = Vec::new();
@@ -339,7 +341,7 @@ fn declares(text: &str, name: &str) -> Option<String> {
 }
 
 /// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
-fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
+pub(super) fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
     let file = File::open(path)?;
     let about = file.metadata()?;
     if about.len() > MAX_FILE_BYTES {

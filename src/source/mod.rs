@@ -1,5 +1,6 @@
 //! Scene texts, places in them, and what is said about them.
 
+mod data;
 mod diagnostic;
 mod files;
 mod message;

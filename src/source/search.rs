@@ -17,7 +17,7 @@ pub(super) fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     first(name, folders, &EXTENSIONS[..1])
 }
 
-fn first(name: &str, folders: &[PathBuf], extensions: &[&str]) -> Option<PathBuf> {
+pub(super) fn first(name: &str, folders: &[PathBuf], extensions: &[&str]) -> Option<PathBuf> {
     let paths = folders.iter().flat_map(|folder| {
         let named = |extension: &&str| folder.join(format!("{name}{extension}"));
         extensions.iter().map(named)

@@ -153,19 +153,28 @@ impl Tokens {
     /// When `value` is not the value of a string token.
     #[must_use]
     pub fn string(&self, value: u32) -> String {
-        let mut rest = self.written(value);
-        let mut out = String::with_capacity(rest.len());
-        while let Some(at) = rest.find('\\') {
-            out.push_str(&rest[..at]);
-            let escape = escape(&rest[at..]);
-            match escape.value {
-                Some(value) => out.push(value),
-                None => out.push_str(&rest[at..at + escape.len]),
+        unescaped(self.written(value))
+    }
+
+    /// As [`Tokens::string`], with as many blanks for each letter beyond ASCII as it has bytes; those that escapes
+    /// stand for stay.
+    ///
+    /// # Panics
+    /// When `value` is not the value of a string token.
+    #[must_use]
+    pub fn string_in_ascii(&self, value: u32) -> String {
+        let written = self.written(value).chars();
+        let blank = |c: char| {
+            if c.is_ascii() {
+                (c, 1)
+            } else {
+                (' ', c.len_utf8())
             }
-            rest = &rest[at + escape.len..];
-        }
-        out.push_str(rest);
-        out
+        };
+        let plain = written
+            .map(blank)
+            .flat_map(|(c, count)| std::iter::repeat_n(c, count));
+        unescaped(&plain.collect::<String>())
     }
 
     /// The place of the first escape of a string that means nothing; POV-Ray stops there when the string is used.
@@ -214,6 +223,21 @@ pub fn span_at(file: FileId, text: &str, start: u32) -> Span {
         },
     };
     Span::new(file, start, u32::try_from(end).unwrap_or(u32::MAX))
+}
+
+fn unescaped(mut rest: &str) -> String {
+    let mut out = String::with_capacity(rest.len());
+    while let Some(at) = rest.find('\\') {
+        out.push_str(&rest[..at]);
+        let escape = escape(&rest[at..]);
+        match escape.value {
+            Some(value) => out.push(value),
+            None => out.push_str(&rest[at..at + escape.len]),
+        }
+        rest = &rest[at + escape.len..];
+    }
+    out.push_str(rest);
+    out
 }
 
 struct Escape {

@@ -212,7 +212,7 @@ impl Component {
 
     /// The field at a point.
     pub(super) fn field(&self, point: DVec3) -> f64 {
-        let p = self.from_axis(self.unit_from_blob.transform_point3(point));
+        let p = self.off_axis(self.unit_from_blob.transform_point3(point));
         let rest = 1.0 - p.dot(p);
         if rest > 0.0 {
             self.strength * rest * rest
@@ -223,7 +223,7 @@ impl Component {
 
     /// The direction and half the rate in which the field falls at a point.
     pub(super) fn outward(&self, point: DVec3) -> DVec3 {
-        let p = self.from_axis(self.unit_from_blob.transform_point3(point));
+        let p = self.off_axis(self.unit_from_blob.transform_point3(point));
         let rest = 1.0 - p.dot(p);
         if rest > 0.0 {
             self.unit_from_blob.matrix3.transpose() * (p * (2.0 * self.strength * rest))
@@ -233,7 +233,7 @@ impl Component {
     }
 
     /// From the nearest point of the stretch between the ends.
-    fn from_axis(&self, p: DVec3) -> DVec3 {
+    fn off_axis(&self, p: DVec3) -> DVec3 {
         DVec3::new(p.x, p.y - p.y.clamp(0.0, self.length), p.z)
     }
 }

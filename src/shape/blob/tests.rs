@@ -31,7 +31,6 @@ fn many_components_are_found_by_the_tree() {
             0.1 * f64::from(i)
         );
     }
-    let text = text.replace("<-", "<-").replace(",-", ", -");
     let whole = blob(&text);
     assert!(whole.0.tree.is_some());
     check::solid(&whole);

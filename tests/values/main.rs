@@ -1,44 +1,162 @@
-//! Expressions, promotion, functions and directives give the values that POV-Ray gives: every line below runs through
-//! both programs, which write it by `#debug`.
+//! Expressions, functions, directives and files give what POV-Ray gives: every scene here runs through both programs,
+//! which write their values by `#debug` in lines that begin with `= `.
+//!
+//! POV-Ray's answers are kept in `target/tmp/values/` under a hash of the scene, so that only new scenes cost its
+//! start-up time. A scene may bring files along: `@@@ name` begins one.
 
-use std::path::Path;
+mod arrays;
+mod directives;
+mod expressions;
+mod extents;
+mod files;
+mod functions;
+mod lexical;
+mod macros;
+mod probes;
+mod settings;
+mod tables;
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Statements that run before every group.
+/// Statements that run before every scene; one that begins with `!` has none.
 const BEFORE: &str = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+/// POV-Ray spends most of its wall time asleep, so more scenes run at once than there are processors.
+const AT_ONCE: usize = 4;
+/// Where scenes write to.
+const WRITTEN: &str = "out.txt";
 
-/// Runs a scene that writes lines by `#debug` and gives those lines.
-fn lines(program: &str, scene: &str, name: &str) -> Vec<String> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("values");
-    std::fs::create_dir_all(&folder).expect("the folder for test files can be made");
-    let file = folder.join(format!("{name}.pov"));
-    std::fs::write(&file, scene).expect("test files can be written");
-    let output = Command::new(program)
-        .arg(format!("+I{}", file.display()))
-        .args(["+W4", "+H4", "-D", "-F", "-A", "+WT1"])
+/// What a program says to a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Answer {
+    is_accepted: bool,
+    lines: Vec<String>,
+    written: Option<String>,
+}
+
+/// Checks that POV-Ray reads each of these scenes, and that both programs write the same for it.
+fn agree(topic: &str, scenes: &[&str]) {
+    each(topic, scenes, |scene, expected, found| {
+        assert!(expected.is_accepted, "POV-Ray refuses {scene}");
+        assert_eq!(found, expected, "left povr, right POV-Ray: {scene}");
+    });
+}
+
+/// Checks that both programs refuse each of these scenes.
+fn refused(topic: &str, scenes: &[&str]) {
+    each(topic, scenes, |scene, expected, found| {
+        assert!(!expected.is_accepted, "POV-Ray reads {scene}");
+        assert!(!found.is_accepted, "povr reads {scene}");
+    });
+}
+
+fn each(topic: &str, scenes: &[&str], check: impl Fn(&str, &Answer, &Answer) + Sync) {
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|threads| {
+        for _ in 0..AT_ONCE {
+            threads.spawn(|| {
+                while let Some(scene) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let expected = kept_answer(topic, scene);
+                    check(scene, &expected, &answer("povr", topic, scene));
+                }
+            });
+        }
+    });
+}
+
+/// Runs a scene in a folder of its own.
+fn answer(program: &str, topic: &str, scene: &str) -> Answer {
+    let folder = folder(&format!("{topic}/{:016x}-{program}", hash(scene)));
+    let _ = fs::remove_file(folder.join(WRITTEN));
+    let mut parts = scene.split("\n@@@ ");
+    let main = parts.next().unwrap_or_default();
+    let main = match main.strip_prefix('!') {
+        Some(main) => main.to_owned(),
+        None => format!("{BEFORE}{main}"),
+    };
+    fs::write(folder.join("scene.pov"), main + "\n").expect("test files can be written");
+    for part in parts {
+        let (name, text) = part.split_once('\n').unwrap_or((part, ""));
+        fs::write(folder.join(name), text).expect("test files can be written");
+    }
+    let path = match program {
+        "povr" => env!("CARGO_BIN_EXE_povr"),
+        other => other,
+    };
+    let output = Command::new(path)
+        .current_dir(&folder)
+        // Radiosity is read, but at this quality not drawn.
+        .args(["+Iscene.pov", "+W4", "+H4", "-D", "-F", "-A", "+Q8", "+WT1"])
         .output()
         .unwrap_or_else(|error| {
             panic!("{program} cannot be run ({error}); tools/test installs what is missing")
         });
     let text = String::from_utf8_lossy(&output.stderr);
-    let found: Vec<String> = text
-        .lines()
-        .filter(|line| line.starts_with("= "))
-        .map(|line| line.trim_end().to_owned())
-        .collect();
-    assert!(
-        output.status.success(),
-        "{program} failed on {name}:\n{text}"
-    );
-    found
+    let lines = text.lines().filter(|line| line.starts_with("= "));
+    Answer {
+        is_accepted: output.status.success(),
+        lines: lines.map(|line| unsigned_zeros(line.trim_end())).collect(),
+        written: fs::read_to_string(folder.join(WRITTEN)).ok(),
+    }
 }
 
-/// Checks that both programs write the same lines for a scene.
+/// The sign of a zero is that of rounding, which may differ.
+fn unsigned_zeros(line: &str) -> String {
+    let mut out = String::new();
+    for word in line.split_inclusive([' ', ',', '|']) {
+        let is_zero = word.starts_with("-0") && !word.chars().any(|c| ('1'..='9').contains(&c));
+        out.push_str(if is_zero { &word[1..] } else { word });
+    }
+    out
+}
+
+/// POV-Ray's answer, from an earlier run if there was one.
+fn kept_answer(topic: &str, scene: &str) -> Answer {
+    let file = folder("answers").join(format!("{:016x}", hash(scene)));
+    if let Some(kept) = fs::read_to_string(&file).ok().and_then(|text| kept(&text)) {
+        return kept;
+    }
+    let answer = answer("povray", topic, scene);
+    let lines = answer.lines.join("\n");
+    let written = answer.written.as_deref();
+    let written = written.map_or("none".to_owned(), |text| format!("some\n{text}"));
+    let text = format!("{}\n{lines}\x0c{written}", answer.is_accepted);
+    fs::write(&file, text).expect("answers can be kept");
+    answer
+}
+
+fn kept(text: &str) -> Option<Answer> {
+    let (head, written) = text.split_once('\x0c')?;
+    let (is_accepted, lines) = head.split_once('\n')?;
+    Some(Answer {
+        is_accepted: is_accepted == "true",
+        lines: lines.lines().map(str::to_owned).collect(),
+        written: written.strip_prefix("some\n").map(str::to_owned),
+    })
+}
+
+fn hash(scene: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (BEFORE, scene).hash(&mut hasher);
+    hasher.finish()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("values")
+        .join(name);
+    fs::create_dir_all(&folder).expect("the folder for test files can be made");
+    folder
+}
+
+/// Checks that both programs write the same `count` lines for a scene.
 fn same(name: &str, body: &str, count: usize) {
-    let scene = format!("{BEFORE}{body}\n");
-    let expected = lines("povray", &scene, name);
-    assert_eq!(expected.len(), count, "POV-Ray wrote {expected:#?}");
-    assert_eq!(lines(env!("CARGO_BIN_EXE_povr"), &scene, name), expected);
+    let expected = kept_answer(name, body);
+    assert_eq!(expected.lines.len(), count, "POV-Ray wrote {expected:#?}");
+    assert_eq!(answer("povr", name, body), expected);
 }
 
 /// Floats in seven digits, one line each.

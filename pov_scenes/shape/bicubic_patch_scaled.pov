@@ -1,0 +1,15 @@
+// The normals of a bicubic patch are those of the transformed surface.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1.5, 3, -6> look_at <1.5, 1.2, 0> }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+bicubic_patch {
+  type 1 u_steps 2 v_steps 2
+  <0, 0, 2>, <1, 0, 0>, <2, 0, 0>, <3, 0, -2>,
+  <0, 1, 0>, <1, 1, -2>, <2, 1, 0>, <3, 1, 0>,
+  <0, 2, 0>, <1, 2, 0>, <2, 2, 1>, <3, 2, 0>,
+  <0, 3, 2>, <1, 3, 0>, <2, 3, 0>, <3, 3, -2>
+  pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
+  translate -1.5 scale <1.3, 0.4, 2> rotate <50, 20, 10> translate <1.5, 1.5, 0>
+}

@@ -1,0 +1,7 @@
+// The offset of a text moves each letter from the last, but not in depth.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <2, 1.5, -5> look_at <2, 0.3, 0> }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+text { ttf "timrom.ttf" "Offset" 0.3, <0.1, 0.15, 0.2> pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 } scale 1.2 translate -0.4*y }

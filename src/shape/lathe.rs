@@ -1,0 +1,425 @@
+//! `lathe { [spline] number of points, <r, y>, ... }`: a curve turned about the y axis.
+//!
+//! With `τ` the length along a ray, `s` and `c` the sine and cosine of its climb, `a` its distance from the axis and `h`
+//! how far it is from where it is nearest to the axis, a point `(r, y)` of the curve is met where `h = ±√(r² − a²)` and
+//! `F = c·(y − y₀) − s·(h − h₀) = 0`. Both halves of that are solved by themselves. The polynomial of degree six that
+//! joins them has double roots for level rays, and so loses what this keeps. The curve is cut into arcs on which
+//! `r`, `y` and their slopes are monotone; there values and slopes of `F` are bounded by those at the ends.
+//!
+//! Inside is what POV-Ray takes for it: where a way outward crosses the curve an odd number of times, but not nearer
+//! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which
+//! are not seen.
+
+use super::spline::{self, Kind, Segment};
+use super::{Crossing, Crossings, Geometry, Root, Start, first_visible};
+use crate::args::{Args, Parse};
+use crate::math::conditioning::power_of_two;
+use crate::math::enclosed::{Enclosed, Range, sign_changes};
+use crate::math::polynomial::Places;
+use crate::math::{Bounds, Ray, Step};
+use crate::source::Diagnostic;
+use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A surface of revolution. It is one piece, face 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lathe(Arc<Profile>);
+
+#[derive(Debug, PartialEq)]
+struct Profile {
+    /// The curve, and behind it what closes it.
+    segments: Vec<Segment>,
+    /// How many of them are the curve.
+    seen: usize,
+    arcs: Vec<Bow>,
+    /// The middle of the box around the solid.
+    middle: f64,
+    bounds: Bounds,
+}
+
+/// A stretch of a segment on which radius, height and their slopes are monotone and the radius keeps its sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bow {
+    segment: usize,
+    from: f64,
+    to: f64,
+}
+
+/// A ray about the axis.
+struct Climb {
+    /// The distance of the line from the axis.
+    aside: f64,
+    /// `h` at the origin of the ray.
+    ahead: f64,
+    /// The height of that origin.
+    height: f64,
+    sine: f64,
+    cosine: f64,
+}
+
+/// `F` along an arc, for `h` positive or negative.
+struct Half<'a> {
+    climb: &'a Climb,
+    segment: &'a Segment,
+    side: f64,
+}
+
+impl Lathe {
+    /// Reads the kind of spline and the points.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, too few points, a point of the curve beyond the axis.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let mut kind = Kind::Linear;
+        while let Some(named) = Kind::accept(args)? {
+            kind = named;
+        }
+        let at = args.span();
+        let points = spline::read_points(args, "lathe")?;
+        let at = at.to(args.last_span());
+        let name = kind.name();
+        let least = match kind {
+            Kind::Linear => 2,
+            Kind::Quadratic => 3,
+            Kind::Cubic | Kind::Bezier => 4,
+        };
+        let (before, after) = kind.extra();
+        let message = if kind == Kind::Bezier && !points.len().is_multiple_of(4) {
+            "lathe with bezier splines must have four points for each segment".to_owned()
+        } else if points.len() < least {
+            format!("lathe with {name} splines must have at least {least} points")
+        } else if let Some(point) = points[before..points.len() - after]
+            .iter()
+            .find(|point| point.x < 0.0)
+        {
+            format!(
+                "a point of the lathe lies beyond its axis: <{}, {}>",
+                point.x, point.y
+            )
+        } else {
+            return Ok(Lathe::new(kind.segments(&points)));
+        };
+        Err(Box::new(Diagnostic::error(at, message)))
+    }
+
+    fn new(mut segments: Vec<Segment>) -> Self {
+        let seen = segments.len();
+        let low = segments
+            .iter()
+            .fold(DVec2::INFINITY, |low, s| low.min(s.low));
+        let high = segments
+            .iter()
+            .fold(DVec2::NEG_INFINITY, |high, s| high.max(s.high));
+        close(&mut segments, low.x.max(0.0));
+        let mut arcs = Vec::new();
+        for (number, segment) in segments.iter().enumerate() {
+            push_arcs(number, segment, &mut arcs);
+        }
+        let rim = high.x.max(-low.x);
+        let slack = 8.0 * f64::EPSILON * rim.max(low.y.abs()).max(high.y.abs());
+        let reach = rim + slack;
+        let bounds = Bounds {
+            min: DVec3::new(-reach, low.y - slack, -reach),
+            max: DVec3::new(reach, high.y + slack, reach),
+        };
+        Lathe(Arc::new(Profile {
+            segments,
+            seen,
+            arcs,
+            middle: 0.5 * (low.y + high.y),
+            bounds,
+        }))
+    }
+}
+
+/// Adds the rings and the wall that close a curve whose ends are apart, at the distance to which it comes to the axis.
+fn close(segments: &mut Vec<Segment>, inner: f64) {
+    let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
+        return;
+    };
+    let (start, end) = (first.start, last.end);
+    if spline::is_same(start, end) {
+        let seen = segments.len();
+        segments[seen - 1] = segments[seen - 1].ending_at(start);
+        return;
+    }
+    let wall = [DVec2::new(inner, end.y), DVec2::new(inner, start.y)];
+    for (from, to) in [(end, wall[0]), (wall[0], wall[1]), (wall[1], start)] {
+        if from != to {
+            segments.push(Segment::line(from, to));
+        }
+    }
+}
+
+fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
+    let mut stops: SmallVec<[f64; 12]> = SmallVec::new();
+    stops.extend([-1.0, 1.0]);
+    for axis in 0..2 {
+        stops.extend(segment.turns(axis));
+        stops.extend(segment.bend(axis));
+    }
+    stops.extend(segment.zeros(0));
+    stops.sort_unstable_by(f64::total_cmp);
+    stops.dedup();
+    arcs.extend(stops.windows(2).map(|pair| Bow {
+        segment: number,
+        from: pair[0],
+        to: pair[1],
+    }));
+}
+
+impl Climb {
+    fn new(ray: &Ray) -> Self {
+        let (origin, dir) = (flat(ray.origin), flat(ray.dir));
+        let speed = ray.dir.length();
+        let along = if dir == DVec2::ZERO {
+            origin.try_normalize().unwrap_or(DVec2::X)
+        } else {
+            dir / dir.length()
+        };
+        Climb {
+            aside: along.perp_dot(origin).abs(),
+            ahead: along.dot(origin),
+            height: ray.origin.y,
+            sine: ray.dir.y / speed,
+            cosine: dir.length() / speed,
+        }
+    }
+
+    /// How far from the place nearest to the axis the line has the distance `radius` from it; zero if it never has.
+    fn reach(&self, radius: f64) -> f64 {
+        let radius = radius.abs();
+        ((radius - self.aside) * (radius + self.aside))
+            .max(0.0)
+            .sqrt()
+    }
+
+    fn excess(&self, point: DVec2, side: f64) -> f64 {
+        self.cosine * (point.y - self.height)
+            - self.sine * (side * self.reach(point.x) - self.ahead)
+    }
+
+    /// The length along the ray to a point of it.
+    fn length(&self, point: DVec2, side: f64) -> f64 {
+        if self.sine.abs() > self.cosine {
+            (point.y - self.height) / self.sine
+        } else {
+            (side * self.reach(point.x) - self.ahead) / self.cosine
+        }
+    }
+}
+
+impl Enclosed for Half<'_> {
+    fn value(&self, x: f64) -> f64 {
+        self.climb.excess(self.segment.at(x), self.side)
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        let (point, slope) = (self.segment.at(x), self.segment.slope(x));
+        let outward = slope.x * point.x / self.climb.reach(point.x);
+        self.climb.cosine * slope.y - self.climb.sine * self.side * outward
+    }
+
+    fn values(&self, from: f64, to: f64) -> Range {
+        let (a, b) = (self.segment.at(from), self.segment.at(to));
+        let climb = self.climb;
+        let factor = climb.sine * self.side;
+        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
+        let way = Range::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
+        let rest = climb.sine * climb.ahead - climb.cosine * climb.height;
+        Range {
+            low: rise.low - way.high + rest,
+            high: rise.high - way.low + rest,
+        }
+    }
+
+    fn slopes(&self, from: f64, to: f64) -> Range {
+        let climb = self.climb;
+        let (a, b) = (self.segment.slope(from), self.segment.slope(to));
+        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
+        let factor = climb.sine * self.side;
+        let narrowing = |x: f64| {
+            let radius = self.segment.at(x).x;
+            radius / climb.reach(radius)
+        };
+        let (near, far) = (narrowing(from), narrowing(to));
+        let mut way = Range::new(0.0, 0.0);
+        if factor != 0.0 {
+            let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
+            if products.iter().any(|p| p.is_nan()) {
+                return Range::new(f64::NEG_INFINITY, f64::INFINITY);
+            }
+            way.low = products.iter().copied().fold(f64::INFINITY, f64::min);
+            way.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        }
+        Range {
+            low: rise.low - way.high,
+            high: rise.high - way.low,
+        }
+    }
+}
+
+impl Profile {
+    fn crossings(&self, ray: &Ray) -> Crossings {
+        // From the place nearest to the middle, with a direction that can be squared.
+        let dir_size = power_of_two(ray.dir.abs().max_element());
+        let dir = ray.dir / dir_size;
+        let about = DVec3::new(0.0, self.middle, 0.0);
+        let start = (about - ray.origin).dot(dir) / dir.dot(dir);
+        let near = Ray::new(ray.origin + start * dir, dir);
+        if !near.origin.is_finite() {
+            return Crossings::new();
+        }
+        let speed = dir.length();
+        let climb = Climb::new(&near);
+        let mut found: SmallVec<[(f64, bool); 8]> = SmallVec::new();
+        for arc in &self.arcs {
+            let is_seen = arc.segment < self.seen;
+            self.meet(arc, &climb, |length| {
+                found.push(((start + length / speed) / dir_size, is_seen));
+            });
+        }
+        found.retain(|place| place.0.is_finite());
+        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let mut roots = Crossings::new();
+        let mut is_inside = false;
+        for (t, is_visible) in found {
+            roots.push(Root {
+                t,
+                crossing: if is_inside {
+                    Crossing::Leave
+                } else {
+                    Crossing::Enter
+                },
+                face: 0,
+                is_visible,
+            });
+            is_inside = !is_inside;
+        }
+        if is_inside {
+            // Only beyond all numbers.
+            roots.pop();
+        }
+        roots
+    }
+
+    /// Visits the lengths at which the line meets an arc.
+    fn meet(&self, arc: &Bow, climb: &Climb, mut visit: impl FnMut(f64)) {
+        let segment = &self.segments[arc.segment];
+        let (mut from, mut to) = (arc.from, arc.to);
+        let radius = |x: f64| segment.at(x).x.abs();
+        let (starts_out, ends_out) = (radius(from) >= climb.aside, radius(to) >= climb.aside);
+        match (starts_out, ends_out) {
+            (false, false) => return,
+            (true, true) => {}
+            (false, true) => from = bisect(&radius, climb.aside, from, to),
+            (true, false) => to = bisect(&radius, climb.aside, to, from),
+        }
+        if radius(from) == 0.0 && radius(to) == 0.0 {
+            return;
+        }
+        for side in [1.0, -1.0] {
+            let half = Half {
+                climb,
+                segment,
+                side,
+            };
+            // Where the halves meet they have one value, and an end of an arc has the value of its neighbour.
+            let end = |x: f64, is_own: bool| {
+                let value = if is_own {
+                    half.value(x)
+                } else {
+                    climb.cosine * (segment.at(x).y - climb.height) + climb.sine * climb.ahead
+                };
+                (x, value < 0.0)
+            };
+            let mut places = Places::new();
+            sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut places);
+            for x in places {
+                visit(climb.length(segment.at(x), side));
+            }
+        }
+    }
+}
+
+/// Where a monotone radius reaches `level`, from a place below it to one that is not; on the far side of it.
+fn bisect(radius: &impl Fn(f64) -> f64, level: f64, mut below: f64, mut above: f64) -> f64 {
+    loop {
+        let middle = 0.5 * (below + above);
+        if middle == below || middle == above {
+            return above;
+        }
+        if radius(middle) < level {
+            below = middle;
+        } else {
+            above = middle;
+        }
+    }
+}
+
+fn flat(v: DVec3) -> DVec2 {
+    DVec2::new(v.x, v.z)
+}
+
+/// The place of a point in the half-plane of the curve.
+fn in_plane(point: DVec3) -> DVec2 {
+    DVec2::new(point.x.hypot(point.z), point.y)
+}
+
+impl Geometry for Lathe {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend_from_slice(&self.0.crossings(ray));
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.0.crossings(ray), from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let profile = &*self.0;
+        let place = in_plane(point);
+        let curve = &profile.segments[..profile.seen];
+        let Some((number, x)) = spline::nearest(curve, place) else {
+            return DVec3::Y;
+        };
+        let on_curve = curve[number].at(x);
+        let across = curve[number].tangent(x).perp();
+        let normal = spline::outward(&profile.segments, on_curve, across);
+        let outward = if place.x > 0.0 {
+            flat(point) / place.x
+        } else {
+            DVec2::X
+        };
+        DVec3::new(normal.x * outward.x, normal.y, normal.x * outward.y)
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        spline::contains(&self.0.segments, in_plane(point))
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.0.bounds
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+
+    /// Around the axis from +x towards +z, and along the curve.
+    fn uv(&self, point: DVec3) -> [f64; 2] {
+        let around = point.z.atan2(point.x) / TAU;
+        let around = if around < 0.0 { around + 1.0 } else { around };
+        let curve = &self.0.segments[..self.0.seen];
+        let along = spline::nearest(curve, in_plane(point)).map_or(0.0, |(number, x)| {
+            let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+            (count(number) + 0.5 * (x + 1.0)) / count(curve.len())
+        });
+        [around, along]
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,66 @@
+//! Files that a scene names and that are no text: pictures, fonts.
+
+use super::files::read_limited;
+use super::search::{first, not_found};
+use super::{Diagnostic, FileId, Sources};
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+impl Sources {
+    /// The bytes of the file that a scene means by `"name"` in `including_file`: searched like an include file, by its
+    /// name and then with each of `endings` appended. A file is read once, by whatever path it is named.
+    ///
+    /// # Errors
+    /// When there is no such file or it cannot be read; the finding has no place yet.
+    pub fn find_bytes(
+        &mut self,
+        name: &str,
+        including_file: FileId,
+        endings: &[&str],
+    ) -> Result<Arc<[u8]>, Box<Diagnostic>> {
+        let folders = self.folders(including_file);
+        let endings: Vec<&str> = [""].iter().chain(endings).copied().collect();
+        let found = self
+            .own_file(name)
+            .or_else(|| first(name, &folders, &endings));
+        self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
+        let Some(path) = found else {
+            return Err(Box::new(not_found("the file", name, &folders)));
+        };
+        let cannot_read = |why: &dyn std::fmt::Display| {
+            let name = path.display();
+            Box::new(Diagnostic::error(
+                None,
+                format!("cannot read `{name}`: {why}"),
+            ))
+        };
+        let canonical = fs::canonicalize(&path).map_err(|error| cannot_read(&error))?;
+        if let Some(bytes) = self.data.get(&canonical) {
+            return Ok(Arc::clone(bytes));
+        }
+        let bytes = read_limited(&path).map_err(|error| cannot_read(&error))?;
+        let bytes: Arc<[u8]> = bytes.ok_or_else(|| cannot_read(&"it is too large"))?.into();
+        self.data.insert(canonical, Arc::clone(&bytes));
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_found_with_its_ending_or_without_and_read_once() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("a.png"), [1, 2]).unwrap();
+        let mut sources = Sources::new(vec![folder.path().to_owned()]);
+        let scene = sources.add_text("x", "");
+        let first = sources.find_bytes("a", scene, &[".png"]).unwrap();
+        let second = sources.find_bytes("a.png", scene, &[]).unwrap();
+        assert_eq!(*first, [1, 2]);
+        assert!(Arc::ptr_eq(&first, &second));
+        let error = sources.find_bytes("a", scene, &[".gif"]).unwrap_err();
+        assert!(error.message.starts_with("cannot find the file `a` in "));
+    }
+}
