@@ -21,17 +21,21 @@ impl Reader<'_> {
     ) {
         let tokens = Rc::clone(&self.here.tokens);
         let start = self.here.at;
-        while let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
-            if !take(&vector[..len]) {
-                break;
+        let mut is_wanted = true;
+        while is_wanted && let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
+            is_wanted = take(&vector[..len]);
+            if is_wanted {
+                self.here.at = after;
             }
-            self.here.at = after;
         }
         if self.here.at > start {
             self.last = Place {
                 tokens,
                 at: self.here.at - 1,
             };
+        }
+        if is_wanted {
+            self.take_vectors_of_data(len, take);
         }
     }
 

@@ -23,7 +23,7 @@ pub(super) struct Place {
 }
 
 /// Where a token begins. Where it ends is found out only for a message.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Start {
     file: FileId,
     start: u32,
@@ -116,7 +116,9 @@ impl Reader<'_> {
     pub(super) fn peek(&mut self) -> Parse<Token> {
         let token = self.raw();
         match token.kind {
-            Kind::Name | Kind::Word | Kind::Directive | Kind::End => self.peek_word(token),
+            Kind::Name | Kind::Word | Kind::Directive | Kind::More | Kind::End => {
+                self.peek_word(token)
+            }
             _ => Ok(token),
         }
     }
@@ -159,6 +161,10 @@ impl Reader<'_> {
                 Kind::Word if is_bare_directive(token) => {
                     self.spoil();
                     self.run_bare_directive(token)?;
+                }
+                Kind::More => {
+                    self.spoil();
+                    self.read_on();
                 }
                 Kind::End => {
                     self.spoil();

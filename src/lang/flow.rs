@@ -122,7 +122,7 @@ impl Reader<'_> {
             })
         };
         if !self.is_raw_mark('(') {
-            while !matches!(self.raw().kind, Kind::End | Kind::Directive) && !begins(self.raw()) {
+            while !ends_text(self.raw()) && !begins(self.raw()) {
                 self.pass();
             }
             return;
@@ -130,7 +130,7 @@ impl Reader<'_> {
         let mut depth = 0;
         loop {
             let token = self.raw();
-            if matches!(token.kind, Kind::End | Kind::Directive) {
+            if ends_text(token) {
                 return;
             }
             depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
@@ -226,10 +226,14 @@ impl Reader<'_> {
         self.frames.last().map(|frame| &frame.kind)
     }
 
+    /// The next part and the `#end` of the group of a directive of the file at hand.
     fn group(&self, index: usize) -> (u32, u32) {
-        let token = self.here.tokens.tokens[index];
-        let directive = &self.here.tokens.directives[token.value as usize];
-        (directive.next, directive.end)
+        let tokens = &self.here.tokens;
+        let token = tokens.tokens.get(index);
+        let directive = token.and_then(|token| tokens.directives.get(token.value as usize));
+        directive.map_or((u32::MAX, u32::MAX), |directive| {
+            (directive.next, directive.end)
+        })
     }
 
     fn run_if(
@@ -297,8 +301,11 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            if token.kind != Kind::End {
-                self.here.at += 1;
+            match token.kind {
+                Kind::End => {}
+                // There are no directives in it.
+                Kind::More => self.leave_stretch(),
+                _ => self.here.at += 1,
             }
         }
     }
@@ -569,4 +576,9 @@ impl Reader<'_> {
         self.expect_mark(')', "`)`")?;
         Ok((low, high))
     }
+}
+
+/// Whether the text at hand ends, or what comes next is not all of it.
+fn ends_text(token: Token) -> bool {
+    matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
 }

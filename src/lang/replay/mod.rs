@@ -172,7 +172,7 @@ impl Reader<'_> {
         level: Level,
         read: impl FnOnce(&mut Self) -> Parse<T>,
     ) -> Parse<T> {
-        if self.recording.is_some() {
+        if self.recording.is_some() || self.here.tokens.is_part() {
             return read(self);
         }
         let old = match self
@@ -208,7 +208,7 @@ impl Reader<'_> {
     fn program(&self, recording: Recording, len: u8) -> Option<Program> {
         let behind = self.raw();
         let is_quiet = match behind.kind {
-            Kind::Directive | Kind::End => false,
+            Kind::Directive | Kind::More | Kind::End => false,
             Kind::Word => !is_bare_directive(behind),
             _ => true,
         };
