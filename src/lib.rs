@@ -25,12 +25,14 @@
 pub mod accel;
 pub mod args;
 pub mod atmosphere;
+pub mod bitmap;
 pub mod camera;
 pub mod cli;
 pub mod color;
 pub mod compare;
 pub mod compile;
 pub mod film;
+pub mod function;
 pub mod interior;
 pub mod lang;
 pub mod light;

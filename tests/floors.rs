@@ -9,6 +9,7 @@ const FLOORS: &[&[&str]] = &[
     &["math", "source", "color"],
     &["syntax", "accel", "film"],
     &["args", "options"],
+    &["bitmap"],
     &[
         "shape",
         "pattern",
@@ -17,6 +18,7 @@ const FLOORS: &[&[&str]] = &[
         "interior",
         "atmosphere",
         "texture",
+        "function",
     ],
     &["output", "compare"],
     &["scene"],
@@ -31,8 +33,16 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     // A texture is made of patterns, and a material holds an interior beside its texture.
     ("texture", "pattern"),
     ("texture", "interior"),
+    // A function may be a pattern, and a function may call patterns and pigments, which it knows as fields.
+    ("pattern", "function"),
+    ("texture", "function"),
     // The sky is painted with pigments.
     ("atmosphere", "texture"),
+    // The colours of a rainbow are a map.
+    ("atmosphere", "pattern"),
+    // The bokeh of a camera is painted with a pigment.
+    ("camera", "texture"),
+    ("camera", "pattern"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
     // The triangles of a mesh have textures of their own.

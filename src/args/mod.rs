@@ -7,7 +7,7 @@ pub(crate) mod text;
 pub use crate::syntax::Word;
 pub use steps::transform_step;
 
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::source::{Code, Diagnostic, Span};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
@@ -45,12 +45,25 @@ pub trait Args {
     fn color_if_any(&mut self) -> Parse<Option<Color>>;
     /// A string.
     fn string(&mut self) -> Parse<String>;
-    /// The bytes of the file whose name was taken last, searched like an include file, by its name and then with each of
-    /// `endings` appended.
-    fn file(&mut self, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+    /// The bytes of the file whose name was taken last. It is searched by its name and then with each of `endings`
+    /// appended; `what` is "the picture" or the like.
+    fn file_named(&mut self, what: &str, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
         let _ = endings;
-        let message = format!("cannot find the file `{name}`");
+        let message = format!("cannot find {what} `{name}`");
         Err(Box::new(Diagnostic::error(self.last_span(), message)))
+    }
+    /// Reads the name of a file that holds no text, and the file as [`Args::file_named`].
+    fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Arc<[u8]>)> {
+        let _ = endings;
+        Err(self.expected(&format!("the name of {what}")))
+    }
+    /// Reads an object, as a value of the type of objects of scenes.
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        Err(self.expected("an object"))
+    }
+    /// How numbers of colours relate to light here: `None` without gamma handling.
+    fn working_gamma(&self) -> Option<Gamma> {
+        Some(Gamma::LINEAR)
     }
     /// Takes vectors of `len` components that are written as literal numbers, each with an optional comma before it, as
     /// long as `take` wants them; the first it does not want is left where it is. May stop early, or take none at
@@ -92,6 +105,14 @@ pub trait Args {
     /// What `#default` holds of this Rust type. Use [`default_of`], which knows the type.
     fn default_any(&self, _kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
         None
+    }
+    /// The function in the block that follows, which the word `function` has announced; the room `function` knows its
+    /// type and reads it by this.
+    ///
+    /// # Errors
+    /// A malformed function.
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(None)
     }
     /// The place of the next token.
     fn span(&mut self) -> Span;

@@ -72,7 +72,7 @@ impl Fog {
         }
         let Some(up) = fog.up.try_normalize() else {
             let error = Diagnostic::error(at, "the `up` of this fog has no direction");
-            return Err(Box::new(error.with_hint("write `up y`")));
+            return Err(Box::new(error.with_hint("Write `up y`.")));
         };
         fog.up = up;
         Ok(fog)

@@ -1,9 +1,11 @@
 //! What is between and behind the objects: fog, rainbows and the sphere of the sky.
 
 mod fog;
+mod rainbow;
 mod sky_sphere;
 
 pub use fog::{Fog, sum_of};
+pub use rainbow::{Rainbow, mean_of};
 pub use sky_sphere::{PreparedSky, Seen, SkySphere};
 
 use crate::color::Rgb;
@@ -17,6 +19,8 @@ pub const WAY_TO_NOTHING: f64 = 2e10;
 pub struct Atmosphere {
     /// All fogs, which add up.
     pub fogs: Vec<Fog>,
+    /// All rainbows.
+    pub rainbows: Vec<Rainbow>,
     /// What rays see that meet nothing, in front of the background.
     pub sky_sphere: Option<Arc<SkySphere>>,
 }

@@ -67,7 +67,9 @@ impl SkySphere {
         }
         if sky.pigments.is_empty() {
             let error = Diagnostic::error(args.last_span(), "this `sky_sphere` has no pigment");
-            return Err(Box::new(error.with_hint("write `pigment { ... }` into it")));
+            return Err(Box::new(
+                error.with_hint("Write `pigment { ... }` into it."),
+            ));
         }
         Ok(sky)
     }

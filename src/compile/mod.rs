@@ -18,6 +18,7 @@ pub use probe::Probed;
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::options::RenderOptions;
+use crate::pattern::Settings;
 use crate::scene::Scene;
 use flatten::Flat;
 
@@ -25,7 +26,10 @@ use flatten::Flat;
 /// combinations, and builds the tree.
 #[must_use]
 pub fn compile(scene: &Scene, options: &RenderOptions) -> World {
-    let mut flat = Flat::new(scene.pattern_settings());
+    let mut flat = Flat::new(Settings {
+        solid_of: Some(probe::solid_of),
+        ..scene.pattern_settings()
+    });
     for object in &scene.objects {
         flat.add(object);
     }

@@ -6,9 +6,11 @@ use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::{Bounds, Ray};
 use crate::options::{LeastDistance, RenderOptions};
+use crate::pattern::Solid;
 use crate::scene::{Background, Globals, Object, Scene};
 use crate::shape::{Geometry, Shape};
 use glam::DVec3;
+use std::any::Any;
 use std::sync::Arc;
 
 /// How many objects stay compiled: a scene asks about a few objects again and again, or about each new one once.
@@ -78,6 +80,22 @@ impl Probed {
             }
         }
     }
+}
+
+/// An object as patterns ask for it.
+#[derive(Debug)]
+struct Asked(World);
+
+impl Solid for Asked {
+    fn holds(&self, point: DVec3) -> bool {
+        point.is_finite() && self.0.holds(point)
+    }
+}
+
+/// An object of a scene ready for points.
+pub(super) fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
+    let object = Arc::clone(object).downcast::<Object>().ok()?;
+    Some(Arc::new(Asked(compiled(&object))))
 }
 
 /// A world of one object that hides from nobody.

@@ -7,8 +7,8 @@ use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use super::order::{Finder, Numbered};
 use crate::accel::Bundle;
-use crate::atmosphere::{Fog, PreparedSky};
-use crate::camera::Camera;
+use crate::atmosphere::{Fog, PreparedSky, Rainbow};
+use crate::camera::{Camera, Lens};
 use crate::color::{Color, Rgb};
 use crate::math::lanes::with_widest;
 use crate::math::mersenne::Stream;
@@ -198,6 +198,8 @@ const TREE_FROM: usize = 3;
 pub struct World {
     /// The camera.
     pub camera: Camera,
+    /// Its lens, if it has one.
+    pub lens: Option<Lens>,
     /// The lights, in the order of the scene.
     pub lights: Lights,
     /// The looks of the objects, by [`Hit::surface`].
@@ -210,6 +212,8 @@ pub struct World {
     pub sky: Option<PreparedSky>,
     /// The fogs, none that does nothing.
     pub fogs: Vec<Fog>,
+    /// The rainbows.
+    pub rainbows: Vec<Rainbow>,
     /// The settings of shading.
     pub globals: Globals,
     leaves: Vec<Leaf>,
@@ -243,6 +247,7 @@ impl World {
         };
         World {
             camera: scene.camera.clone(),
+            lens: Lens::new(&scene.camera, &scene.pattern_settings()),
             background: scene.background.color.unwrap_or(transparent),
             sky: scene
                 .atmosphere
@@ -256,8 +261,9 @@ impl World {
                 .filter(|fog| fog.exists())
                 .cloned()
                 .collect(),
+            rainbows: scene.atmosphere.rainbows.clone(),
             globals: Globals {
-                noise: NoiseGenerator::default(),
+                noise: scene.pattern_settings().noise_generator,
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,

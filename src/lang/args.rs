@@ -4,13 +4,16 @@ use super::cursor::Start;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
-use crate::color::Color;
+use crate::color::{Color, Gamma};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 use crate::texture::{Layer, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
+
+/// From this version on there is gamma handling even if a scene does not ask for it.
+const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
@@ -55,15 +58,37 @@ impl Args for Reader<'_> {
         Reader::string(self)
     }
 
-    fn file(&mut self, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+    fn file_named(&mut self, what: &str, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
         let at = self.taken_span();
-        let found = self.sources.find_bytes(name, at.file, endings);
-        found.map_err(|error| {
-            self.with_trace(Diagnostic {
-                span: Some(at),
-                ..*error
-            })
+        let found = self.sources.find_bytes(what, name, at.file, endings);
+        found.map_err(|mut error| {
+            error.span = Some(at);
+            self.with_trace(*error)
         })
+    }
+
+    fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Arc<[u8]>)> {
+        let name = self.file_name()?;
+        let bytes = self.file_named(what, &name, endings)?;
+        Ok((name, bytes))
+    }
+
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let found = match self.object()? {
+            Some(object) => Some(object),
+            None => self.object_of_name()?,
+        };
+        match found {
+            Some(object) => Ok(object),
+            None => Err(self.expected_here("an object")),
+        }
+    }
+
+    fn working_gamma(&self) -> Option<Gamma> {
+        match self.globals.assumed_gamma {
+            None if self.version >= GAMMA_SINCE => Some(Gamma::LINEAR),
+            known => known,
+        }
     }
 
     fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
@@ -156,6 +181,10 @@ impl Args for Reader<'_> {
         } else {
             None
         }
+    }
+
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(Some(self.function_block()?))
     }
 
     fn span(&mut self) -> Span {

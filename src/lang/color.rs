@@ -1,6 +1,7 @@
 //! Colours in all the forms of the language.
 
 use super::flow::EQUAL;
+use super::function::is_callable;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
@@ -160,8 +161,8 @@ impl Reader<'_> {
                     .iter()
                     .flatten()
                     .next()
-                    .is_none_or(|item| matches!(item, Value::Number(_))),
-                _ => false,
+                    .is_none_or(|item| matches!(item, Value::Number(_)) || is_callable(item)),
+                _ => self.at_call(),
             },
             Kind::Word => token
                 .word()

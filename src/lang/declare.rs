@@ -1,12 +1,13 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
 use super::cursor::{Declaring, Entered, Frame, Place};
+use super::function::is_callable;
 use super::limits;
 use super::reader::Reader;
 use super::replay::Level;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
-use crate::atmosphere::{Fog, SkySphere};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Interior;
@@ -430,8 +431,10 @@ impl Reader<'_> {
                 }
                 self.spoil();
                 let before = self.here.clone();
-                match self.array_or_item()? {
-                    Value::Number(_) => {
+                let item = self.array_or_item()?;
+                let is_called = is_callable(&item) && self.is_raw_mark('(');
+                match item {
+                    _ if is_called || matches!(item, Value::Number(_)) => {
                         // An item that is a number may begin an expression: read it again as one.
                         self.here = before;
                         self.number_or_color().map(Some)
@@ -441,6 +444,7 @@ impl Reader<'_> {
             }
             Some(Value::Poison) => Err(self.consequence()),
             Some(Value::File(_)) => Err(self.expected_here(what)),
+            Some(_) if self.at_call() => self.number_or_color().map(Some),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
                 Element::new("texture", self.texture_layers()?),
             ))),
@@ -500,6 +504,11 @@ impl Reader<'_> {
                 let fog = Fog::read(self)?;
                 Ok(Some(Value::Element(Element::new("fog", fog))))
             }
+            Word::Rainbow => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                Ok(Some(Value::Element(Element::new("rainbow", rainbow))))
+            }
             Word::SkySphere => {
                 self.pass();
                 let sky = SkySphere::read(self)?;
@@ -515,6 +524,8 @@ impl Reader<'_> {
                 Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
             }
             Word::Array => self.array_value().map(Some),
+            Word::Function => self.function_value().map(Some),
+            Word::Spline => self.spline_value().map(Some),
             Word::LightSource => Ok(self.object()?.map(Value::Object)),
             _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
             _ => match word.class() {

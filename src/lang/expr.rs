@@ -5,6 +5,7 @@
 
 use super::cursor::Start;
 use super::flow::EQUAL;
+use super::function::Callee;
 use super::limits;
 use super::reader::Reader;
 use super::replay::{Binary, Level, Op};
@@ -265,7 +266,7 @@ impl Reader<'_> {
         }
     }
 
-    fn value_word(&self, word: Word) -> Number {
+    pub(super) fn value_word(&self, word: Word) -> Number {
         let unit = |at: usize, len: u8| {
             let mut number = Number { v: [0.0; 5], len };
             number.v[at] = 1.0;
@@ -344,14 +345,27 @@ impl Reader<'_> {
                         self.note_item(symbol, before, dimensions, number.len);
                         Ok(number)
                     }
-                    other => Err(self.error_taken(format!(
-                        "expected a number or vector, found {}",
-                        other.kind()
-                    ))),
+                    other => match Callee::of(&other) {
+                        Some(callee) => {
+                            self.spoil();
+                            self.call(&callee)
+                        }
+                        None => Err(self.error_taken(format!(
+                            "expected a number or vector, found {}",
+                            other.kind()
+                        ))),
+                    },
                 }
             }
             Some(Value::Poison) => Err(self.consequence()),
-            _ => Err(self.expected_here("a number, a vector or an expression")),
+            other => match other.and_then(Callee::of) {
+                Some(callee) => {
+                    self.pass();
+                    self.spoil();
+                    self.call(&callee)
+                }
+                None => Err(self.expected_here("a number, a vector or an expression")),
+            },
         }
     }
 

@@ -6,7 +6,7 @@ use super::replay::Op;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::math::noise::{Octaves, vector_turbulence};
-use crate::math::{axis_rotation, rotation};
+use crate::math::{axis_rotation, hyperbolic, rotation};
 use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
@@ -378,11 +378,11 @@ pub(super) fn one(word: Word, a: f64) -> Result<f64, String> {
     Ok(match word {
         Word::Abs => a.abs(),
         Word::Acos => a.clamp(-1.0, 1.0).acos(),
-        Word::Acosh => a.acosh(),
+        Word::Acosh => hyperbolic::acosh(a),
         Word::Asin => a.clamp(-1.0, 1.0).asin(),
-        Word::Asinh => a.asinh(),
+        Word::Asinh => hyperbolic::asinh(a),
         Word::Atan => a.atan(),
-        Word::Atanh => a.atanh(),
+        Word::Atanh => hyperbolic::atanh(a),
         Word::Ceil => a.ceil(),
         Word::Cos => a.cos(),
         Word::Cosh => a.cosh(),

@@ -2,6 +2,7 @@
 
 mod args;
 mod array;
+mod body;
 mod budget;
 mod bulk;
 mod color;
@@ -13,6 +14,7 @@ mod expr;
 mod files;
 mod flow;
 mod foreign;
+mod function;
 mod functions;
 #[cfg(test)]
 mod fuzz;

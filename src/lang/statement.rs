@@ -6,7 +6,7 @@ use super::limits;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word};
-use crate::atmosphere::{Fog, SkySphere};
+use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
 use crate::pattern::read_noise_generator;
@@ -78,6 +78,11 @@ impl Reader<'_> {
                 self.pass();
                 let fog = Fog::read(self)?;
                 self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::Rainbow) => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                self.atmosphere.rainbows.push(rainbow);
             }
             Some(Word::SkySphere) => {
                 self.pass();

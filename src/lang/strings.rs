@@ -200,10 +200,12 @@ impl Reader<'_> {
 fn formatted(value: f64, width: i32, digits: i32) -> String {
     let digits = usize::try_from(digits).unwrap_or(6);
     let length = width.unsigned_abs() as usize;
-    if value.is_nan() {
+    if !value.is_finite() {
         let sign = if value.is_sign_negative() { "-" } else { "" };
-        format!("{:>length$}", format!("{sign}nan"))
-    } else if width < 0 && value.is_finite() {
+        let name = if value.is_nan() { "nan" } else { "inf" };
+        return format!("{:>length$}", format!("{sign}{name}"));
+    }
+    if width < 0 {
         format!("{value:0length$.digits$}")
     } else {
         format!("{value:length$.digits$}")

@@ -94,7 +94,7 @@ impl Area {
             }
             args.warn(
                 Diagnostic::warning(at, format!("`{word}` does nothing without `area_light`"))
-                    .with_hint("write `area_light` before it"),
+                    .with_hint("Write `area_light` before it."),
             );
             return Ok(true);
         };

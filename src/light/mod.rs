@@ -273,7 +273,7 @@ fn edge(at: f64, outer: f64, inner: f64) -> f64 {
 fn lacks_beam(word: Word, at: Span, kinds: &str) -> Box<Diagnostic> {
     Box::new(
         Diagnostic::error(at, format!("`{word}` has no meaning in this light"))
-            .with_hint(format!("write {kinds} before it")),
+            .with_hint(format!("Write {kinds} before it.")),
     )
 }
 

@@ -8,6 +8,8 @@ pub(crate) mod enclosed;
 #[cfg(test)]
 pub(crate) mod exact;
 pub mod hash;
+pub(crate) mod hyperbolic;
+mod jitter;
 pub(crate) mod lanes;
 pub mod mersenne;
 pub mod noise;
@@ -17,9 +19,12 @@ pub(crate) mod quartic;
 pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
+mod spline;
 mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
+pub use jitter::jitter;
 pub use ray::Ray;
+pub use spline::{Spline, SplineKind};
 pub use transform::{Step, Transform, axis_rotation, normal_from_inverse, rotation, shorten};

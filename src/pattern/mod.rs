@@ -16,12 +16,16 @@ mod checker;
 mod crackle;
 mod cubic;
 mod cylindrical;
+mod density_file;
 mod dents;
+mod field;
 mod formula;
 mod fractal;
+mod function;
 mod gradient;
 mod granite;
 mod hexagon;
+mod image_pattern;
 mod julia;
 mod leopard;
 mod magnet;
@@ -29,6 +33,7 @@ mod mandel;
 mod map;
 mod marble;
 mod modifiers;
+mod object;
 mod onion;
 mod planar;
 mod prepared;
@@ -48,6 +53,7 @@ mod wood;
 mod wrinkles;
 
 pub use chain::{Chain, PreparedChain};
+pub use field::read_field;
 pub use map::{Between, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use prepared::PreparedPattern;
@@ -58,7 +64,9 @@ use crate::color::{Color, Rgb};
 use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::syntax::Class;
 use glam::DVec3;
+use std::any::Any;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// What POV-Ray adds to coordinates, so that a face that lies in a cell boundary does not show rounding noise.
 const NUDGE: f64 = 1e-10;
@@ -82,15 +90,19 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Crackle, crackle::new),
     (Word::Cubic, cubic::new),
     (Word::Cylindrical, cylindrical::new),
+    (Word::DensityFile, density_file::new),
     (Word::Dents, dents::new),
+    (Word::Function, function::new),
     (Word::Gradient, gradient::new),
     (Word::Granite, granite::new),
     (Word::Hexagon, hexagon::new),
+    (Word::ImagePattern, image_pattern::new),
     (Word::Julia, julia::new),
     (Word::Leopard, leopard::new),
     (Word::Magnet, magnet::new),
     (Word::Mandel, mandel::new),
     (Word::Marble, marble::new),
+    (Word::Object, object::new),
     (Word::Onion, onion::new),
     (Word::Planar, planar::new),
     (Word::Quilted, quilted::new),
@@ -131,6 +143,11 @@ pub trait Pattern: Debug + Send + Sync + Copies {
 
     /// Whether the pattern selects from a list that stands behind its word, as `checker` does.
     fn has_list(&self) -> bool {
+        false
+    }
+
+    /// Whether the list stands in a block of the pattern that is still open, as that of `object` does.
+    fn has_open_block(&self) -> bool {
         false
     }
 
@@ -184,6 +201,17 @@ pub struct Settings {
     pub noise_generator: NoiseGenerator,
     /// How many sources `waves` and `ripples` have.
     pub number_of_waves: u32,
+    /// What makes an object of the scene ready for points; without it nothing is inside of anything.
+    pub solid_of: Option<SolidOf>,
+}
+
+/// Makes an object, as `Args` reads it, ready for points; `None` if it is none.
+pub type SolidOf = fn(&Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>>;
+
+/// An object that points may lie in.
+pub trait Solid: Debug + Send + Sync {
+    /// Whether a point of the object's space lies inside.
+    fn holds(&self, point: DVec3) -> bool;
 }
 
 impl Default for Settings {
@@ -191,6 +219,7 @@ impl Default for Settings {
         Settings {
             noise_generator: NoiseGenerator::default(),
             number_of_waves: 10,
+            solid_of: None,
         }
     }
 }

@@ -5,9 +5,9 @@
 //! each pixel and divides it as long as they differ. (The fact sheet, section 7; checked by pictures.)
 
 use super::Tile;
-use super::jitter::jitter;
 use crate::compile::Scratch;
 use crate::film::Pixel;
+use crate::math::jitter;
 use crate::options::{Antialias, Method, RenderOptions};
 use crate::trace::Tracer;
 use rustc_hash::FxHashMap;

@@ -1,7 +1,6 @@
 //! From a world to a film: tiles over all cores.
 
 mod antialias;
-mod jitter;
 
 use crate::compile::{Scratch, World};
 use crate::film::{Film, Pixel};

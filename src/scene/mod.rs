@@ -90,19 +90,28 @@ impl Default for Globals {
 /// Before this version, scenes have the original noise.
 const RANGE_CORRECTED_NOISE: f64 = 3.5;
 
-impl Scene {
-    /// What patterns take from the whole scene.
+impl Globals {
+    /// What patterns take from the whole scene, in a language version.
     #[must_use]
-    pub fn pattern_settings(&self) -> Settings {
-        let by_version = if self.version < RANGE_CORRECTED_NOISE {
+    pub fn pattern_settings(&self, version: f64) -> Settings {
+        let by_version = if version < RANGE_CORRECTED_NOISE {
             NoiseGenerator::Original
         } else {
             NoiseGenerator::RangeCorrected
         };
         Settings {
-            noise_generator: self.globals.noise_generator.unwrap_or(by_version),
-            number_of_waves: self.globals.number_of_waves,
+            noise_generator: self.noise_generator.unwrap_or(by_version),
+            number_of_waves: self.number_of_waves,
+            solid_of: None,
         }
+    }
+}
+
+impl Scene {
+    /// What patterns take from the whole scene.
+    #[must_use]
+    pub fn pattern_settings(&self) -> Settings {
+        self.globals.pattern_settings(self.version)
     }
 
     /// How stored values relate to the numbers of the scene: `None` means that there is no gamma handling at all,

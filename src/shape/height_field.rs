@@ -141,7 +141,7 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
             Diagnostic::error(at, message).with_hint("convert the picture to `png`"),
         ));
     }
-    let bytes = args.file(&name, kind.endings)?;
+    let bytes = args.file_named("the picture", &name, kind.endings)?;
     let fault = |fault| Box::new(Diagnostic::error(at, fault));
     let heights = image::heights(kind.reading, &bytes)
         .map_err(|why| fault(format!("cannot read the picture `{name}`: {why}")))?;

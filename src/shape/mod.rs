@@ -16,6 +16,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod height_field;
+mod julia_fractal;
 mod lathe;
 mod mesh;
 mod mesh2;
@@ -47,6 +48,7 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use ovus::Ovus;
@@ -339,6 +341,8 @@ shapes! {
     BicubicPatch from BicubicPatch,
     /// `text`
     Text from Text,
+    /// `julia_fractal`
+    JuliaFractal from JuliaFractal,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.

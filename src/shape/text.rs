@@ -73,7 +73,7 @@ impl Text {
     /// A font that is missing or no TrueType font; a malformed or non-finite parameter.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let (name, at) = read_font(args)?;
-        let bytes = args.file(&name, &[".ttf", ".TTF"])?;
+        let bytes = args.file_named("the font", &name, &[".ttf", ".TTF"])?;
         args.comma()?;
         let text = args.string()?;
         if text.chars().count() > MOST_LETTERS {

@@ -9,12 +9,13 @@ use std::sync::Arc;
 
 impl Sources {
     /// The bytes of the file that a scene means by `"name"` in `including_file`: searched like an include file, by its
-    /// name and then with each of `endings` appended. A file is read once, by whatever path it is named.
+    /// name and then with each of `endings` appended. `what` is "the picture" or the like. A file is read once, by whatever path it is named.
     ///
     /// # Errors
     /// When there is no such file or it cannot be read; the finding has no place yet.
     pub fn find_bytes(
         &mut self,
+        what: &str,
         name: &str,
         including_file: FileId,
         endings: &[&str],
@@ -26,7 +27,7 @@ impl Sources {
             .or_else(|| first(name, &folders, &endings));
         self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
         let Some(path) = found else {
-            return Err(Box::new(not_found("the file", name, &folders)));
+            return Err(Box::new(not_found(what, name, &folders)));
         };
         let cannot_read = |why: &dyn std::fmt::Display| {
             let name = path.display();
@@ -56,11 +57,15 @@ mod tests {
         fs::write(folder.path().join("a.png"), [1, 2]).unwrap();
         let mut sources = Sources::new(vec![folder.path().to_owned()]);
         let scene = sources.add_text("x", "");
-        let first = sources.find_bytes("a", scene, &[".png"]).unwrap();
-        let second = sources.find_bytes("a.png", scene, &[]).unwrap();
+        let first = sources
+            .find_bytes("the file", "a", scene, &[".png"])
+            .unwrap();
+        let second = sources.find_bytes("the file", "a.png", scene, &[]).unwrap();
         assert_eq!(*first, [1, 2]);
         assert!(Arc::ptr_eq(&first, &second));
-        let error = sources.find_bytes("a", scene, &[".gif"]).unwrap_err();
+        let error = sources
+            .find_bytes("the file", "a", scene, &[".gif"])
+            .unwrap_err();
         assert!(error.message.starts_with("cannot find the file `a` in "));
     }
 }

@@ -6,10 +6,12 @@ mod finish;
 mod layers;
 mod material;
 mod pigment;
+mod pigment_pattern;
 mod prepared;
 
 pub use finish::{Finish, Reflection};
 pub use layers::{Layer, Texture};
 pub use material::Material;
 pub use pigment::{Pigment, PigmentKind};
+pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};

@@ -1,6 +1,8 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
+use super::read_pattern;
 use crate::args::{Args, Parse, Word, declared, default_of, not_built};
+use crate::bitmap;
 use crate::color::{Color, Rgb};
 use crate::math::Step;
 use crate::pattern::{self, Map, Modifiers, Pattern, Stop};
@@ -27,6 +29,8 @@ pub enum PigmentKind {
     Pigments(Box<dyn Pattern>, Map<Pigment>),
     /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
     Average(Option<Map<Pigment>>),
+    /// `image_map`: the colours of a picture.
+    Image(bitmap::Source),
 }
 
 impl Default for Pigment {
@@ -154,14 +158,21 @@ impl Pigment {
     }
 
     fn read_pattern(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        if word == Word::ImageMap {
+            args.accept(word)?;
+            let source = bitmap::read(args, bitmap::Purpose::Colors)?;
+            self.kind = PigmentKind::Image(source);
+            return Ok(true);
+        }
         if word == Word::Average {
             args.accept(word)?;
             self.kind = PigmentKind::Average(None);
             return Ok(true);
         }
-        let Some(pattern) = pattern::read_named(word, args)? else {
+        let Some(pattern) = read_pattern(word, args)? else {
             return Ok(false);
         };
+        let has_open_block = pattern.has_open_block();
         let defaults = pattern.default_map();
         self.kind = if !pattern.has_list() {
             PigmentKind::Colors(pattern, Map::of_stops(defaults))
@@ -170,6 +181,9 @@ impl Pigment {
         } else {
             PigmentKind::Colors(pattern, color_list(defaults, args)?)
         };
+        if has_open_block {
+            args.close()?;
+        }
         Ok(true)
     }
 
@@ -197,6 +211,7 @@ impl Pigment {
             PigmentKind::Colors(_, map) => *map = map.map(changed),
             PigmentKind::Pigments(_, map) => *map = all_changed(map),
             PigmentKind::Average(map) => *map = map.as_ref().map(all_changed),
+            PigmentKind::Image(_) => {}
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
 
 use super::{Finish, Layer, Pigment, PigmentKind, Texture};
+use crate::bitmap;
 use crate::color::Color;
+use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
@@ -36,6 +38,8 @@ pub enum PreparedPigment {
     Pigments(PreparedPattern, Map<PreparedPigment>),
     /// The mean of pigments by weight.
     Average(PreparedChain, Map<PreparedPigment>),
+    /// The colours of a picture.
+    Image(PreparedChain, bitmap::Source),
 }
 
 impl PreparedTexture {
@@ -110,6 +114,10 @@ impl PreparedPigment {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Average(chain, entries(map))
             }
+            PigmentKind::Image(source) => {
+                let chain = modifiers.prepare_chain(after, settings);
+                PreparedPigment::Image(chain, source.clone())
+            }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
     }
@@ -125,7 +133,7 @@ impl PreparedPigment {
     }
 
     /// The colour at a point, which for the entries of maps is one of the pattern around them.
-    fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+    pub(super) fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(pattern, map) => {
@@ -148,6 +156,7 @@ impl PreparedPigment {
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
+            PreparedPigment::Image(chain, source) => source.color(chain.moved(point)),
         }
     }
 
@@ -162,7 +171,14 @@ impl PreparedPigment {
                 let mut entries = map.entries().iter();
                 entries.any(|(_, entry)| entry.can_be_transparent())
             }
+            PreparedPigment::Image(_, source) => source.can_be_transparent(),
         }
+    }
+}
+
+impl ColorField for PreparedPigment {
+    fn color(&self, point: DVec3) -> Color {
+        PreparedPigment::color(self, &Spot::at(point))
     }
 }
 

@@ -85,10 +85,11 @@ impl Tracer<'_> {
         }
     }
 
-    /// Searches for what the camera sees; false if its rays do not start in one point.
+    /// Searches for what the camera sees; false if its rays do not start in one
+    /// point.
     fn search(&self, (width, height): (u32, u32), scratch: &mut BlockScratch) -> bool {
         let camera = &self.world.camera;
-        if !camera.has_one_origin() {
+        if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
         }
         scratch.queries.clear();

@@ -161,20 +161,33 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         query.far = far;
-        if self.world.lights.get(light).is_shadowless() {
+        let source = self.world.lights.get(light);
+        if source.is_shadowless() {
             return arriving;
         }
+        let minds_air = source.media_attenuation && !self.world.fogs.is_empty();
         let known = lit.ways.get(light as usize).copied().flatten();
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
-            Way::Free => return arriving,
-            Way::Filtered => {}
+            Way::Free if !minds_air => return arriving,
+            Way::Free | Way::Filtered => {}
             Way::Blocked => return Rgb::BLACK,
         }
         let mut inside = Inside::from_slice(&lit.path.inside);
+        let mut left = distance;
         for _ in 0..super::MOST_PASSED {
-            let Some(hit) = self.world.nearest(&query, scratch) else {
+            let hit = self.world.nearest(&query, scratch);
+            if minds_air {
+                let length = hit.map_or(left, |hit| hit.t);
+                if let Some(fog) = self.fog(&query.ray, length)
+                    && self.is_in_air(&inside)
+                {
+                    arriving *= fog.factor;
+                }
+            }
+            let Some(hit) = hit else {
                 return arriving;
             };
+            left -= hit.t;
             arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, &hit);
             if is_nothing(arriving) {
                 return Rgb::BLACK;

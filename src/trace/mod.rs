@@ -7,19 +7,20 @@
 mod air;
 mod area;
 mod block;
+mod lens;
 mod light;
 mod passage;
 mod surface;
 #[cfg(test)]
 mod tests;
 
-use crate::atmosphere::{self, Tint, WAY_TO_NOTHING};
+use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-pub use block::{BLOCK, BlockScratch};
-
 use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
+use air::Air;
+pub use block::{BLOCK, BlockScratch};
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -79,7 +80,7 @@ struct Passed {
     factor: Rgb,
     transmit: f32,
     reflected: Rgb,
-    air: Option<Tint>,
+    air: Option<Air>,
 }
 
 /// The tracer of one world at one quality.
@@ -101,7 +102,8 @@ impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
         let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
-        let minds_interiors = !is_all_opaque || has_fresnel || !world.fogs.is_empty();
+        let minds_interiors =
+            !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -128,15 +130,25 @@ impl<'w> Tracer<'w> {
     /// pixels. Where the camera has no ray the sample is black and lets everything through.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
-        let camera = &self.world.camera;
-        let Some(ray) = camera.primary_ray(x, y, width, height) else {
-            return Sample {
+        begin_sample(x, y, scratch);
+        match &self.world.lens {
+            Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
+            None => {
+                let ray = self.world.camera.primary_ray(x, y, width, height);
+                self.sample(ray, scratch)
+            }
+        }
+    }
+
+    /// What a ray of the camera sees, or nothing where the camera has none.
+    fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
+        match ray {
+            Some(ray) => self.trace(self.camera_path(ray), None, scratch),
+            None => Sample {
                 rgb: Rgb::BLACK,
                 transmit: 1.0,
-            };
-        };
-        begin_sample(x, y, scratch);
-        self.trace(self.camera_path(ray), None, scratch)
+            },
+        }
     }
 
     fn camera_path(&self, ray: Ray) -> Path {
@@ -177,10 +189,10 @@ impl<'w> Tracer<'w> {
                 (self.world.nearest(&query, scratch), &[])
             });
             let Some(hit) = hit else {
-                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside);
+                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside, &mut scratch.stream);
                 break self.behind_everything(&path).through(air);
             };
-            let air = self.air(&path.ray, hit.t, &path.inside);
+            let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);
             let view = self.shade(&path, &hit, ways, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {

@@ -1,6 +1,6 @@
 //! POV-Ray's jitter: an offset for each place in the picture, always the same.
 
-use crate::math::hash::hashed;
+use super::hash::hashed;
 use std::sync::LazyLock;
 
 static OFFSETS: LazyLock<[f64; 256]> = LazyLock::new(|| {
@@ -16,7 +16,7 @@ static OFFSETS: LazyLock<[f64; 256]> = LazyLock::new(|| {
 
 /// The offset at a point of the picture, each part from -0.5 to 0.5 (0.5 left out).
 #[must_use]
-pub(super) fn jitter(x: f64, y: f64) -> (f64, f64) {
+pub fn jitter(x: f64, y: f64) -> (f64, f64) {
     #[allow(
         clippy::cast_possible_truncation,
         reason = "pictures have fewer than 2^20 columns and rows"

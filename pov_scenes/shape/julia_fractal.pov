@@ -1,0 +1,12 @@
+// A Julia fractal of quaternions, squared.
+// compare: channel<=130 pixels<=0.5% because "shadows of the surface on itself depend on how it was found"
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1, 1.5, -4> look_at 0 angle 45 }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+julia_fractal {
+  <-0.083, 0.0, -0.83, -0.025>
+  quaternion sqr max_iteration 8 precision 15
+  pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
+}

@@ -1,0 +1,12 @@
+// The outline of a Julia fractal of the function pwr(1.5, 0.3).
+// compare: channel<=255 pixels<=3% because "POV-Ray halves its steps with a wrong third coordinate, and at the ball around it rounding decides"
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1, 1.5, -4> look_at 0 angle 45 }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+julia_fractal {
+  <-0.1, 0.4, -0.2, 0.3>
+  hypercomplex pwr(1.5, 0.3) max_iteration 6 precision 30
+  pigment { rgb <0.9, 0.7, 0.4> } finish { ambient 1 diffuse 0 }
+ scale 0.5 }

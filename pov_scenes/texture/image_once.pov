@@ -1,0 +1,8 @@
+// `once`: beyond its edges the picture is clear.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0.3, 0.4, -6> look_at <0.3, 0.4, 0> angle 40 }
+light_source { <-4, 6, -8>, rgb 1 }
+plane { -z, -1 pigment { checker scale 0.2 } finish { ambient 1 diffuse 0 } }
+sphere { <0.8, -0.2, 0>, 1 pigment { image_map { "images/rgb.png" once } translate <0.3, -0.7, 0> } }
+box { <-1.4, -0.6, -0.6>, <-0.2, 0.6, 0.6> rotate <20, 30, 0> pigment { image_map { "images/rgb.png" once interpolate 2 } translate <-1.2, -0.5, 0> } }

@@ -1,0 +1,123 @@
+//! From the bytes of a file to a picture.
+
+use super::format::Format;
+use super::{Bitmap, Samples, Transfer, gif, png};
+use crate::color::Gamma;
+use image::{DynamicImage, ImageFormat, ImageReader, Limits};
+use std::io::Cursor;
+
+/// Most pixels of a picture: more than any file of a scene has, and not yet all of the memory.
+pub(super) const MOST_PIXELS: u64 = 1 << 28;
+/// Most bytes that decoding may take.
+const MOST_BYTES: u64 = 1 << 32;
+
+/// What a scene says about a file beside its name.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Handling {
+    /// The gamma of the file where the scene gives it.
+    pub(super) gamma: Option<Gamma>,
+    /// The working gamma; `None` without gamma handling.
+    pub(super) working: Option<Gamma>,
+    /// Whether files that say nothing hold light by the sRGB curve: from version 3.7 on.
+    pub(super) assumes_srgb: bool,
+    /// Whether colours are multiplied with alpha.
+    pub(super) is_premultiplied: bool,
+}
+
+impl Handling {
+    /// How the values of a file of this format become numbers of the scene; `own` is what the file says.
+    pub(super) fn transfer(&self, format: Format, own: Option<Gamma>) -> Transfer {
+        let default = if format.is_linear() {
+            Some(Gamma::LINEAR)
+        } else if format.is_srgb() && self.assumes_srgb {
+            Some(Gamma::Srgb)
+        } else {
+            None
+        };
+        Transfer {
+            file: self.gamma.or(own).or(default),
+            working: self.working,
+        }
+    }
+}
+
+/// Why a file is no picture.
+pub(super) type Fault = String;
+
+/// The picture of a file.
+pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
+    match format {
+        Format::Png => png::decode(bytes, handling),
+        Format::Gif => gif::decode(bytes, handling),
+        _ => by_crate(bytes, format, handling),
+    }
+}
+
+/// Whether a picture of this size is too large or empty.
+pub(super) fn check_size(width: u64, height: u64) -> Result<(), Fault> {
+    match width.checked_mul(height) {
+        Some(0) => Err("it has no pixels".to_owned()),
+        Some(pixels) if pixels <= MOST_PIXELS => Ok(()),
+        _ => Err(format!("it has more than {MOST_PIXELS} pixels")),
+    }
+}
+
+fn by_crate(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
+    let kind = match format {
+        Format::Bmp => ImageFormat::Bmp,
+        Format::Exr => ImageFormat::OpenExr,
+        Format::Gif => ImageFormat::Gif,
+        Format::Hdr => ImageFormat::Hdr,
+        Format::Jpeg => ImageFormat::Jpeg,
+        Format::Pgm | Format::Ppm => ImageFormat::Pnm,
+        Format::Png => ImageFormat::Png,
+        Format::Tga => ImageFormat::Tga,
+        Format::Tiff => ImageFormat::Tiff,
+    };
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), kind);
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MOST_BYTES);
+    reader.limits(limits);
+    let picture = reader.decode().map_err(|error| error.to_string())?;
+    of_picture(picture, handling.transfer(format, None), handling)
+}
+
+/// The picture that the `image` crate decodes.
+pub(super) fn of_picture(
+    picture: DynamicImage,
+    transfer: Transfer,
+    handling: &Handling,
+) -> Result<Bitmap, Fault> {
+    check_size(u64::from(picture.width()), u64::from(picture.height()))?;
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    let has_alpha = picture.color().has_alpha();
+    let samples = match &picture {
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+            let pixels = picture.into_rgba32f();
+            let decoded = pixels.pixels().map(|pixel| {
+                let [r, g, b, a] = pixel.0;
+                [transfer.apply(r), transfer.apply(g), transfer.apply(b), a]
+            });
+            Samples::Floats(decoded.collect())
+        }
+        DynamicImage::ImageLuma16(_)
+        | DynamicImage::ImageLumaA16(_)
+        | DynamicImage::ImageRgb16(_)
+        | DynamicImage::ImageRgba16(_) => {
+            let pixels = picture.into_rgba16();
+            Samples::Words(pixels.pixels().map(|pixel| pixel.0).collect(), transfer)
+        }
+        _ => {
+            let pixels = picture.into_rgba8();
+            let pixels = pixels.pixels().map(|pixel| pixel.0).collect();
+            Samples::Bytes(pixels, transfer.table())
+        }
+    };
+    Ok(Bitmap {
+        width,
+        height,
+        samples,
+        has_alpha,
+        is_premultiplied: handling.is_premultiplied,
+    })
+}

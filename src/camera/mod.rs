@@ -1,0 +1,187 @@
+//! `camera`: which ray each point of the picture sends into the scene.
+//!
+//! The kinds of camera have one file each; all stand in the same frame of vectors, which `read` sets up. A lens
+//! ([`FocalBlur`]) may blur what a camera shows. Missing: `normal` and `mesh_camera`.
+
+mod cylinder;
+mod fisheye;
+mod focal_blur;
+mod lens_points;
+mod omnimax;
+mod orthographic;
+mod panoramic;
+mod perspective;
+mod read;
+mod spherical;
+#[cfg(test)]
+mod tests;
+mod ultra_wide_angle;
+
+pub use focal_blur::{FocalBlur, Lens, LensRay, Spread};
+
+use crate::args::Word;
+use crate::math::{Ray, Transform};
+use glam::DVec3;
+
+/// The projection of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Straight lines stay straight, what is far is small.
+    Perspective,
+    /// All rays are parallel.
+    Orthographic,
+    /// The distance from the middle counts the angle.
+    Fisheye,
+    /// Both directions of the picture count angles, with the middle undistorted.
+    UltraWideAngle,
+    /// Half around to both sides, straight in height.
+    Panoramic,
+    /// The map of a globe; the angle from top to bottom in radians.
+    Spherical(f64),
+    /// The dome of a cinema.
+    Omnimax,
+    /// A rolled-up picture of one of four types.
+    Cylinder(cylinder::Roll),
+}
+
+/// The kinds of camera by their words, for the first of the kind.
+const KINDS: &[(Word, Projection)] = &[
+    (Word::Perspective, Projection::Perspective),
+    (Word::Orthographic, Projection::Orthographic),
+    (Word::Fisheye, Projection::Fisheye),
+    (Word::UltraWideAngle, Projection::UltraWideAngle),
+    (Word::Panoramic, Projection::Panoramic),
+    (Word::Spherical, Projection::Spherical(spherical::HEIGHT)),
+    (Word::Omnimax, Projection::Omnimax),
+    (
+        Word::Cylinder,
+        Projection::Cylinder(cylinder::Roll::Upright),
+    ),
+];
+
+/// A camera. But for its [`Lens`] it needs no preparation: its vectors are what rays are made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    projection: Projection,
+    frame: Frame,
+    /// The `angle` of cameras that count angles, in radians.
+    angle: Option<f64>,
+    look_at: DVec3,
+    sky: DVec3,
+    /// The lens, if it has any width.
+    blur: FocalBlur,
+}
+
+/// The vectors of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Frame {
+    location: DVec3,
+    direction: DVec3,
+    up: DVec3,
+    right: DVec3,
+}
+
+/// A point of the picture: -0.5 to 0.5 to the right and upwards.
+#[derive(Clone, Copy, Debug)]
+struct Screen {
+    u: f64,
+    v: f64,
+}
+
+/// The start and the direction of a ray, the direction of any length.
+type Start = (DVec3, DVec3);
+
+impl Default for Camera {
+    /// The camera of a scene without one; its width is 1.33 whatever the shape of the picture.
+    fn default() -> Self {
+        Camera {
+            projection: Projection::Perspective,
+            frame: Frame {
+                location: DVec3::ZERO,
+                direction: DVec3::Z,
+                up: DVec3::Y,
+                right: DVec3::new(1.33, 0.0, 0.0),
+            },
+            angle: None,
+            look_at: DVec3::Z,
+            sky: DVec3::Y,
+            blur: FocalBlur::default(),
+        }
+    }
+}
+
+impl Camera {
+    /// The ray through a point of a picture of `width` by `height` pixels, its direction of length 1.
+    ///
+    /// Whole `x` (to the right) and `y` (down) are the centres of pixels. `None` where the camera sees nothing: its
+    /// vectors leave no direction, or the point lies outside of a round picture.
+    #[must_use]
+    pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
+        let (origin, dir) = self.start(x, y, width, height)?;
+        ray(origin, dir)
+    }
+
+    fn start(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Start> {
+        let screen = Screen {
+            u: (x + 0.5) / f64::from(width) - 0.5,
+            // In this order of operations a ray through an edge that lies on a pixel's centre goes to POV-Ray's side.
+            v: (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5,
+        };
+        let frame = &self.frame;
+        match self.projection {
+            Projection::Perspective => Some(perspective::start(frame, screen)),
+            Projection::Orthographic => Some(orthographic::start(frame, screen)),
+            Projection::Fisheye => fisheye::start(frame, screen, self.angle),
+            Projection::UltraWideAngle => Some(ultra_wide_angle::start(frame, screen, self.angle)),
+            Projection::Panoramic => Some(panoramic::start(frame, screen)),
+            Projection::Spherical(vertical) => {
+                Some(spherical::start(frame, screen, self.angle, vertical))
+            }
+            Projection::Omnimax => omnimax::start(frame, screen),
+            Projection::Cylinder(roll) => Some(roll.start(frame, screen, self.angle)),
+        }
+    }
+
+    /// Whether all rays start at [`Camera::location`], but for the width of a lens.
+    #[must_use]
+    pub fn has_one_origin(&self) -> bool {
+        !matches!(
+            self.projection,
+            Projection::Orthographic
+                | Projection::Cylinder(cylinder::Roll::UprightFlat | cylinder::Roll::LyingFlat)
+        )
+    }
+
+    /// The point from which the camera looks, or around which the origins of an orthographic view lie.
+    #[must_use]
+    pub fn location(&self) -> DVec3 {
+        self.frame.location
+    }
+
+    fn transform(&mut self, transform: &Transform) {
+        let to_world = &transform.world_from_object;
+        let frame = &mut self.frame;
+        frame.location = to_world.transform_point3(frame.location);
+        frame.direction = to_world.transform_vector3(frame.direction);
+        frame.up = to_world.transform_vector3(frame.up);
+        frame.right = to_world.transform_vector3(frame.right);
+    }
+}
+
+impl Frame {
+    /// The same with vectors of length 1, in which cameras count that measure angles.
+    fn unit(&self) -> Frame {
+        Frame {
+            location: self.location,
+            direction: self.direction.normalize_or_zero(),
+            up: self.up.normalize_or_zero(),
+            right: self.right.normalize_or_zero(),
+        }
+    }
+}
+
+/// The ray from a point in a direction of any length but none.
+fn ray(origin: DVec3, dir: DVec3) -> Option<Ray> {
+    let length = dir.length();
+    (length > 0.0 && length.is_finite()).then(|| Ray::new(origin, dir / length))
+}

@@ -1,0 +1,460 @@
+//! The formula of a user function.
+//!
+//! It is no expression of the language: it knows numbers only, compares exactly, `&` binds tighter than `|`, and its
+//! parameters have no value while it is read. What it takes from the scene it takes at once: a name that holds a number is
+//! that number.
+
+use super::function::Callee;
+use super::limits;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::{Parse, Word};
+use crate::function::{
+    Binary, Component, Fold, Function, Graph, Id, Operand, Rest, Unary, chain, product,
+};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::{Class, Kind, Symbol};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// The name of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Name {
+    Symbol(Symbol),
+    /// `x`, `y`, `z`, `u` or `v`.
+    Word(Word),
+}
+
+/// A formula being read.
+pub(super) struct Body {
+    graph: Graph,
+    parameters: Vec<Name>,
+    /// The variables of the loops around, outermost first.
+    variables: Vec<(Name, Id)>,
+}
+
+impl Body {
+    /// An empty formula with these parameters.
+    pub(super) fn new(parameters: Vec<Name>) -> Self {
+        Body {
+            graph: Graph::new(),
+            parameters,
+            variables: Vec::new(),
+        }
+    }
+
+    /// The formula that gives `result`.
+    pub(super) fn finish(self, result: Id) -> Graph {
+        self.graph.finish(result)
+    }
+
+    /// The value of a name: of several parameters of one name the last counts.
+    fn value_of(&mut self, name: Name) -> Option<Id> {
+        let variable = self.variables.iter().rev().find(|known| known.0 == name);
+        let parameter = self
+            .parameters
+            .iter()
+            .rposition(|&known| canonical(known) == canonical(name));
+        match (name, variable, parameter) {
+            // POV-Ray knows `x` and the like as parameters before it looks for variables.
+            (Name::Word(_), _, Some(place)) | (_, None, Some(place)) => {
+                Some(self.graph.parameter(u16::try_from(place).unwrap_or(0)))
+            }
+            (_, Some(&(_, id)), _) => Some(id),
+            _ => None,
+        }
+    }
+}
+
+/// `u` and `v` are other names of `x` and `y`.
+fn canonical(name: Name) -> Name {
+    match name {
+        Name::Word(Word::U) => Name::Word(Word::X),
+        Name::Word(Word::V) => Name::Word(Word::Y),
+        _ => name,
+    }
+}
+
+impl Reader<'_> {
+    /// A whole formula.
+    pub(super) fn body_expression(&mut self, body: &mut Body) -> Parse<Id> {
+        let mut left = self.body_and(body)?;
+        while self.take_mark('|')? {
+            let right = self.body_and(body)?;
+            left = body.graph.binary(Binary::Or, left, right);
+        }
+        Ok(left)
+    }
+
+    fn body_and(&mut self, body: &mut Body) -> Parse<Id> {
+        let mut left = self.body_comparison(body)?.id;
+        while self.take_mark('&')? {
+            let right = self.body_comparison(body)?.id;
+            left = body.graph.binary(Binary::And, left, right);
+        }
+        Ok(left)
+    }
+
+    fn body_comparison(&mut self, body: &mut Body) -> Parse<Operand> {
+        let first = self.body_sum(body)?;
+        let mut rest = Rest::new();
+        while let Some(f) = self.body_relation()? {
+            rest.push((f, self.body_sum(body)?));
+        }
+        Ok(chain(&mut body.graph, first, &rest))
+    }
+
+    fn body_relation(&mut self) -> Parse<Option<Binary>> {
+        let token = self.peek()?;
+        let f = match token.kind {
+            Kind::LessEqual => Binary::LessEqual,
+            Kind::GreaterEqual => Binary::GreaterEqual,
+            Kind::NotEqual => Binary::NotEqual,
+            Kind::Mark => match char::from_u32(token.value) {
+                Some('<') => Binary::Less,
+                Some('>') => Binary::Greater,
+                Some('=') => Binary::Equal,
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        self.pass();
+        Ok(Some(f))
+    }
+
+    fn body_sum(&mut self, body: &mut Body) -> Parse<Operand> {
+        let first = self.body_product(body)?;
+        let mut rest = Rest::new();
+        loop {
+            let f = if self.take_mark('+')? {
+                Binary::Add
+            } else if self.take_mark('-')? {
+                Binary::Sub
+            } else {
+                return Ok(chain(&mut body.graph, first, &rest));
+            };
+            rest.push((f, self.body_product(body)?));
+        }
+    }
+
+    fn body_product(&mut self, body: &mut Body) -> Parse<Operand> {
+        let first = self.body_operand(body)?;
+        let mut rest = Rest::new();
+        let start = self.taken_span();
+        loop {
+            let f = if self.take_mark('*')? {
+                Binary::Mul
+            } else if self.take_mark('/')? {
+                Binary::Div
+            } else {
+                break;
+            };
+            rest.push((f, self.body_operand(body)?));
+        }
+        product(&mut body.graph, first, &rest).map_err(|_| {
+            let place = start.to(self.taken_span());
+            self.with_trace(Diagnostic::error(place, "division by zero"))
+        })
+    }
+
+    /// A value with its sign.
+    fn body_operand(&mut self, body: &mut Body) -> Parse<Operand> {
+        let mut is_negative = false;
+        loop {
+            if self.take_mark('-')? {
+                is_negative = !is_negative;
+            } else if !self.take_mark('+')? {
+                break;
+            }
+        }
+        self.depth += 1;
+        if self.depth > limits::EXPRESSION {
+            self.depth = 0;
+            return Err(self.error_here(format!(
+                "expressions are nested more than {} deep",
+                limits::EXPRESSION
+            )));
+        }
+        let value = self.body_value(body);
+        self.depth = self.depth.saturating_sub(1);
+        let value = value?;
+        Ok(if is_negative {
+            value.negated(&mut body.graph)
+        } else {
+            value
+        })
+    }
+
+    fn body_value(&mut self, body: &mut Body) -> Parse<Operand> {
+        let token = self.peek()?;
+        match token.kind {
+            Kind::Number => {
+                self.pass();
+                let value = self.last.tokens.numbers[token.value as usize];
+                Ok(Operand::literal(&mut body.graph, value))
+            }
+            Kind::Mark if token.is_mark('(') => {
+                self.pass();
+                let open = self.start_taken();
+                let id = self.body_expression(body)?;
+                self.expect_end(')', "an operator or `)`", open)?;
+                Ok(Operand::closed(id))
+            }
+            Kind::Name => self.body_name(Symbol(token.value), body),
+            Kind::Word => match token.word() {
+                Some(word @ (Word::X | Word::Y | Word::Z | Word::U | Word::V)) => {
+                    self.pass();
+                    Ok(Operand::closed(self.body_coordinate(word, body)))
+                }
+                Some(word) if word.class() == Class::Value && word != Word::T => {
+                    self.pass();
+                    let value = self.value_word(word).v[0];
+                    Ok(Operand::literal(&mut body.graph, value))
+                }
+                Some(word) if word.class() == Class::Function => {
+                    let id = self.body_function(word, body)?;
+                    Ok(Operand::closed(id))
+                }
+                _ => Err(self.expected_here(OPERAND)),
+            },
+            _ => Err(self.expected_here(OPERAND)),
+        }
+    }
+
+    fn body_coordinate(&mut self, word: Word, body: &mut Body) -> Id {
+        body.value_of(Name::Word(word)).unwrap_or_else(|| {
+            self.warning(
+                Diagnostic::warning(
+                    self.taken_span(),
+                    format!("this function has no parameter `{word}`; it is taken as 0"),
+                )
+                .with_hint(format!("Name it: `function(..., {word}) {{ ... }}`.")),
+            );
+            body.graph.constant(0.0)
+        })
+    }
+
+    fn body_name(&mut self, symbol: Symbol, body: &mut Body) -> Parse<Operand> {
+        if let Some(id) = body.value_of(Name::Symbol(symbol)) {
+            self.pass();
+            return Ok(Operand::closed(id));
+        }
+        let value = match self.scopes.get(symbol) {
+            None => return Err(self.undeclared_in_body(body)),
+            Some(Value::Array(_)) => self.array_or_item()?,
+            Some(Value::Poison) => return Err(self.consequence()),
+            Some(value) => {
+                let value = value.clone();
+                self.pass();
+                value
+            }
+        };
+        match (&value, Callee::of(&value)) {
+            (Value::Number(Number { v, len: 1 }), _) => Ok(Operand::literal(&mut body.graph, v[0])),
+            (_, Some(Callee::Function(function))) => {
+                let function = self.as_called(function);
+                self.body_call(&function, body)
+            }
+            (_, Some(Callee::Spline(_))) => Err(self.unfit_in_body(
+                "a spline",
+                "Wrap it: `#declare F = function { spline { S } }`, and write `F(x).x`.",
+            )),
+            (Value::Number(number), _) => Err(self.unfit_in_body(
+                number.kind(),
+                "Declare what you need of it: `#declare A = V.x;`.",
+            )),
+            _ => Err(self.unfit_in_body(&value.kind(), "A formula is made of numbers only.")),
+        }
+    }
+
+    fn unfit_in_body(&mut self, found: &str, hint: &str) -> Box<Diagnostic> {
+        let message = format!("expected {OPERAND}, found {found}");
+        let place = self.taken_span();
+        self.with_trace(Diagnostic::error(place, message).with_hint(hint))
+    }
+
+    fn undeclared_in_body(&mut self, body: &Body) -> Box<Diagnostic> {
+        let mut error = self.expected_here(OPERAND);
+        if !error.message.is_empty() && error.hints.is_empty() {
+            let names: Vec<String> = body
+                .parameters
+                .iter()
+                .map(|name| match name {
+                    Name::Symbol(symbol) => self.names.spelling(*symbol).to_owned(),
+                    Name::Word(word) => word.to_string(),
+                })
+                .collect();
+            let text = format!("The parameters of this function: {}.", names.join(", "));
+            error = Box::new(error.with_hint(text));
+        }
+        error
+    }
+
+    /// A call of another user function, behind its name.
+    fn body_call(&mut self, function: &Arc<Function>, body: &mut Body) -> Parse<Operand> {
+        let name = self.taken_span();
+        let arguments = self.body_arguments(name, function.parameters(), body)?;
+        let component = if function.is_scalar() {
+            Component::At(0)
+        } else {
+            self.body_component(function.components())?
+        };
+        let id = body.graph.call(function, &arguments, component);
+        Ok(Operand::closed(id))
+    }
+
+    fn body_arguments(
+        &mut self,
+        name: Span,
+        wanted: usize,
+        body: &mut Body,
+    ) -> Parse<SmallVec<[Id; 8]>> {
+        self.expect_mark('(', "`(` and the arguments of the function")?;
+        let open = self.start_taken();
+        let mut arguments = SmallVec::new();
+        while arguments.len() < wanted && !self.peek()?.is_mark(')') {
+            arguments.push(self.body_expression(body)?);
+            if arguments.len() < wanted {
+                self.take_mark(',')?;
+            }
+        }
+        if arguments.len() < wanted || self.peek()?.is_mark(',') {
+            return Err(self.wrong_count(name, wanted, arguments.len()));
+        }
+        self.expect_end(')', "an operator or `)` at the end of the call", open)?;
+        Ok(arguments)
+    }
+
+    /// `.x`, `.red`, ... behind the call of a function that gives a vector of `len` components.
+    fn body_component(&mut self, len: u8) -> Parse<Component> {
+        const WHAT: &str = "`.` and a component: this function gives no single number";
+        self.expect_mark('.', WHAT)?;
+        let token = self.peek()?;
+        let component = match token.word() {
+            Some(Word::X | Word::U | Word::Red) => Component::At(0),
+            Some(Word::Y | Word::V | Word::Green) => Component::At(1),
+            Some(Word::Z | Word::Blue) => Component::At(2),
+            Some(Word::T | Word::Filter) => Component::At(3),
+            Some(Word::Transmit) => Component::At(4),
+            Some(Word::Gray) => Component::Gray,
+            None if token.kind == Kind::Name => match self.names.spelling(Symbol(token.value)) {
+                "grey" => Component::Gray,
+                "hf" => Component::Height,
+                _ => return Err(self.expected_here("a component such as `x`, `red` or `gray`")),
+            },
+            _ => return Err(self.expected_here("a component such as `x`, `red` or `gray`")),
+        };
+        self.pass();
+        if matches!(component, Component::At(at) if at >= len.max(2)) {
+            let member = self.source_text(self.taken_span()).to_owned();
+            return Err(self.error_taken(format!("this function has no component `.{member}`")));
+        }
+        Ok(component)
+    }
+
+    /// A built-in function.
+    fn body_function(&mut self, word: Word, body: &mut Body) -> Parse<Id> {
+        match word {
+            Word::Sum => return self.body_loop(Fold::Sum, body),
+            Word::Prod => return self.body_loop(Fold::Product, body),
+            Word::Select => return self.body_select(body),
+            _ => {}
+        }
+        if let Some(f) = Unary::of(word) {
+            self.pass();
+            let arguments = self.body_arguments(self.taken_span(), 1, body)?;
+            return Ok(body.graph.unary(f, arguments[0]));
+        }
+        let Some(f) = Binary::of(word) else {
+            let message = format!("`{word}` cannot stand in a function");
+            return Err(self.with_trace(
+                Diagnostic::error(self.here_span(), message)
+                    .with_hint("Compute it before, and use the name of the result."),
+            ));
+        };
+        self.pass();
+        let name = self.taken_span();
+        if !matches!(f, Binary::Min | Binary::Max) {
+            let arguments = self.body_arguments(name, 2, body)?;
+            return Ok(body.graph.binary(f, arguments[0], arguments[1]));
+        }
+        self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let open = self.start_taken();
+        let mut value = self.body_expression(body)?;
+        self.expect_mark(',', &format!("an operator or `,` in `{word}`"))?;
+        loop {
+            let next = self.body_expression(body)?;
+            value = body.graph.binary(f, value, next);
+            if !self.take_mark(',')? {
+                break;
+            }
+        }
+        self.expect_end(')', "an operator, `,` or `)`", open)?;
+        Ok(value)
+    }
+
+    /// `select(test, negative, zero, positive)` or `select(test, negative, zero or positive)`.
+    fn body_select(&mut self, body: &mut Body) -> Parse<Id> {
+        const COMMA: &str = "an operator or `,` in `select`";
+        self.pass();
+        self.expect_mark('(', "`(` after `select`")?;
+        let open = self.start_taken();
+        let test = self.body_expression(body)?;
+        self.expect_mark(',', COMMA)?;
+        body.graph.open();
+        let negative = self.body_expression(body)?;
+        let negative = body.graph.close(negative);
+        self.expect_mark(',', COMMA)?;
+        body.graph.open();
+        let zero = self.body_expression(body)?;
+        let zero = body.graph.close(zero);
+        let positive = if self.take_mark(',')? {
+            body.graph.open();
+            let positive = self.body_expression(body)?;
+            Some(body.graph.close(positive))
+        } else {
+            None
+        };
+        self.expect_end(')', "an operator or `)` at the end of `select(...)`", open)?;
+        Ok(body.graph.select(test, negative, zero, positive))
+    }
+
+    /// `sum(i, from, to, expression)` or `prod(...)`.
+    fn body_loop(&mut self, fold: Fold, body: &mut Body) -> Parse<Id> {
+        self.pass();
+        let word = self.source_text(self.taken_span()).to_owned();
+        self.expect_mark('(', &format!("`(` after `{word}`"))?;
+        let open = self.start_taken();
+        let token = self.peek()?;
+        let name = match (token.kind, token.word()) {
+            (Kind::Name, _) => Name::Symbol(Symbol(token.value)),
+            (_, Some(word @ (Word::X | Word::Y | Word::Z | Word::U | Word::V))) => Name::Word(word),
+            _ => return Err(self.expected_here(&format!("the variable of `{word}`"))),
+        };
+        self.pass();
+        let comma = format!("an operator or `,` in `{word}`");
+        self.expect_mark(',', &comma)?;
+        let from = self.body_expression(body)?;
+        self.expect_mark(',', &comma)?;
+        // In the last number the variable is the first one.
+        body.variables.push((name, from));
+        let to = self.body_expression(body)?;
+        body.variables.pop();
+        self.expect_mark(',', &comma)?;
+        let variable = body.graph.variable();
+        body.variables.push((name, variable));
+        body.graph.open();
+        let value = self.body_expression(body);
+        body.variables.pop();
+        let block = body.graph.close(value?);
+        self.expect_end(
+            ')',
+            &format!("an operator or `)` at the end of `{word}(...)`"),
+            open,
+        )?;
+        Ok(body.graph.repeat(fold, variable, (from, to), block))
+    }
+}
+
+/// What a formula is made of, for messages.
+const OPERAND: &str = "a number, a parameter or a function";

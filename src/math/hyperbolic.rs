@@ -1,0 +1,84 @@
+//! The inverses of the hyperbolic functions, to the last bit as the C library of Debian gives them.
+//!
+//! Rust's own take another path through the logarithm. The formulas are those of Sun's fdlibm (1993): each range of the
+//! argument has the one that does not cancel.
+
+use std::f64::consts::LN_2;
+
+/// Above this the one beside x² is lost.
+const LARGE: f64 = 268_435_456.0;
+
+/// The inverse of `sinh`.
+pub(crate) fn asinh(x: f64) -> f64 {
+    let a = x.abs();
+    let value = if !x.is_finite() || a < 1.0 / LARGE {
+        return x;
+    } else if a > LARGE {
+        a.ln() + LN_2
+    } else if a > 2.0 {
+        (2.0 * a + 1.0 / ((a * a + 1.0).sqrt() + a)).ln()
+    } else {
+        let t = a * a;
+        (a + t / (1.0 + (1.0 + t).sqrt())).ln_1p()
+    };
+    value.copysign(x)
+}
+
+/// The inverse of `cosh`; not a number below 1.
+pub(crate) fn acosh(x: f64) -> f64 {
+    if x < 1.0 {
+        (x - x) / (x - x)
+    } else if x >= LARGE {
+        x.ln() + LN_2
+    } else if x > 2.0 {
+        (2.0 * x - 1.0 / (x + (x * x - 1.0).sqrt())).ln()
+    } else {
+        let t = x - 1.0;
+        (t + (2.0 * t + t * t).sqrt()).ln_1p()
+    }
+}
+
+/// The inverse of `tanh`; infinite at ±1, not a number beyond.
+pub(crate) fn atanh(x: f64) -> f64 {
+    let a = x.abs();
+    let value = if a < 1.0 / LARGE {
+        return x;
+    } else if a < 0.5 {
+        let t = a + a;
+        0.5 * (t + t * a / (1.0 - a)).ln_1p()
+    } else if a < 1.0 {
+        0.5 * ((a + a) / (1.0 - a)).ln_1p()
+    } else if a > 1.0 {
+        return (x - x) / (x - x);
+    } else {
+        return x / 0.0;
+    };
+    value.copysign(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_those_of_the_c_library() {
+        let known = [
+            (asinh(2.7), 1.719_051_851_208_927_2),
+            (asinh(9.9), 2.988_222_993_215_415_1),
+            (asinh(-0.3), -0.295_673_047_563_422_44),
+            (acosh(1.3), 0.756_432_910_856_959_6),
+            (acosh(5.5), 2.389_526_434_574_218_4),
+            (atanh(0.1), 0.100_335_347_731_075_58),
+            (atanh(-0.3), -0.309_519_604_203_111_75),
+        ];
+        for (found, expected) in known {
+            assert_eq!(
+                found.to_bits(),
+                f64::to_bits(expected),
+                "{found} {expected}"
+            );
+        }
+        assert!(acosh(0.5).is_nan() && atanh(1.5).is_nan() && asinh(f64::NAN).is_nan());
+        assert!(atanh(1.0).is_infinite() && acosh(1.0) == 0.0);
+    }
+}

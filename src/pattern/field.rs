@@ -1,0 +1,41 @@
+//! `pattern { ... }`: a pattern with all that is written beside it, as a number for each point.
+
+use super::{Modifiers, PreparedPattern, Settings, Spot, read_named};
+use crate::args::{Args, Parse};
+use crate::function::Field;
+use glam::DVec3;
+
+/// Reads the block behind the word `pattern`.
+///
+/// # Errors
+/// A malformed value, or a block that names no pattern.
+pub fn read_field(args: &mut dyn Args, settings: &Settings) -> Parse<PreparedPattern> {
+    const WHAT: &str = "a pattern in `pattern`";
+    args.open()?;
+    let Some(word) = args.word()? else {
+        return Err(args.expected(WHAT));
+    };
+    let Some(mut pattern) = read_named(word, args)? else {
+        return Err(if super::is_pattern(word) {
+            crate::args::not_built(args, word)
+        } else {
+            args.expected(WHAT)
+        });
+    };
+    let mut modifiers = Modifiers::default();
+    while !args.accept_close()? {
+        let Some(word) = args.word()? else {
+            return Err(args.expected("a modifier of the pattern or `}`"));
+        };
+        if !pattern.read_modifier(word, args)? && !modifiers.read(word, args)? {
+            return Err(args.expected("a modifier of the pattern or `}`"));
+        }
+    }
+    Ok(modifiers.prepare(&*pattern, &[], settings))
+}
+
+impl Field for PreparedPattern {
+    fn value(&self, point: DVec3) -> f64 {
+        PreparedPattern::value(self, self.moved(point), &Spot::at(point))
+    }
+}

@@ -1,0 +1,42 @@
+//! A pixel through a lens: samples until they agree.
+
+use super::{Sample, Tracer};
+use crate::camera::{Lens, LensRay, Spread};
+use crate::color::Rgb;
+use crate::compile::Scratch;
+
+impl Tracer<'_> {
+    /// What a lens shows at a point of a picture of `size`, its width and height.
+    pub(super) fn through_lens(
+        &self,
+        lens: &Lens,
+        (x, y): (f64, f64),
+        size: (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let mut spread = Spread::default();
+        let mut rgb = Rgb::BLACK;
+        let mut transmit = 0.0;
+        let mut count = 0;
+        for (stop, &end) in lens.stops().iter().enumerate() {
+            for sample in count..end {
+                let sample = LensRay { sample, x, y };
+                let ray = lens.ray(&self.world.camera, &sample, size.0, size.1);
+                let seen = self.sample(ray, scratch);
+                spread.add(seen.rgb, seen.transmit);
+                rgb += seen.rgb;
+                transmit += seen.transmit;
+            }
+            count = end;
+            if lens.is_enough(stop, &spread) {
+                break;
+            }
+        }
+        #[allow(clippy::cast_precision_loss, reason = "samples are few")]
+        let count = count as f32;
+        Sample {
+            rgb: rgb.map(|c| c / count),
+            transmit: transmit / count,
+        }
+    }
+}
