@@ -28,6 +28,8 @@ pub struct Bundle {
     /// In the frame of the tree.
     origin: DVec3,
     groups: Vec<Group>,
+    /// How many rays there are; the last group may have room for more.
+    count: usize,
     cones: Vec<Cones>,
     pyramid: Pyramid,
     /// Frame lengths of world lengths.
@@ -98,6 +100,7 @@ impl Bundle {
         if !is_near || count == 0 || !self.scale.is_normal() {
             return false;
         }
+        self.count = count;
         self.groups.clear();
         self.groups.resize(count.div_ceil(LANES), Group::EMPTY);
         let mut last = Vec3::ZERO;
@@ -188,8 +191,8 @@ impl Bundle {
     fn farthest(&self) -> f32 {
         let mut farthest = [f32::NEG_INFINITY; LANES];
         for group in &self.groups {
-            for i in 0..LANES {
-                farthest[i] = larger(group.end[i], farthest[i]);
+            for (farthest, end) in farthest.iter_mut().zip(group.end) {
+                *farthest = larger(end, *farthest);
             }
         }
         farthest.into_iter().fold(f32::NEG_INFINITY, larger)
@@ -235,6 +238,10 @@ impl Bundle {
                 while rays != 0 {
                     let lane = rays.trailing_zeros() as usize;
                     rays &= rays - 1;
+                    // Sizes without end meet what has none as well: the empty places behind the last ray.
+                    if place * LANES + lane >= self.count {
+                        break;
+                    }
                     #[allow(clippy::cast_possible_truncation, reason = "a bundle has few rays")]
                     if let Some(end) = visit((place * LANES + lane) as u32) {
                         let end = frame_end(end, self.scale);
@@ -297,9 +304,9 @@ impl Group {
                 .map(|lanes| lanes.iter().sum::<f32>() / LANES as f32),
         );
         let mut off = [0.0; LANES];
-        for i in 0..LANES {
+        for (i, off) in off.iter_mut().enumerate() {
             let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
-            off[i] = x * x + y * y + z * z;
+            *off = x * x + y * y + z * z;
         }
         let farthest = off.into_iter().fold(0.0, larger);
         (middle, farthest.sqrt() + 4.0 * DOUBT)
@@ -441,9 +448,9 @@ impl Kernel for PyramidAndNode<'_> {
             met &= dot(all(normal), corner).not_above(E::all(pyramid.offsets[side]));
         }
         let mut near_sq = E::all(0.0);
-        for axis in 0..3 {
-            let below = E::load(&planes[axis][0]).minus(E::all(pyramid.high[axis]));
-            let above = E::all(pyramid.low[axis]).minus(E::load(&planes[axis][1]));
+        for (axis, [low, high]) in planes.iter().enumerate() {
+            let below = E::load(low).minus(E::all(pyramid.high[axis]));
+            let above = E::all(pyramid.low[axis]).minus(E::load(high));
             let gap = below.larger(above).larger(E::all(0.0));
             near_sq = near_sq.plus(gap.times(gap));
         }

@@ -45,10 +45,13 @@ pub(super) struct LensPoints {
     pub(super) spread: f64,
 }
 
+/// Rows of points of a hexagonal grid.
+type Hexagon = &'static [&'static [(i32, i32)]];
+
 impl LensPoints {
     /// The points of a round, even lens; `count` is not 0.
     pub(super) fn even(count: usize) -> Self {
-        let hexagon: Option<(&[&[(i32, i32)]], f64)> = match count {
+        let hexagon: Option<(Hexagon, f64)> = match count {
             0..7 => None,
             7..19 => Some((HEXAGON_7, 2.0)),
             19..37 => Some((HEXAGON_19, 3.0)),

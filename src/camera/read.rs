@@ -46,11 +46,10 @@ impl Camera {
             return Ok(camera);
         }
         let mut pending = Pending::default();
-        while !is_named {
-            match args.word()? {
-                Some(word) if camera.read_projection(word, args)? => {}
-                _ => break,
-            }
+        if !is_named {
+            while let Some(word) = args.word()?
+                && camera.read_projection(word, args)?
+            {}
         }
         while !args.accept_close()? {
             if let Some(step) = transform_step(args)? {

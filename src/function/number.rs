@@ -106,7 +106,8 @@ impl Number for f64 {
         let mut at = from;
         for _ in 0..MOST_ROUNDS {
             // Written so that a bound that is no number ends the loop.
-            if !(at <= to) {
+            let goes_on = at <= to;
+            if !goes_on {
                 break;
             }
             let value = value_at(at);

@@ -134,7 +134,7 @@ impl Moment {
             'l' => write!(out, "{hour_of_12:2}"),
             'm' => write!(out, "{number:02}"),
             'M' => write!(out, "{:02}", self.minute),
-            'n' => write!(out, "\n"),
+            'n' => writeln!(out),
             'p' => write!(out, "{}", if self.hour < 12 { "AM" } else { "PM" }),
             'P' => write!(out, "{}", if self.hour < 12 { "am" } else { "pm" }),
             'r' => self.parts("I:M:S p", out),

@@ -19,7 +19,6 @@ pub fn random(index: u32) -> f64 {
 }
 
 /// All numbers of the generator in turn, which go on behind the table.
-#[must_use]
 pub fn numbers() -> impl Iterator<Item = f64> {
     Twister::new()
 }

@@ -37,7 +37,8 @@ fn from_both_ends(c: &[f64; 5]) -> Option<Places> {
             if value <= 0.0 && steps > 0 {
                 break;
             }
-            if !(value > 0.0) {
+            let is_above = value > 0.0;
+            if !is_above {
                 return None;
             }
             // At the lowest point, or past it, without having met zero.
@@ -108,6 +109,6 @@ mod tests {
         let square = [0.09, -0.6, 1.0, 0.0, 0.0];
         assert!(bends_up(&square));
         let places = quartic_sign_changes(&square);
-        assert!(places.len() % 2 == 0);
+        assert!(places.len().is_multiple_of(2));
     }
 }

@@ -108,7 +108,8 @@ impl Spline {
         if t <= self.keys[0] {
             return first;
         }
-        if !(t < self.keys[count - 1]) {
+        let is_before_last = t < self.keys[count - 1];
+        if !is_before_last {
             return last;
         }
         let i = self.interval(t);
@@ -161,7 +162,8 @@ impl Spline {
         if t <= self.keys[1] {
             return self.points[1];
         }
-        if !(t < self.keys[count - 2]) {
+        let is_before_last = t < self.keys[count - 2];
+        if !is_before_last {
             return self.points[count - 2];
         }
         let i = self.interval(t);

@@ -29,6 +29,9 @@ pub enum Between<'a, T> {
     Two(&'a T, &'a T, f64),
 }
 
+/// Reads one entry of a map and appends it.
+type ReadEntry<'a, T> = dyn FnMut(&mut dyn Args, &mut Vec<(f32, T)>) -> Parse<()> + 'a;
+
 /// Maps share their entries.
 impl<T> Clone for Map<T> {
     fn clone(&self) -> Self {
@@ -71,11 +74,7 @@ impl<T> Map<T> {
         })
     }
 
-    fn read_entries(
-        what: &str,
-        args: &mut dyn Args,
-        entry: &mut dyn FnMut(&mut dyn Args, &mut Vec<(f32, T)>) -> Parse<()>,
-    ) -> Parse<Map<T>>
+    fn read_entries(what: &str, args: &mut dyn Args, entry: &mut ReadEntry<'_, T>) -> Parse<Map<T>>
     where
         T: Send + Sync + 'static,
     {
@@ -126,8 +125,9 @@ impl<T> Map<T> {
     pub fn between(&self, value: f64) -> Between<'_, T> {
         let entries = &*self.entries;
         let last = &entries[entries.len() - 1];
-        // `!(<)` sends NaN to the last entry.
-        if !(value < f64::from(last.0)) {
+        // Asked in the positive: NaN goes to the last entry.
+        let is_before_last = value < f64::from(last.0);
+        if !is_before_last {
             return Between::One(&last.1);
         }
         let is_below = |entry: &(f32, T)| f64::from(entry.0) < value;

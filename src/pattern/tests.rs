@@ -103,7 +103,12 @@ fn turbulence_acts_before_transforms_wherever_it_stands() {
 }
 
 /// The patterns that are made of a file or an object.
-const NEEDS_MORE: [Word; 3] = [Word::DensityFile, Word::ImagePattern, Word::Object];
+const NEEDS_MORE: [Word; 4] = [
+    Word::DensityFile,
+    Word::Function,
+    Word::ImagePattern,
+    Word::Object,
+];
 
 #[test]
 fn every_pattern_has_a_value_everywhere() {

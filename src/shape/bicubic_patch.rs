@@ -528,9 +528,9 @@ mod tests {
         for corner in &patch.pieces().corners {
             let (u, v) = (bernstein(corner.at.x), bernstein(corner.at.y));
             let mut point = DVec3::ZERO;
-            for i in 0..4 {
-                for j in 0..4 {
-                    point += u[i] * v[j] * patch.net.points[i][j];
+            for (row, u) in patch.net.points.iter().zip(u) {
+                for (net, v) in row.iter().zip(v) {
+                    point += u * v * *net;
                 }
             }
             assert!((point - corner.point).length() < 1e-14);

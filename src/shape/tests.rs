@@ -69,7 +69,8 @@ fn a_word_that_begins_no_shape_reads_nothing() {
 fn a_missing_parameter_is_an_error() {
     for word in Shape::WORDS {
         let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
-        let takes_vectors_only = matches!(word, Word::Box | Word::Superellipsoid);
+        let takes_vectors_only =
+            matches!(word, Word::Box | Word::Superellipsoid | Word::JuliaFractal);
         assert_eq!(result.is_ok(), takes_vectors_only, "{word:?}");
     }
 }

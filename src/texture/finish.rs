@@ -463,7 +463,6 @@ mod tests {
     #[test]
     fn what_matters_and_is_missing_is_named() {
         for (text, word) in [
-            ("{ crand 0.1 }", "crand"),
             ("{ irid { 0.2 thickness 1 } }", "irid"),
             ("{ subsurface { 1, 1 } }", "subsurface"),
             ("{ caustics 0.5 }", "caustics"),

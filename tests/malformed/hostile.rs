@@ -354,6 +354,12 @@ fn odd_files() -> Vec<(&'static str, String)> {
             format!("{REST}union {{ }}\nintersection {{ }}\ndifference {{ }}\nmerge {{ }}"),
         ),
         (
+            "box_without_end",
+            "camera { location <0, 5, -9> look_at <0, 0.5, 0> angle 50 }\nplane { y, 0 }\nsphere { <-1.5, 1, 0>, 1 }\n\
+             box { <0.6, 0, -0.6>, <2, 1e308, 0.8> }\nlight_source { <-5, 6, -4>, rgb 1 }\n"
+                .to_owned(),
+        ),
+        (
             "colour_of_six",
             format!("{REST}sphere {{ 0, 1 pigment {{ color <1, 2, 3, 4, 5, 6> }} }}"),
         ),

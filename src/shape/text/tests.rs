@@ -47,6 +47,7 @@ fn a_ray_straight_through_meets_both_faces() {
     let ray = Ray::new(turn * DVec3::new(0.8, 0.0, -2.0), turn * DVec3::Z);
     let mut roots = Vec::new();
     ring.roots(&ray, &mut roots);
-    let found: Vec<_> = roots.iter().map(|root| (root.t, root.face)).collect();
-    assert_eq!(found, [(2.0, FRONT), (2.7, BACK)]);
+    let faces: Vec<_> = roots.iter().map(|root| root.face).collect();
+    assert_eq!(faces, [FRONT, BACK]);
+    assert!((roots[0].t - 2.0).abs() < 1e-14 && (roots[1].t - 2.7).abs() < 1e-14);
 }
