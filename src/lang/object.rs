@@ -255,7 +255,7 @@ impl Reader<'_> {
             }
             Word::Photons => {
                 self.pass();
-                object.photons.read(self)?;
+                object.photons.get_or_insert_default().read(self)?;
                 return Ok(true);
             }
             _ if word.class() == Class::Color => {

@@ -24,8 +24,8 @@ pub struct Object {
     pub flags: Flags,
     /// Whether it is a `light_group`, whose own lights shine on it alone.
     pub light_group: Option<LightGroup>,
-    /// What it does with photons.
-    pub photons: ObjectPhotons,
+    /// What it does with photons, if it says so itself.
+    pub photons: Option<Box<ObjectPhotons>>,
     /// Whether inside and outside are exchanged.
     pub is_inverse: bool,
     /// `clipped_by`: the surface is kept where all of these hold it.
@@ -147,7 +147,7 @@ impl Object {
             interior: None,
             flags: Flags::default(),
             light_group: None,
-            photons: ObjectPhotons::default(),
+            photons: None,
             is_inverse: false,
             clipped_by: Box::default(),
             bounded_by: Box::default(),

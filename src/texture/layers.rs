@@ -200,7 +200,13 @@ mod tests {
         let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
         let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
         assert_eq!(
-            texture.layers()[0].pigment.modifiers.chain.steps(),
+            texture.layers()[0]
+                .pigment
+                .modifiers
+                .get()
+                .unwrap()
+                .chain
+                .steps(),
             expected
         );
     }
