@@ -4,6 +4,7 @@ use super::{Args, Parse, Word, declared};
 use crate::math::{Step, Transform};
 use crate::source::Diagnostic;
 use glam::{DAffine3, DMat3, DVec3};
+use std::sync::Arc;
 
 /// Below this, POV-Ray takes every entry of a matrix column for zero.
 const ZERO_COLUMN: f64 = 1e-10;
@@ -28,11 +29,11 @@ pub fn transform_step(args: &mut dyn Args) -> Parse<Option<Step>> {
         }
         Some(Word::Matrix) => {
             args.accept(Word::Matrix)?;
-            Step::General(matrix(args)?)
+            Step::General(Arc::new(matrix(args)?))
         }
         Some(Word::Transform) => {
             args.accept(Word::Transform)?;
-            Step::General(transform_block(args)?)
+            Step::General(Arc::new(transform_block(args)?))
         }
         _ => return Ok(None),
     };

@@ -381,7 +381,7 @@ impl Flat {
             .texture
             .as_ref()
             .map_or(&[][..], |own| own.what.layers());
-        let finishes = layers.iter().map(|layer| &layer.finish);
+        let finishes = layers.iter().map(|layer| &*layer.finish);
         let interior = self
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
@@ -491,7 +491,7 @@ fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
     if own.is_empty() {
         return Arc::clone(above);
     }
-    own.iter().chain(above.iter()).copied().collect()
+    own.iter().chain(above.iter()).cloned().collect()
 }
 
 fn index(len: usize) -> u32 {

@@ -1,5 +1,6 @@
 //! The reader as elements see it.
 
+use super::cursor::Start;
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Word};
@@ -16,7 +17,7 @@ const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
     fn float(&mut self) -> Parse<f64> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let number = self.number_at_sum()?;
         self.finite(&[number], start)?;
         Ok(number)
@@ -214,14 +215,14 @@ impl Args for Reader<'_> {
 
 impl Reader<'_> {
     fn finite_vector(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let number = self.vector_of(len)?;
         self.finite(&number.v[..usize::from(len)], start)?;
         Ok(number)
     }
 
     /// What reaches an element must be finite: no ray meets an infinite sphere, and a picture has no infinite colour.
-    pub(super) fn finite(&self, numbers: &[f64], start: Span) -> Parse<()> {
+    pub(super) fn finite(&self, numbers: &[f64], start: Start) -> Parse<()> {
         let Some(bad) = numbers.iter().find(|number| !number.is_finite()) else {
             return Ok(());
         };
@@ -233,7 +234,7 @@ impl Reader<'_> {
                 "It comes of a division by zero, or of a number too large to hold.",
             )
         };
-        let place = start.to(self.taken_span());
+        let place = self.span_from(start);
         Err(self
             .with_trace(Diagnostic::error(place, format!("this value is {is}")).with_hint(hint)))
     }

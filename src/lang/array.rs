@@ -1,6 +1,7 @@
 //! Arrays: their values, items and indices.
 
 use super::cursor::Declaring;
+use super::flow::EQUAL;
 use super::limits;
 use super::reader::Reader;
 use super::value::{Array, Value};
@@ -90,9 +91,9 @@ impl Reader<'_> {
     }
 
     fn checked_index(&self, index: f64, size: usize, span: crate::source::Span) -> Parse<usize> {
-        let whole = (index + super::flow::EQUAL.copysign(index)).trunc();
-        if whole < 0.0 || !whole.is_finite() || whole >= size as f64 {
-            return Err(self.with_trace(
+        whole_index(index, size).ok_or_else(|| {
+            let whole = (index + EQUAL.copysign(index)).trunc();
+            self.with_trace(
                 Diagnostic::error(
                     span,
                     format!(
@@ -100,14 +101,8 @@ impl Reader<'_> {
                     ),
                 )
                 .with_hint(format!("Indices run from 0 to {}.", size.saturating_sub(1))),
-            ));
-        }
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "0 <= whole < size"
-        )]
-        Ok(whole as usize)
+            )
+        })
     }
 
     /// `array[n][m] { ... }`.
@@ -123,7 +118,7 @@ impl Reader<'_> {
             let size = self.number_at_sum()?;
             let span = self.taken_span();
             self.expect_mark(']', "`]` after the size of the array")?;
-            let whole = (size + super::flow::EQUAL).trunc();
+            let whole = (size + EQUAL).trunc();
             if !(1.0..=limits::ARRAY_ITEMS as f64).contains(&whole) {
                 return Err(self.with_trace(Diagnostic::error(
                     span,
@@ -182,6 +177,17 @@ impl Reader<'_> {
         }
         Ok(())
     }
+}
+
+/// An index into so many items, without what stands behind its decimal point; `None` if there is no such item.
+pub(super) fn whole_index(index: f64, size: usize) -> Option<usize> {
+    let whole = (index + EQUAL.copysign(index)).trunc();
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 <= whole < size"
+    )]
+    (whole >= 0.0 && whole < size as f64).then_some(whole as usize)
 }
 
 /// The memory of so many items of an array.

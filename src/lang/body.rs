@@ -190,12 +190,12 @@ impl Reader<'_> {
         match token.kind {
             Kind::Number => {
                 self.pass();
-                let value = self.last_tokens.numbers[token.value as usize];
+                let value = self.last.tokens.numbers[token.value as usize];
                 Ok(Operand::literal(&mut body.graph, value))
             }
             Kind::Mark if token.is_mark('(') => {
                 self.pass();
-                let open = self.taken_span();
+                let open = self.start_taken();
                 let id = self.body_expression(body)?;
                 self.expect_end(')', "an operator or `)`", open)?;
                 Ok(Operand::closed(id))
@@ -310,7 +310,7 @@ impl Reader<'_> {
         body: &mut Body,
     ) -> Parse<SmallVec<[Id; 8]>> {
         self.expect_mark('(', "`(` and the arguments of the function")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let mut arguments = SmallVec::new();
         while arguments.len() < wanted && !self.peek()?.is_mark(')') {
             arguments.push(self.body_expression(body)?);
@@ -379,7 +379,7 @@ impl Reader<'_> {
             return Ok(body.graph.binary(f, arguments[0], arguments[1]));
         }
         self.expect_mark('(', &format!("`(` after `{word}`"))?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let mut value = self.body_expression(body)?;
         self.expect_mark(',', &format!("an operator or `,` in `{word}`"))?;
         loop {
@@ -398,7 +398,7 @@ impl Reader<'_> {
         const COMMA: &str = "an operator or `,` in `select`";
         self.pass();
         self.expect_mark('(', "`(` after `select`")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let test = self.body_expression(body)?;
         self.expect_mark(',', COMMA)?;
         body.graph.open();
@@ -424,7 +424,7 @@ impl Reader<'_> {
         self.pass();
         let word = self.source_text(self.taken_span()).to_owned();
         self.expect_mark('(', &format!("`(` after `{word}`"))?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let token = self.peek()?;
         let name = match (token.kind, token.word()) {
             (Kind::Name, _) => Name::Symbol(Symbol(token.value)),

@@ -3,6 +3,7 @@
 //! Memory is not counted but looked at, from time to time, in what the system tells of the process. Where it tells
 //! nothing, only the limits on counts hold.
 
+use super::cursor::Start;
 use super::limits;
 use super::reader::Reader;
 use crate::args::Parse;
@@ -121,7 +122,7 @@ fn kibibytes(text: &str, name: &str) -> Option<u64> {
 
 impl Reader<'_> {
     /// Counts tokens that a loop or a macro makes the reader read again.
-    pub(super) fn count_again(&mut self, tokens: usize, at: Span) -> Parse<()> {
+    pub(super) fn count_again(&mut self, tokens: usize, at: Start) -> Parse<()> {
         let budget = &mut self.budget;
         // What goes round costs something beside its tokens.
         budget.again += tokens as u64 + 8;
@@ -132,17 +133,17 @@ impl Reader<'_> {
                 "the loops and macros of this scene do not come to an end: {} tokens were read in them",
                 budget.again
             );
-            let error = Diagnostic::error(at, message)
+            let error = Diagnostic::error(self.span_of(at), message)
                 .with_hint("Look for a condition that stays true, or for too many rounds.");
             return Err(self.fatal(error));
         }
-        self.take_memory(limits::ROUND_BYTES, at)
+        self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at))
     }
 
     /// Counts an object.
     pub(super) fn count_object(&mut self) -> Parse<()> {
         self.budget.objects += 1;
-        self.take_memory(limits::OBJECT_BYTES, self.taken_span())
+        self.take_memory_at(limits::OBJECT_BYTES, Self::taken_span)
     }
 
     /// Counts what an object of the scene itself comes to.
@@ -158,7 +159,7 @@ impl Reader<'_> {
             .with_hint("Objects that hold each other twice double their shapes each time.");
             return Err(self.fatal(error));
         }
-        self.take_memory(leaves * limits::LEAF_BYTES, self.taken_span())
+        self.take_memory_at(leaves * limits::LEAF_BYTES, Self::taken_span)
     }
 
     /// Checks how deep an object's parts lie in each other, and how many they are.
@@ -179,6 +180,12 @@ impl Reader<'_> {
 
     /// Says that about so many bytes were taken, or will be at once; an error where there are no more.
     pub(super) fn take_memory(&mut self, bytes: u64, at: Span) -> Parse<()> {
+        self.take_memory_at(bytes, |_| at)
+    }
+
+    /// The same; the place is found out only for a message.
+    #[inline]
+    fn take_memory_at(&mut self, bytes: u64, at: impl FnOnce(&Self) -> Span) -> Parse<()> {
         let unseen = self.budget.unseen.saturating_add(bytes);
         if unseen < limits::MEMORY_STEP {
             self.budget.unseen = unseen;
@@ -193,7 +200,7 @@ impl Reader<'_> {
         if self.budget.memory.allows(ahead, self.budget.leaves) {
             return Ok(());
         }
-        let error = Diagnostic::error(at, "this scene needs more memory than there is")
+        let error = Diagnostic::error(at(self), "this scene needs more memory than there is")
             .with_hint("Look for a loop that does not end, or draw it on a larger machine.");
         Err(self.fatal(error))
     }

@@ -4,6 +4,7 @@
 //! that cannot go on with an expression. Everything else (a name, an operator, a directive) is left to the reader of
 //! expressions.
 
+use super::cursor::Place;
 use super::reader::Reader;
 use crate::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
@@ -20,15 +21,21 @@ impl Reader<'_> {
     ) {
         let tokens = Rc::clone(&self.here.tokens);
         let start = self.here.at;
-        while let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
-            if !take(&vector[..len]) {
-                break;
+        let mut is_wanted = true;
+        while is_wanted && let Some((vector, after)) = literal_vector(&tokens, self.here.at, len) {
+            is_wanted = take(&vector[..len]);
+            if is_wanted {
+                self.here.at = after;
             }
-            self.here.at = after;
         }
         if self.here.at > start {
-            self.last = (tokens.file, self.here.at - 1);
-            self.last_tokens = tokens;
+            self.last = Place {
+                tokens,
+                at: self.here.at - 1,
+            };
+        }
+        if is_wanted {
+            self.take_vectors_of_data(len, take);
         }
     }
 
@@ -43,8 +50,10 @@ impl Reader<'_> {
             return None;
         }
         self.here.at = after;
-        self.last = (tokens.file, after - 1);
-        self.last_tokens = tokens;
+        self.last = Place {
+            tokens,
+            at: after - 1,
+        };
         Some(number)
     }
 }

@@ -12,7 +12,7 @@ use crate::syntax::{Class, Kind, Symbol};
 impl Reader<'_> {
     /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
     pub(super) fn color_value(&mut self) -> Parse<Color> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let parts = self.color_parts()?;
         #[allow(
             clippy::cast_possible_truncation,
@@ -130,13 +130,13 @@ impl Reader<'_> {
         if !begins {
             return Ok(None);
         }
-        let start = self.here_span();
+        let start = self.start()?;
         if token.kind == Kind::Mark {
             let number = self.sum()?;
             if number.len != 5 {
                 return Err(self.with_trace(
                     Diagnostic::error(
-                        start.to(self.taken_span()),
+                        self.span_from(start),
                         format!("expected a colour, found {}", number.kind()),
                     )
                     .with_hint("Write `rgb` before the vector."),

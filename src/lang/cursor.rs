@@ -9,8 +9,8 @@ use super::macros::Macro;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Parse, Word};
-use crate::source::{Code, Diagnostic, Span};
-use crate::syntax::{Kind, Symbol, Token, Tokens};
+use crate::source::{Code, Diagnostic, FileId, Span};
+use crate::syntax::{self, Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
 /// A place to go on reading.
@@ -20,6 +20,23 @@ pub(super) struct Place {
     pub(super) tokens: Rc<Tokens>,
     /// The index of the next token.
     pub(super) at: usize,
+}
+
+/// Where a token begins. Where it ends is found out only for a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Start {
+    file: FileId,
+    start: u32,
+}
+
+impl Start {
+    /// Where a token begins.
+    pub(super) fn of(tokens: &Tokens, at: usize) -> Self {
+        Start {
+            file: tokens.file,
+            start: tokens.tokens[at].start,
+        }
+    }
 }
 
 /// A `#declare` whose value is being read.
@@ -46,6 +63,8 @@ pub(super) struct Frame {
     pub(super) end: u32,
     /// What it is.
     pub(super) kind: Entered,
+    /// Whether what is read in it may be read again: it is a loop or a macro, or lies within one.
+    repeats: bool,
 }
 
 /// The kinds of [`Frame`].
@@ -62,7 +81,9 @@ pub(super) enum Entered {
     /// A macro call.
     Macro {
         back: Place,
-        call: Span,
+        call: Start,
+        /// The last token of the call.
+        called_to: Start,
         name: Symbol,
         called: Rc<Macro>,
     },
@@ -71,10 +92,54 @@ pub(super) enum Entered {
 }
 
 impl Reader<'_> {
+    /// Notes that something has been entered.
+    pub(super) fn enter_frame(&mut self, home: Rc<Tokens>, end: u32, kind: Entered) {
+        let repeats = match kind {
+            Entered::While { .. } | Entered::For(_) | Entered::Macro { .. } => true,
+            Entered::If | Entered::Switch { .. } | Entered::Include { .. } => self.is_repeated(),
+        };
+        self.frames.push(Frame {
+            home,
+            end,
+            kind,
+            repeats,
+        });
+    }
+
+    /// Whether what is at hand may be read again.
+    pub(super) fn is_repeated(&self) -> bool {
+        self.frames.last().is_some_and(|frame| frame.repeats)
+    }
+
     /// The next token, which stays where it is. Directives before it have run.
+    #[inline(always)]
     pub(super) fn peek(&mut self) -> Parse<Token> {
+        let token = self.raw();
+        match token.kind {
+            Kind::Name | Kind::Word | Kind::Directive | Kind::More | Kind::End => {
+                self.peek_word(token)
+            }
+            _ => Ok(token),
+        }
+    }
+
+    /// The same where the token at hand might not be the next one.
+    fn peek_word(&mut self, token: Token) -> Parse<Token> {
+        let stays = match token.kind {
+            Kind::Name => !self.scopes.is_macro(Symbol(token.value)) && self.deprecated.is_empty(),
+            Kind::Word => !is_bare_directive(token),
+            _ => false,
+        };
+        if stays {
+            return Ok(token);
+        }
+        self.peek_through(token)
+    }
+
+    /// Goes through macro calls, directives and the ends of files to the next token.
+    #[inline(never)]
+    fn peek_through(&mut self, mut token: Token) -> Parse<Token> {
         loop {
-            let token = self.here.tokens.tokens[self.here.at];
             match token.kind {
                 Kind::Name => {
                     if !self.deprecated.is_empty() {
@@ -87,16 +152,34 @@ impl Reader<'_> {
                     self.call_macro(Symbol(token.value), &called)?;
                 }
                 Kind::Directive if self.ends_declaration(token) => return Ok(token),
-                Kind::Directive => self.run_directive(token)?,
-                Kind::Word if is_bare_directive(token) => self.run_bare_directive(token)?,
+                Kind::Directive => {
+                    if !(self.is_end(token) && self.is_in_noted_call()) {
+                        self.spoil();
+                    }
+                    self.run_directive(token)?;
+                }
+                Kind::Word if is_bare_directive(token) => {
+                    self.spoil();
+                    self.run_bare_directive(token)?;
+                }
+                Kind::More => {
+                    self.spoil();
+                    self.read_on();
+                }
                 Kind::End => {
+                    self.spoil();
                     if !self.leave_file() {
                         return Ok(token);
                     }
                 }
                 _ => return Ok(token),
             }
+            token = self.raw();
         }
+    }
+
+    fn is_end(&self, token: Token) -> bool {
+        self.here.tokens.directives[token.value as usize].word == Some(Word::End)
     }
 
     /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
@@ -117,8 +200,10 @@ impl Reader<'_> {
 
     /// Passes the token at hand, which `peek` has shown.
     pub(super) fn pass(&mut self) {
-        self.last = (self.here.tokens.file, self.here.at);
-        self.last_tokens = Rc::clone(&self.here.tokens);
+        if !Rc::ptr_eq(&self.last.tokens, &self.here.tokens) {
+            self.last.tokens = Rc::clone(&self.here.tokens);
+        }
+        self.last.at = self.here.at;
         self.here.at += 1;
     }
 
@@ -140,13 +225,42 @@ impl Reader<'_> {
 
     /// The place of the token last taken.
     pub(super) fn taken_span(&self) -> Span {
-        self.last_tokens.span(self.last.1)
+        self.last.tokens.span(self.last.at)
+    }
+
+    /// Where the next token begins.
+    pub(super) fn start(&mut self) -> Parse<Start> {
+        let start = self.peek()?.start;
+        Ok(Start {
+            file: self.here.tokens.file,
+            start,
+        })
+    }
+
+    /// Where the token at hand begins.
+    pub(super) fn start_here(&self) -> Start {
+        Start::of(&self.here.tokens, self.here.at)
+    }
+
+    /// Where the token last taken begins.
+    pub(super) fn start_taken(&self) -> Start {
+        Start::of(&self.last.tokens, self.last.at)
+    }
+
+    /// The place of the token that begins there.
+    pub(super) fn span_of(&self, start: Start) -> Span {
+        syntax::span_at(start.file, self.sources.text(start.file), start.start)
+    }
+
+    /// From a token to the one last taken.
+    pub(super) fn span_from(&self, start: Start) -> Span {
+        self.span_of(start).to(self.taken_span())
     }
 
     /// Takes the next token if it is a punctuation mark.
+    #[inline(always)]
     pub(super) fn take_mark(&mut self, mark: char) -> Parse<bool> {
-        let token = self.peek()?;
-        let is_it = token.kind == Kind::Mark && token.value == mark as u32;
+        let is_it = self.peek()?.is_mark(mark);
         if is_it {
             self.pass();
         }
@@ -173,7 +287,7 @@ impl Reader<'_> {
     }
 
     /// Takes the mark that closes what was opened at `open`, or says what should have stood there.
-    pub(super) fn expect_end(&mut self, mark: char, what: &str, open: Span) -> Parse<()> {
+    pub(super) fn expect_end(&mut self, mark: char, what: &str, open: Start) -> Parse<()> {
         self.expect_mark(mark, what)
             .map_err(|error| self.with_opened(error, mark, open))
     }
@@ -296,6 +410,6 @@ impl Reader<'_> {
 }
 
 /// `declare` and `include` may stand without `#`, with a warning.
-fn is_bare_directive(token: Token) -> bool {
+pub(super) fn is_bare_directive(token: Token) -> bool {
     token.value == Word::Declare as u32 || token.value == Word::Include as u32
 }

@@ -4,6 +4,7 @@ use super::cursor::{Declaring, Entered, Frame, Place};
 use super::function::is_callable;
 use super::limits;
 use super::reader::Reader;
+use super::replay::Level;
 use super::value::{Element, Number, Value};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
@@ -28,7 +29,7 @@ impl Reader<'_> {
     pub(super) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
         let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;
-        let name_span = self.taken_span();
+        let name = self.start_taken();
         match deprecation {
             Some(deprecation) => {
                 self.deprecated.insert(symbol, deprecation);
@@ -49,17 +50,17 @@ impl Reader<'_> {
             }
             return Err(error);
         }
-        // Directives before the value run before it and may enter a file or a macro where it is then read:
-        // `#declare N = #declare A = 1; N + A;`.
         let outer = self.declaring.take();
-        let begun = self.peek();
-        let place = self.declaring_here(symbol, is_local);
-        self.declaring = Some(place);
+        let mut place = self.declaring_here(symbol, is_local);
         self.without_semicolon = None;
-        let value = match begun {
-            Ok(_) => self.value("a value"),
-            Err(error) => Err(error),
-        };
+        let value = self.replayed(Level::Value, |reader| {
+            // Directives before the value run before it and may enter a file or a macro where it is then read:
+            // `#declare N = #declare A = 1; N + A;`.
+            reader.peek()?;
+            place = reader.declaring_here(symbol, is_local);
+            reader.declaring = Some(place);
+            reader.read_value("a value")
+        });
         self.declaring = outer;
         match value {
             Ok(Some(value)) => {
@@ -78,7 +79,8 @@ impl Reader<'_> {
                 self.assign(symbol, Value::Poison, is_local);
                 let spelling = self.names.spelling(symbol).to_owned();
                 let error = self.expected_here(&format!("a value for `{spelling}`"));
-                Err(Box::new(error.with_label(name_span, "declared here")))
+                let name = self.span_of(name);
+                Err(Box::new(error.with_label(name, "declared here")))
             }
             Err(error) => {
                 self.assign(symbol, Value::Poison, is_local);
@@ -338,11 +340,7 @@ impl Reader<'_> {
             back: self.here.clone(),
             from,
         };
-        self.frames.push(Frame {
-            home: Rc::clone(&tokens),
-            end: u32::MAX,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&tokens), u32::MAX, kind);
         self.scopes.enter();
         self.here = Place { tokens, at: 0 };
         Ok(())
@@ -401,7 +399,14 @@ impl Reader<'_> {
 
     /// A value of any kind, if one begins at hand: what may stand behind `#declare X =`.
     pub(super) fn value(&mut self, what: &str) -> Parse<Option<Value>> {
+        self.replayed(Level::Value, |reader| reader.read_value(what))
+    }
+
+    fn read_value(&mut self, what: &str) -> Parse<Option<Value>> {
         let token = self.peek()?;
+        if !self.begins_number()? {
+            self.spoil();
+        }
         match token.kind {
             Kind::Number => Ok(Some(Value::Number(self.sum()?))),
             Kind::String => Ok(Some(Value::Text(self.string()?.into()))),
@@ -421,6 +426,10 @@ impl Reader<'_> {
             None => Err(self.expected_here(what)),
             Some(Value::Number(_)) => self.number_or_color().map(Some),
             Some(Value::Array(_)) => {
+                if self.raw_ahead(1).is_mark('[') && self.begins_number()? {
+                    return self.number_or_color().map(Some);
+                }
+                self.spoil();
                 let before = self.here.clone();
                 let item = self.array_or_item()?;
                 let is_called = is_callable(&item) && self.is_raw_mark('(');

@@ -3,10 +3,12 @@
 //! Outside of parentheses an expression ends at the additive level; comparisons, logic and `? :` stand only inside
 //! parentheses and in the arguments of some built-in functions. `&` and `|` bind alike, from left to right.
 
+use super::cursor::Start;
 use super::flow::EQUAL;
 use super::function::Callee;
 use super::limits;
 use super::reader::Reader;
+use super::replay::{Binary, Level, Op};
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::source::Diagnostic;
@@ -17,48 +19,47 @@ use std::rc::Rc;
 impl Reader<'_> {
     /// A float at the additive level.
     pub(super) fn number_at_sum(&mut self) -> Parse<f64> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let number = self.sum()?;
         self.only_float(number, start)
     }
 
-    fn only_float(&self, number: Number, start: crate::source::Span) -> Parse<f64> {
+    fn only_float(&self, number: Number, start: Start) -> Parse<f64> {
         if number.len == 1 {
             return Ok(number.v[0]);
         }
         Err(self.with_trace(
             Diagnostic::error(
-                start.to(self.taken_span()),
+                self.span_from(start),
                 format!("expected a number, found {}", number.kind()),
             )
             .with_hint("Take one component: `.x`, `.y`, `.z`, `.red` and so on."),
         ))
     }
 
-    /// The place of the next token.
-    pub(super) fn start_span(&mut self) -> Parse<crate::source::Span> {
-        self.peek()?;
-        Ok(self.here_span())
-    }
-
     /// The value of a condition: comparisons of numbers or of strings, logic, `? :`.
     pub(super) fn condition_value(&mut self) -> Parse<f64> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let number = self.full()?;
         self.only_float(number, start)
     }
 
     /// A whole expression, as inside parentheses.
     pub(super) fn full(&mut self) -> Parse<Number> {
+        self.replayed(Level::Full, Self::read_full)
+    }
+
+    fn read_full(&mut self) -> Parse<Number> {
         let test = self.logic()?;
         if !self.take_mark('?')? {
             return Ok(test);
         }
-        let start = self.taken_span();
+        let start = self.start_taken();
         let is_true = self.only_float(test, start)?.abs() > EQUAL;
         let yes = self.nested(Self::full)?;
         self.expect_mark(':', "`:` and the other value of `? :`")?;
         let no = self.nested(Self::full)?;
+        self.note(Op::Choose(yes.len, no.len));
         let len = yes.len.max(no.len);
         Ok(if is_true {
             yes.promoted(len)
@@ -69,32 +70,26 @@ impl Reader<'_> {
 
     fn logic(&mut self) -> Parse<Number> {
         let mut left = self.comparison()?;
-        loop {
-            let is_and = if self.take_mark('&')? {
-                true
-            } else if self.take_mark('|')? {
-                false
-            } else {
-                return Ok(left);
-            };
+        while let Some(binary) = self.binary(|mark| match mark {
+            '&' => Some(Binary::And),
+            '|' => Some(Binary::Or),
+            _ => None,
+        })? {
             let right = self.comparison()?;
-            left = by_component(left, right, |a, b| {
-                let (a, b) = (a.abs() > EQUAL, b.abs() > EQUAL);
-                f64::from(u8::from(if is_and { a && b } else { a || b }))
-            });
+            left = self.combined(binary, left, right);
         }
+        Ok(left)
     }
 
     fn comparison(&mut self) -> Parse<Number> {
         if self.at_string()? {
+            self.spoil();
             return self.string_comparison();
         }
         let mut left = self.sum()?;
         while let Some(relation) = self.relation()? {
             let right = self.sum()?;
-            left = by_component(left, right, |a, b| {
-                f64::from(u8::from(relation.holds(a, b)))
-            });
+            left = self.combined(relation, left, right);
         }
         Ok(left)
     }
@@ -105,71 +100,100 @@ impl Reader<'_> {
             return Err(self.expected_here("a comparison after the string"));
         };
         let right = self.string()?;
-        Ok(Number::truth(
-            relation.orders(left.as_bytes().cmp(right.as_bytes())),
-        ))
+        let order = left.as_bytes().cmp(right.as_bytes());
+        Ok(Number::float(relation.of(f64::from(order as i8), 0.0)))
     }
 
-    fn relation(&mut self) -> Parse<Option<Relation>> {
-        let token = self.peek()?;
-        let relation = match token.kind {
-            Kind::LessEqual => Relation::LessEqual,
-            Kind::GreaterEqual => Relation::GreaterEqual,
-            Kind::NotEqual => Relation::NotEqual,
-            Kind::Mark => match char::from_u32(token.value) {
-                Some('<') => Relation::Less,
-                Some('>') => Relation::Greater,
-                Some('=') => Relation::Equal,
-                _ => return Ok(None),
-            },
+    fn relation(&mut self) -> Parse<Option<Binary>> {
+        let relation = match self.peek()?.kind {
+            Kind::LessEqual => Binary::LessEqual,
+            Kind::GreaterEqual => Binary::GreaterEqual,
+            Kind::NotEqual => Binary::NotEqual,
+            Kind::Mark => {
+                return self.binary(|mark| match mark {
+                    '<' => Some(Binary::Less),
+                    '>' => Some(Binary::Greater),
+                    '=' => Some(Binary::Equal),
+                    _ => None,
+                });
+            }
             _ => return Ok(None),
         };
         self.pass();
         Ok(Some(relation))
     }
 
+    /// Takes the next token if it is a mark that stands for an operation.
+    #[inline]
+    fn binary(&mut self, named: impl Fn(char) -> Option<Binary>) -> Parse<Option<Binary>> {
+        let token = self.peek()?;
+        let mark = match token.kind {
+            Kind::Mark => char::from_u32(token.value),
+            _ => None,
+        };
+        let binary = mark.and_then(named);
+        if binary.is_some() {
+            self.pass();
+        }
+        Ok(binary)
+    }
+
     /// Terms with `+` and `-` between them.
     pub(super) fn sum(&mut self) -> Parse<Number> {
+        self.replayed(Level::Sum, Self::read_sum)
+    }
+
+    fn read_sum(&mut self) -> Parse<Number> {
         let mut left = self.product()?;
-        loop {
-            if self.take_mark('+')? {
-                let right = self.product()?;
-                left = by_component(left, right, |a, b| a + b);
-            } else if self.take_mark('-')? {
-                let right = self.product()?;
-                left = by_component(left, right, |a, b| a - b);
-            } else {
-                return Ok(left);
-            }
+        while let Some(binary) = self.binary(|mark| match mark {
+            '+' => Some(Binary::Add),
+            '-' => Some(Binary::Subtract),
+            _ => None,
+        })? {
+            let right = self.product()?;
+            left = self.combined(binary, left, right);
         }
+        Ok(left)
     }
 
     fn product(&mut self) -> Parse<Number> {
+        self.replayed(Level::Product, Self::read_product)
+    }
+
+    fn read_product(&mut self) -> Parse<Number> {
         let mut left = self.factor()?;
-        loop {
-            if self.take_mark('*')? {
-                let right = self.factor()?;
-                left = by_component(left, right, |a, b| a * b);
-            } else if self.take_mark('/')? {
-                let at = self.taken_span();
-                let right = self.factor()?;
-                let len = usize::from(left.len.max(right.len));
-                let divisor = right.promoted(left.len);
-                if divisor.v[..len].contains(&0.0) {
-                    self.warning(Diagnostic::warning(
-                        at,
-                        "division by zero; the result is taken as infinite",
-                    ));
-                }
-                left = by_component(
-                    left,
-                    right,
-                    |a, b| if b == 0.0 { f64::INFINITY } else { a / b },
-                );
-            } else {
-                return Ok(left);
+        while let Some(binary) = self.binary(|mark| match mark {
+            '*' => Some(Binary::Multiply),
+            '/' => Some(Binary::Divide),
+            _ => None,
+        })? {
+            let at = self.start_taken();
+            let right = self.factor()?;
+            let len = usize::from(left.len.max(right.len));
+            if binary == Binary::Divide && right.promoted(left.len).v[..len].contains(&0.0) {
+                self.warning(Diagnostic::warning(
+                    self.span_of(at),
+                    "division by zero; the result is taken as infinite",
+                ));
             }
+            left = self.combined(binary, left, right);
         }
+        Ok(left)
+    }
+
+    /// Both operands brought to the same length, then combined.
+    fn combined(&mut self, binary: Binary, a: Number, b: Number) -> Number {
+        self.note(Op::Binary(binary, a.len, b.len));
+        if a.len == 1 && b.len == 1 {
+            return Number::float(binary.of(a.v[0], b.v[0]));
+        }
+        let len = a.len.max(b.len);
+        let (a, b) = (a.promoted(len), b.promoted(len));
+        let mut sum = Number { v: [0.0; 5], len };
+        for i in 0..usize::from(len) {
+            sum.v[i] = binary.of(a.v[i], b.v[i]);
+        }
+        sum
     }
 
     fn factor(&mut self) -> Parse<Number> {
@@ -196,15 +220,16 @@ impl Reader<'_> {
         let value = self.primary();
         self.depth = self.depth.saturating_sub(1);
         let mut value = self.members(value?)?;
+        let len = usize::from(value.len);
         for _ in 0..nots {
-            value
-                .v
-                .iter_mut()
-                .for_each(|c| *c = f64::from(u8::from(c.abs() <= EQUAL)));
-            value.v[usize::from(value.len)..].fill(0.0);
+            self.note(Op::Not(value.len));
+            for c in &mut value.v[..len] {
+                *c = f64::from(u8::from(c.abs() <= EQUAL));
+            }
         }
         if is_negative {
-            value.v.iter_mut().for_each(|c| *c = -*c);
+            self.note(Op::Negate(value.len));
+            value.v[..len].iter_mut().for_each(|c| *c = -*c);
         }
         Ok(value)
     }
@@ -214,13 +239,13 @@ impl Reader<'_> {
         match token.kind {
             Kind::Number => {
                 self.pass();
-                Ok(Number::float(
-                    self.last_tokens.numbers[token.value as usize],
-                ))
+                let number = self.last.tokens.numbers[token.value as usize];
+                self.note(Op::Float(number));
+                Ok(Number::float(number))
             }
             Kind::Mark if token.value == '(' as u32 => {
                 self.pass();
-                let open = self.taken_span();
+                let open = self.start_taken();
                 let value = self.full()?;
                 self.expect_end(')', "an operator or `)`", open)?;
                 Ok(value)
@@ -230,7 +255,9 @@ impl Reader<'_> {
             Kind::Word => match token.word() {
                 Some(word) if word.class() == Class::Value || word == Word::Version => {
                     self.pass();
-                    Ok(self.value_word(word))
+                    let number = self.value_word(word);
+                    self.note_constant(word, &number);
+                    Ok(number)
                 }
                 Some(word) if word.class() == Class::Function => self.call_function(word),
                 _ => Err(self.expected_here("a number, a vector or an expression")),
@@ -265,13 +292,13 @@ impl Reader<'_> {
     /// `< a, b, ... >`: two to five components.
     fn vector_literal(&mut self) -> Parse<Number> {
         self.pass();
-        let opened = self.taken_span();
+        let opened = self.start_taken();
         let mut number = Number {
             v: [0.0; 5],
             len: 0,
         };
         loop {
-            let start = self.start_span()?;
+            let start = self.start()?;
             if number.len > 0 && !self.begins_number()? {
                 let error = self.expected_here("`>` or a further component of the vector");
                 return Err(self.with_opened(error, '>', opened));
@@ -294,7 +321,7 @@ impl Reader<'_> {
         if number.len == 1 {
             return Err(self.with_trace(
                 Diagnostic::error(
-                    opened.to(self.taken_span()),
+                    self.span_from(opened),
                     "a vector has at least two components",
                 )
                 .with_hint("Write a lone number without `<` and `>`."),
@@ -308,22 +335,33 @@ impl Reader<'_> {
             Some(Value::Number(number)) => {
                 let number = *number;
                 self.pass();
+                self.note_name(symbol, number.len);
                 Ok(number)
             }
-            Some(Value::Array(_)) => match self.array_or_item()? {
-                Value::Number(number) => Ok(number),
-                other => match Callee::of(&other) {
-                    Some(callee) => self.call(&callee),
-                    None => Err(self.error_taken(format!(
-                        "expected a number or vector, found {}",
-                        other.kind()
-                    ))),
-                },
-            },
+            Some(Value::Array(array)) => {
+                let (dimensions, before) = (array.sizes.len(), self.noted());
+                match self.array_or_item()? {
+                    Value::Number(number) => {
+                        self.note_item(symbol, before, dimensions, number.len);
+                        Ok(number)
+                    }
+                    other => match Callee::of(&other) {
+                        Some(callee) => {
+                            self.spoil();
+                            self.call(&callee)
+                        }
+                        None => Err(self.error_taken(format!(
+                            "expected a number or vector, found {}",
+                            other.kind()
+                        ))),
+                    },
+                }
+            }
             Some(Value::Poison) => Err(self.consequence()),
             other => match other.and_then(Callee::of) {
                 Some(callee) => {
                     self.pass();
+                    self.spoil();
                     self.call(&callee)
                 }
                 None => Err(self.expected_here("a number, a vector or an expression")),
@@ -371,8 +409,8 @@ impl Reader<'_> {
                 Some(Word::Transmit) => 4,
                 Some(Word::Gray) => {
                     self.pass();
-                    let grey = 0.297 * value.v[0] + 0.589 * value.v[1] + 0.114 * value.v[2];
-                    value = Number::float(grey);
+                    self.note(Op::Grey(value.len));
+                    value = Number::float(value.grey());
                     continue;
                 }
                 _ => {
@@ -382,84 +420,35 @@ impl Reader<'_> {
                 }
             };
             self.pass();
-            if at >= usize::from(value.len) {
+            if at >= value.len {
                 let member = self.source_text(self.taken_span()).to_owned();
                 return Err(
                     self.error_taken(format!("{} has no component `.{member}`", value.kind()))
                 );
             }
-            value = Number::float(value.v[at]);
+            self.note(Op::Member(value.len, at));
+            value = Number::float(value.v[usize::from(at)]);
         }
         Ok(value)
     }
 
     /// A vector of `len` components at the additive level; a float stands for all of them.
     pub(super) fn vector_of(&mut self, len: u8) -> Parse<Number> {
-        let start = self.start_span()?;
+        let start = self.start()?;
         let number = self.sum()?;
         if number.len > len {
             let wanted = Number { v: [0.0; 5], len };
             return Err(self.with_trace(Diagnostic::error(
-                start.to(self.taken_span()),
+                self.span_from(start),
                 format!("expected {}, found {}", wanted.kind(), number.kind()),
             )));
         }
+        self.note(Op::Promote(number.len, len));
         Ok(number.promoted(len))
     }
 
     /// A vector of three at the additive level.
     pub(super) fn vector3(&mut self) -> Parse<DVec3> {
-        let number = self.vector_of(3)?;
-        Ok(DVec3::new(number.v[0], number.v[1], number.v[2]))
+        Ok(self.vector_of(3)?.xyz())
     }
-}
-
-/// How two values compare.
-#[derive(Clone, Copy, Debug)]
-enum Relation {
-    Less,
-    LessEqual,
-    Equal,
-    NotEqual,
-    GreaterEqual,
-    Greater,
-}
-
-impl Relation {
-    /// On floats: equality, and the two relations that include it, allow for rounding.
-    fn holds(self, a: f64, b: f64) -> bool {
-        match self {
-            Relation::Less => a < b,
-            Relation::LessEqual => a <= b + EQUAL,
-            Relation::Equal => (a - b).abs() <= EQUAL,
-            Relation::NotEqual => (a - b).abs() > EQUAL,
-            Relation::GreaterEqual => a + EQUAL >= b,
-            Relation::Greater => a > b,
-        }
-    }
-
-    fn orders(self, order: std::cmp::Ordering) -> bool {
-        match self {
-            Relation::Less => order.is_lt(),
-            Relation::LessEqual => order.is_le(),
-            Relation::Equal => order.is_eq(),
-            Relation::NotEqual => order.is_ne(),
-            Relation::GreaterEqual => order.is_ge(),
-            Relation::Greater => order.is_gt(),
-        }
-    }
-}
-
-/// Both operands brought to the same length, then combined.
-fn by_component(a: Number, b: Number, f: impl Fn(f64, f64) -> f64) -> Number {
-    if a.len == 1 && b.len == 1 {
-        return Number::float(f(a.v[0], b.v[0]));
-    }
-    let len = a.len.max(b.len);
-    let (a, b) = (a.promoted(len), b.promoted(len));
-    let mut sum = Number { v: [0.0; 5], len };
-    for i in 0..usize::from(len) {
-        sum.v[i] = f(a.v[i], b.v[i]);
-    }
-    sum
 }

@@ -131,7 +131,7 @@ impl Reader<'_> {
             return self.string();
         }
         self.pass();
-        Ok(self.last_tokens.string_raw(token.value).into_owned())
+        Ok(self.last.tokens.string_raw(token.value).into_owned())
     }
 
     fn open_data(&mut self, name: &str, span: Span) -> Parse<DataFile> {

@@ -1,6 +1,6 @@
 //! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
 
-use super::cursor::{Entered, Frame, Place};
+use super::cursor::{Entered, Frame, Place, Start};
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
@@ -122,7 +122,7 @@ impl Reader<'_> {
             })
         };
         if !self.is_raw_mark('(') {
-            while !matches!(self.raw().kind, Kind::End | Kind::Directive) && !begins(self.raw()) {
+            while !ends_text(self.raw()) && !begins(self.raw()) {
                 self.pass();
             }
             return;
@@ -130,7 +130,7 @@ impl Reader<'_> {
         let mut depth = 0;
         loop {
             let token = self.raw();
-            if matches!(token.kind, Kind::End | Kind::Directive) {
+            if ends_text(token) {
                 return;
             }
             depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
@@ -219,21 +219,21 @@ impl Reader<'_> {
     /// Enters the group of the directive at `index` of the file at hand.
     fn enter(&mut self, index: usize, kind: Entered) {
         let (_, end) = self.group(index);
-        self.frames.push(Frame {
-            home: Rc::clone(&self.here.tokens),
-            end,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&self.here.tokens), end, kind);
     }
 
     fn innermost(&self) -> Option<&Entered> {
         self.frames.last().map(|frame| &frame.kind)
     }
 
+    /// The next part and the `#end` of the group of a directive of the file at hand.
     fn group(&self, index: usize) -> (u32, u32) {
-        let token = self.here.tokens.tokens[index];
-        let directive = &self.here.tokens.directives[token.value as usize];
-        (directive.next, directive.end)
+        let tokens = &self.here.tokens;
+        let token = tokens.tokens.get(index);
+        let directive = token.and_then(|token| tokens.directives.get(token.value as usize));
+        directive.map_or((u32::MAX, u32::MAX), |directive| {
+            (directive.next, directive.end)
+        })
     }
 
     fn run_if(
@@ -301,8 +301,11 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            if token.kind != Kind::End {
-                self.here.at += 1;
+            match token.kind {
+                Kind::End => {}
+                // There are no directives in it.
+                Kind::More => self.leave_stretch(),
+                _ => self.here.at += 1,
             }
         }
     }
@@ -350,11 +353,12 @@ impl Reader<'_> {
 
     fn run_while(&mut self, index: usize) -> Parse<()> {
         let home = Rc::clone(&self.here.tokens);
-        let span = home.span(index);
-        self.count_round(index, self.group(index).1, span)?;
+        let (_, end) = self.group(index);
+        self.count_round(index, end, Start::of(&home, index))?;
         if self.condition()? {
             return Ok(());
         }
+        let span = home.span(index);
         self.stay_in(&home, span)?;
         self.frames.pop();
         let (_, end) = self.group(index);
@@ -503,7 +507,7 @@ impl Reader<'_> {
                     self.here.at = body;
                     self.here.tokens = Rc::clone(&frame.home);
                     let end = frame.end;
-                    self.count_round(body, end, span)?;
+                    self.count_round(body, end, self.start_taken())?;
                 }
                 self.scopes
                     .local(variable, Value::Number(Number::float(value)));
@@ -546,9 +550,9 @@ impl Reader<'_> {
     }
 
     /// Counts the tokens from `from` to the `#end` of a loop, which are read once more.
-    fn count_round(&mut self, from: usize, end: u32, span: Span) -> Parse<()> {
+    fn count_round(&mut self, from: usize, end: u32, at: Start) -> Parse<()> {
         let end = (end as usize).min(self.here.tokens.tokens.len());
-        self.count_again(end.saturating_sub(from), span)
+        self.count_again(end.saturating_sub(from), at)
     }
 
     /// The bracketed condition of `#if`, `#elseif` or `#while`.
@@ -558,7 +562,7 @@ impl Reader<'_> {
 
     fn number_in_parentheses(&mut self) -> Parse<f64> {
         self.expect_mark('(', "`(` and a condition or number")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let value = self.condition_value()?;
         self.expect_end(')', "an operator or `)`", open)?;
         Ok(value)
@@ -572,4 +576,9 @@ impl Reader<'_> {
         self.expect_mark(')', "`)`")?;
         Ok((low, high))
     }
+}
+
+/// Whether the text at hand ends, or what comes next is not all of it.
+fn ends_text(token: Token) -> bool {
+    matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
 }

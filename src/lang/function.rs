@@ -69,7 +69,7 @@ impl Reader<'_> {
 
     fn call_user_function(&mut self, function: &Function, name: Span) -> Parse<Number> {
         self.expect_mark('(', "`(` and the arguments of the function")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let wanted = function.parameters();
         let mut arguments: smallvec::SmallVec<[f64; 8]> = smallvec::SmallVec::new();
         while arguments.len() < wanted && !self.peek()?.is_mark(')') {
@@ -120,7 +120,7 @@ impl Reader<'_> {
 
     fn call_spline(&mut self, spline: &Spline) -> Parse<Number> {
         self.expect_mark('(', "`(` and the place on the spline")?;
-        let open = self.taken_span();
+        let open = self.start_taken();
         let t = self.number_at_sum()?;
         let kind = if self.take_mark(',')? {
             let Some(kind) = self.spline_kind()? else {
@@ -164,7 +164,7 @@ impl Reader<'_> {
             }
             let key = Args::float(self)?;
             self.take_mark(',')?;
-            let start = self.start_span()?;
+            let start = self.start()?;
             let point = self.sum()?.promoted(2);
             self.finite(&point.v, start)?;
             self.take_mark(',')?;

@@ -1,11 +1,13 @@
 //! The built-in functions that give numbers and vectors.
 
+use super::cursor::Start;
 use super::reader::Reader;
+use super::replay::Op;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{axis_rotation, hyperbolic, rotation};
-use crate::source::{Diagnostic, Span};
+use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
 use glam::DVec3;
 
@@ -13,9 +15,13 @@ impl Reader<'_> {
     /// The call that begins with the function word at hand.
     pub(super) fn call_function(&mut self, word: Word) -> Parse<Number> {
         self.pass();
+        let op = Op::of_call(word);
+        if op.is_none() && !matches!(word, Word::Min | Word::Max) {
+            self.spoil();
+        }
         let name = self.taken_span();
-        self.expect_mark('(', &format!("`(` after `{word}`"))?;
-        let open = self.taken_span();
+        self.expect_call(word)?;
+        let open = self.start_taken();
         let value = match word {
             Word::Defined => {
                 let is_defined = self.names_a_value()?;
@@ -43,51 +49,49 @@ impl Reader<'_> {
             Word::Select => self.select()?,
             Word::Rand => self.rand()?,
             Word::Seed => self.seed()?,
-            Word::Vlength => Number::float(self.vector3()?.length()),
+            Word::Vlength => vector(word, self.vector3()?),
             Word::Vnormalize => self.vnormalize()?,
-            Word::Vdot => {
+            Word::Vdot | Word::Vcross | Word::Vrotate => {
                 let (a, b) = self.two_vectors()?;
-                Number::float(a.dot(b))
+                vectors(word, a, b, 0.0)
             }
-            Word::Vcross => {
+            Word::VaxisRotate => {
                 let (a, b) = self.two_vectors()?;
-                Number::vector(a.cross(b))
-            }
-            Word::Vrotate => {
-                let (v, by) = self.two_vectors()?;
-                Number::vector(rotation(by) * v)
+                self.take_mark(',')?;
+                vectors(word, a, b, self.number_at_sum()?)
             }
             Word::MinExtent | Word::MaxExtent => self.extent(word)?,
             Word::Vturbulence => self.vturbulence()?,
             Word::Trace => self.trace()?,
             Word::Inside => self.inside()?,
-            Word::VaxisRotate => {
-                let (v, axis) = self.two_vectors()?;
-                self.take_mark(',')?;
-                let degrees = self.number_at_sum()?;
-                if axis == DVec3::ZERO {
-                    Number::vector(DVec3::splat(-f64::NAN))
-                } else {
-                    Number::vector(axis_rotation(axis, degrees) * v)
-                }
-            }
             _ => self.float_function(word, name)?,
         };
         self.end_of_call(word, open)?;
+        if let Some(op) = op {
+            self.note(op);
+        }
         Ok(value)
     }
 
+    /// The `(` of a call.
+    pub(super) fn expect_call(&mut self, word: Word) -> Parse<()> {
+        if self.take_mark('(')? {
+            return Ok(());
+        }
+        Err(self.expected_here(&format!("`(` after `{word}`")))
+    }
+
     /// The `)` of a call; a comma there means too many arguments.
-    pub(super) fn end_of_call(&mut self, word: Word, open: Span) -> Parse<()> {
+    pub(super) fn end_of_call(&mut self, word: Word, open: Start) -> Parse<()> {
         if self.peek()?.is_mark(',') {
             let error = self.error_here(format!("`{word}` takes no further argument"));
             return Err(Box::new(error.with_hint("Write `)` before the comma.")));
         }
-        self.expect_end(
-            ')',
-            &format!("an operator or `)` at the end of `{word}(...)`"),
-            open,
-        )
+        if self.take_mark(')')? {
+            return Ok(());
+        }
+        let what = format!("an operator or `)` at the end of `{word}(...)`");
+        self.expect_end(')', &what, open)
     }
 
     fn float_function(&mut self, word: Word, name: crate::source::Span) -> Parse<Number> {
@@ -120,7 +124,7 @@ impl Reader<'_> {
         }
         let a = self.condition_value()?;
         let place = name.to(self.taken_span());
-        if matches!(word, Word::Acos | Word::Asin) && a.abs() > 1.0 {
+        if is_outside(word, a) {
             self.warning(Diagnostic::warning(
                 place,
                 format!("`{word}` of {a}: the argument is taken as {}", a.signum()),
@@ -181,11 +185,12 @@ impl Reader<'_> {
                 "the zero vector has no direction; it stays zero",
             ));
         }
-        Ok(Number::vector(v.normalize_or_zero()))
+        Ok(vector(Word::Vnormalize, v))
     }
 
     fn extremum(&mut self, word: Word) -> Parse<Number> {
         let mut best = self.number_at_sum()?;
+        let mut count = 1_u8;
         while self.take_mark(',')? {
             let next = self.number_at_sum()?;
             best = if word == Word::Min {
@@ -193,7 +198,13 @@ impl Reader<'_> {
             } else {
                 best.max(next)
             };
+            count = count.saturating_add(1);
         }
+        self.note(if word == Word::Min {
+            Op::Min(count)
+        } else {
+            Op::Max(count)
+        });
         Ok(Number::float(best))
     }
 
@@ -257,16 +268,10 @@ impl Reader<'_> {
     /// The next number of a stream, in [0, 1].
     fn rand(&mut self) -> Parse<Number> {
         let handle = self.number_at_sum()?;
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "out of range means no stream"
-        )]
-        let Some(state) = self.streams.get_mut(handle as usize) else {
+        let Some(stream) = stream(handle, &self.streams) else {
             return Err(self.error_taken("this is no stream of `seed`"));
         };
-        *state = state.wrapping_mul(1_812_433_253).wrapping_add(12345);
-        Ok(Number::float(f64::from(*state) / f64::from(u32::MAX)))
+        Ok(Number::float(draw(&mut self.streams[stream])))
     }
 
     /// A bare identifier that holds a string, or anything else that begins one.
@@ -289,7 +294,47 @@ impl Reader<'_> {
     }
 }
 
-fn is_of_two(word: Word) -> bool {
+/// The index of the stream with this handle.
+pub(super) fn stream(handle: f64, streams: &[u32]) -> Option<usize> {
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "out of range means no stream"
+    )]
+    Some(handle as usize).filter(|&stream| stream < streams.len())
+}
+
+/// The next number of a stream.
+pub(super) fn draw(state: &mut u32) -> f64 {
+    *state = state.wrapping_mul(1_812_433_253).wrapping_add(12345);
+    f64::from(*state) / f64::from(u32::MAX)
+}
+
+/// A function of one vector.
+pub(super) fn vector(word: Word, v: DVec3) -> Number {
+    match word {
+        Word::Vlength => Number::float(v.length()),
+        _ => Number::vector(v.normalize_or_zero()),
+    }
+}
+
+/// A function of two vectors, and of degrees for a turn about an axis.
+pub(super) fn vectors(word: Word, a: DVec3, b: DVec3, degrees: f64) -> Number {
+    match word {
+        Word::Vdot => Number::float(a.dot(b)),
+        Word::Vcross => Number::vector(a.cross(b)),
+        Word::Vrotate => Number::vector(rotation(b) * a),
+        _ if b == DVec3::ZERO => Number::vector(DVec3::splat(-f64::NAN)),
+        _ => Number::vector(axis_rotation(b, degrees) * a),
+    }
+}
+
+/// Whether a number is outside of where a function is defined, and is taken to the border with a warning.
+pub(super) fn is_outside(word: Word, a: f64) -> bool {
+    matches!(word, Word::Acos | Word::Asin) && a.abs() > 1.0
+}
+
+pub(super) fn is_of_two(word: Word) -> bool {
     use Word::{Atan2, BitwiseAnd, BitwiseOr, BitwiseXor, Div, Mod, Pow};
     matches!(
         word,
@@ -297,7 +342,7 @@ fn is_of_two(word: Word) -> bool {
     )
 }
 
-fn is_of_one(word: Word) -> bool {
+pub(super) fn is_of_one(word: Word) -> bool {
     use Word::{
         Abs, Acos, Acosh, Asin, Asinh, Atan, Atanh, Ceil, Cos, Cosh, Degrees, Exp, Floor, Int, Ln,
         Log, Radians, Sin, Sinh, Sqrt, Tan, Tanh,
@@ -329,7 +374,7 @@ fn is_of_one(word: Word) -> bool {
 }
 
 /// A function of one argument, or what is wrong with the argument.
-fn one(word: Word, a: f64) -> Result<f64, String> {
+pub(super) fn one(word: Word, a: f64) -> Result<f64, String> {
     Ok(match word {
         Word::Abs => a.abs(),
         Word::Acos => a.clamp(-1.0, 1.0).acos(),
@@ -361,7 +406,7 @@ fn one(word: Word, a: f64) -> Result<f64, String> {
 }
 
 /// A function of two arguments, or what is wrong with them.
-fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
+pub(super) fn two(word: Word, a: f64, b: f64) -> Result<f64, String> {
     Ok(match word {
         Word::Atan2 if a == 0.0 && b == 0.0 => {
             return Err("`atan2(0, 0)` does not exist".to_owned());

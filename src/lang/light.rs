@@ -41,7 +41,7 @@ impl Reader<'_> {
                 light.transform(&step);
                 let objects = [&mut held.looks_like, &mut held.projected_through];
                 for object in objects.into_iter().flatten() {
-                    Arc::make_mut(object).steps.push(step);
+                    Arc::make_mut(object).steps.push(step.clone());
                 }
                 continue;
             }

@@ -1,13 +1,15 @@
 //! Macros: text that is put in place of its call.
 
-use super::cursor::{Entered, Frame, Place};
+use super::cursor::{Entered, Place, Start};
 use super::limits;
 use super::reader::Reader;
+use super::replay::Source;
 use super::scope::Target;
 use super::value::Value;
 use crate::args::{Parse, Word};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol, Tokens};
+use smallvec::SmallVec;
 use std::rc::Rc;
 
 /// A declared macro.
@@ -31,6 +33,13 @@ impl Macro {
 enum Argument {
     Reference(Target),
     Value(Value),
+}
+
+/// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
+#[derive(Default)]
+struct Arguments {
+    values: SmallVec<[Argument; 6]>,
+    sources: SmallVec<[Option<Source>; 6]>,
 }
 
 impl Reader<'_> {
@@ -87,40 +96,36 @@ impl Reader<'_> {
 
     /// The call at hand: reads its arguments and enters the body.
     pub(super) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
-        let call = self.here_span();
         self.pass();
+        let call = self.start_taken();
         let arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
         if self.scopes.depth() as usize >= limits::CALLS {
             return Err(self.with_trace(
                 Diagnostic::error(
-                    call,
+                    self.span_of(call),
                     format!("macros call each other more than {} deep", limits::CALLS),
                 )
                 .with_hint("A macro that calls itself needs an `#if` that ends the recursion."),
             ));
         }
-        self.count_again(
-            called.end as usize - called.body.min(called.end as usize),
-            call,
-        )?;
+        let length = (called.end as usize).saturating_sub(called.body);
+        self.count_again(length, call)?;
         let kind = Entered::Macro {
             back: self.here.clone(),
-            call: call.to(self.taken_span()),
+            call,
+            called_to: self.start_taken(),
             name,
             called: Rc::clone(called),
         };
-        self.frames.push(Frame {
-            home: Rc::clone(&called.tokens),
-            end: called.end,
-            kind,
-        });
+        self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
-        for (&parameter, argument) in called.parameters.iter().zip(arguments) {
+        for (&parameter, argument) in called.parameters.iter().zip(arguments.values) {
             match argument {
                 Argument::Reference(target) => self.scopes.alias(parameter, target),
                 Argument::Value(value) => self.scopes.local(parameter, value),
             }
         }
+        self.note_call(name, called, length, &arguments.sources);
         self.here = Place {
             tokens: Rc::clone(&called.tokens),
             at: called.body,
@@ -128,14 +133,9 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn macro_arguments(
-        &mut self,
-        name: Symbol,
-        called: &Macro,
-        call: Span,
-    ) -> Parse<Vec<Argument>> {
-        let spelling = self.names.spelling(name).to_owned();
+    fn macro_arguments(&mut self, name: Symbol, called: &Macro, call: Start) -> Parse<Arguments> {
         if !self.take_mark('(')? {
+            let spelling = self.names.spelling(name);
             let mut error = self.expected_here(&format!("`(` after the macro `{spelling}`"));
             if !error.message.is_empty() {
                 error.hints = vec![self.call_form(name, called)];
@@ -143,10 +143,11 @@ impl Reader<'_> {
             }
             return Err(error);
         }
-        let mut arguments = Vec::with_capacity(called.parameters.len());
+        let mut arguments = Arguments::default();
         let wanted = called.parameters.len();
         while !self.take_mark(')')? {
-            if arguments.len() == wanted {
+            if arguments.values.len() == wanted {
+                let spelling = self.names.spelling(name);
                 let error = self.error_here(format!(
                     "the macro `{spelling}` takes {wanted} {}, found a further one",
                     arguments_word(wanted)
@@ -157,14 +158,15 @@ impl Reader<'_> {
                         .with_hint(self.call_form(name, called)),
                 ));
             }
-            arguments.push(self.macro_argument()?);
+            self.macro_argument(&mut arguments)?;
             self.take_mark(',')?;
         }
-        if arguments.len() < wanted {
-            let found = arguments.len();
+        if arguments.values.len() < wanted {
+            let found = arguments.values.len();
+            let spelling = self.names.spelling(name);
             return Err(self.with_trace(
                 Diagnostic::error(
-                    call,
+                    self.span_of(call),
                     format!(
                         "the macro `{spelling}` takes {wanted} {}, found {found}",
                         arguments_word(wanted)
@@ -185,7 +187,7 @@ impl Reader<'_> {
     }
 
     /// A bare identifier goes by reference, everything else by value.
-    fn macro_argument(&mut self) -> Parse<Argument> {
+    fn macro_argument(&mut self, arguments: &mut Arguments) -> Parse<()> {
         let token = self.peek()?;
         let behind = self.raw_ahead(1);
         let ends =
@@ -195,17 +197,26 @@ impl Reader<'_> {
             && let Some(target) = self.scopes.target(Symbol(token.value))
         {
             self.pass();
-            return Ok(Argument::Reference(target));
+            let source = self.note_reference(Symbol(token.value));
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(source);
+            return Ok(());
         }
         if token.kind == Kind::Name
             && behind.is_mark('[')
             && let Some(target) = self.item_by_reference(Symbol(token.value))?
         {
-            return Ok(Argument::Reference(target));
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(None);
+            return Ok(());
         }
         let what = "an argument of the macro";
         match self.value(what)? {
-            Some(value) => Ok(Argument::Value(value)),
+            Some(value) => {
+                arguments.sources.push(self.note_argument(&value));
+                arguments.values.push(Argument::Value(value));
+                Ok(())
+            }
             None => Err(self.expected_here(what)),
         }
     }
@@ -215,6 +226,7 @@ impl Reader<'_> {
         if !matches!(self.scopes.get(symbol), Some(Value::Array(_))) {
             return Ok(None);
         }
+        self.spoil();
         let before = self.here.clone();
         self.pass();
         let path = self.item_path(symbol)?;

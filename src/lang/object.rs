@@ -130,7 +130,12 @@ impl Reader<'_> {
             return Ok(object);
         }
         let mut children = Vec::new();
-        while let Some(child) = self.object()? {
+        loop {
+            self.take_literal_objects(|reader, object| {
+                children.push(Arc::new(object));
+                reader.count_object()
+            })?;
+            let Some(child) = self.object()? else { break };
             children.push(child);
             self.count_object()?;
         }
@@ -250,7 +255,7 @@ impl Reader<'_> {
             }
             Word::Photons => {
                 self.pass();
-                object.photons.read(self)?;
+                object.photons.get_or_insert_default().read(self)?;
                 return Ok(true);
             }
             _ if word.class() == Class::Color => {
@@ -270,10 +275,7 @@ impl Reader<'_> {
 
     /// `pigment`, `normal` or `finish` straight in an object: they change the top layer of its texture.
     fn texture_part(&mut self, object: &mut Object, word: Word) -> Parse<()> {
-        if object.texture.is_none() {
-            let texture = Texture::from(self.default_layer.clone());
-            object.texture = Some(object.attach(Arc::new(texture)));
-        }
+        own_texture(object, &self.default_layer);
         baked(object).top_mut().read_part(word, self)?;
         Ok(())
     }
@@ -355,7 +357,7 @@ impl Reader<'_> {
 }
 
 /// Makes one step of very many, from the last one on before which the object was given something.
-fn fold_steps(object: &mut Object) {
+pub(super) fn fold_steps(object: &mut Object) {
     let textures = [&object.texture, &object.interior_texture];
     let textures = textures.into_iter().flatten().map(|texture| texture.after);
     let around = object.clipped_by.iter().chain(&object.bounded_by);
@@ -366,8 +368,16 @@ fn fold_steps(object: &mut Object) {
     shorten(&mut object.steps, start);
 }
 
+/// Sees to it that an object has a texture of its own.
+pub(super) fn own_texture(object: &mut Object, default: &Layer) {
+    if object.texture.is_none() {
+        let texture = Texture::from(default.clone());
+        object.texture = Some(object.attach(Arc::new(texture)));
+    }
+}
+
 /// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.
-fn baked(object: &mut Object) -> &mut Texture {
+pub(super) fn baked(object: &mut Object) -> &mut Texture {
     let steps = std::mem::take(&mut object.steps);
     let plain = || Attached {
         what: Arc::new(Texture::from(Layer::default())),

@@ -2,12 +2,14 @@
 
 use super::Heard;
 use super::budget::Budget;
-use super::cursor::{Declaring, Frame, Place};
+use super::cursor::{Declaring, Frame, Place, Start};
 use super::declare::Deprecation;
 use super::files::Files;
 use super::limits;
 use super::probe::Probe;
+use super::replay::{Recording, Replays};
 use super::scope::Scopes;
+use super::stretch::SHORTEST_PIECE;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::atmosphere::Atmosphere;
@@ -16,7 +18,7 @@ use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
 use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
-use crate::syntax::{Names, Symbol, Tokens, tokenize};
+use crate::syntax::{Names, Symbol, Tokens, tokenize_around_data};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::rc::Rc;
@@ -32,15 +34,14 @@ pub(super) struct Reader<'a> {
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
     pub(super) here: Place,
-    /// The token last taken: its file and index, and the tokens it is one of.
-    pub(super) last: (FileId, usize),
-    pub(super) last_tokens: Rc<Tokens>,
+    /// The token last taken.
+    pub(super) last: Place,
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
     pub(super) blocks: Vec<Span>,
     /// Where the statement being read began.
-    pub(super) statement_start: (FileId, usize),
+    pub(super) statement_start: Start,
     /// How deep the expression being read is nested.
     pub(super) depth: usize,
     /// How many directives, conditions, strings and macro arguments are being read inside each other.
@@ -50,6 +51,11 @@ pub(super) struct Reader<'a> {
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
     pub(super) without_semicolon: Option<(Span, Place, usize)>,
+    /// Of how many bytes of a stretch of data tokens are made next.
+    pub(super) piece: usize,
+    pub(super) replays: Replays,
+    /// The steps of the expression being read, if they can be kept.
+    pub(super) recording: Option<Recording>,
     pub(super) budget: Budget,
     /// Whether a limit was met behind which nothing more is read.
     pub(super) is_over: bool,
@@ -121,7 +127,8 @@ impl<'a> Reader<'a> {
         let unboxed = |errors: Vec<Box<Diagnostic>>| {
             errors.into_iter().map(|error| *error).collect::<Vec<_>>()
         };
-        let tokens = Rc::new(tokenize(file, sources.text(file), &mut names).map_err(unboxed)?);
+        let tokens =
+            Rc::new(tokenize_around_data(file, sources.text(file), &mut names).map_err(unboxed)?);
         let mut reader = Reader {
             sources,
             options,
@@ -129,17 +136,22 @@ impl<'a> Reader<'a> {
             listener,
             names,
             tokenized: FxHashMap::default(),
-            last: (file, 0),
-            last_tokens: Rc::clone(&tokens),
-            here: Place { tokens, at: 0 },
+            last: Place {
+                tokens: Rc::clone(&tokens),
+                at: 0,
+            },
             frames: Vec::new(),
             scopes: Scopes::default(),
             blocks: Vec::new(),
-            statement_start: (file, 0),
+            statement_start: Start::of(&tokens, 0),
+            here: Place { tokens, at: 0 },
             depth: 0,
             nesting: 0,
             declaring: None,
             without_semicolon: None,
+            piece: SHORTEST_PIECE,
+            replays: Replays::default(),
+            recording: None,
             budget,
             is_over: false,
             undeclared: FxHashSet::default(),
@@ -204,7 +216,7 @@ impl<'a> Reader<'a> {
             self.is_over = true;
             return Err(self.error_taken(NO_ROOM));
         }
-        match tokenize(file, self.sources.text(file), &mut self.names) {
+        match tokenize_around_data(file, self.sources.text(file), &mut self.names) {
             Ok(tokens) => {
                 let tokens = Rc::new(tokens);
                 self.tokenized.insert(file, Rc::clone(&tokens));

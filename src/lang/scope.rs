@@ -37,20 +37,23 @@ pub(super) struct Target {
 #[derive(Debug, Default)]
 pub(super) struct Scopes {
     stacks: Vec<Vec<Binding>>,
-    /// For each open scope but the global one, the symbols bound in it.
-    open: Vec<Vec<Symbol>>,
+    /// The symbols bound in the open scopes, without the global one, innermost last.
+    bound: Vec<Symbol>,
+    /// For each of these scopes where its symbols begin.
+    open: Vec<usize>,
 }
 
 impl Scopes {
     /// Opens a scope for an include file or a macro call.
     pub(super) fn enter(&mut self) {
-        self.open.push(Vec::new());
+        self.open.push(self.bound.len());
     }
 
     /// Closes the innermost scope with all its bindings.
     pub(super) fn leave(&mut self) {
         let depth = self.depth();
-        for symbol in self.open.pop().unwrap_or_default() {
+        let start = self.open.pop().unwrap_or(self.bound.len());
+        for symbol in self.bound.drain(start..) {
             let stack = &mut self.stacks[symbol.0 as usize];
             if let Some(at) = stack.iter().rposition(|binding| binding.depth == depth) {
                 stack.remove(at);
@@ -90,6 +93,23 @@ impl Scopes {
                     };
                 }
             }
+        }
+    }
+
+    /// Whether a symbol is that of a macro.
+    #[inline]
+    pub(super) fn is_macro(&self, symbol: Symbol) -> bool {
+        match self
+            .stacks
+            .get(symbol.0 as usize)
+            .and_then(|stack| stack.last())
+        {
+            Some(Binding {
+                held: Held::Value(value),
+                ..
+            }) => matches!(value, Value::Macro(_)),
+            Some(_) => matches!(self.get(symbol), Some(Value::Macro(_))),
+            None => false,
         }
     }
 
@@ -155,6 +175,11 @@ impl Scopes {
         self.bind(symbol, depth, held);
     }
 
+    /// The place of the binding that a symbol has now in its stack of bindings.
+    pub(super) fn top(&self, symbol: Symbol) -> Option<usize> {
+        self.stacks.get(symbol.0 as usize)?.len().checked_sub(1)
+    }
+
     /// What an alias made now would stand for.
     pub(super) fn target(&self, symbol: Symbol) -> Option<Target> {
         let (symbol, at) = self.owner(symbol)?;
@@ -191,7 +216,8 @@ impl Scopes {
             .map_or(0, |i| i + 1);
         stack.insert(at, Binding { depth, held });
         if depth > 0 {
-            self.open[depth as usize - 1].push(symbol);
+            // Only the innermost scope gets bindings, and the global one.
+            self.bound.push(symbol);
         }
     }
 

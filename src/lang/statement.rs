@@ -49,8 +49,9 @@ impl Reader<'_> {
     fn statement(&mut self) -> Parse<bool> {
         self.blocks.clear();
         self.depth = 0;
+        self.take_literal_objects(|reader, object| reader.add_object(Arc::new(object)))?;
         let token = self.peek()?;
-        self.statement_start = (self.here.tokens.file, self.here.at);
+        self.statement_start = self.start_here();
         if token.kind == Kind::End {
             return self.end_of_scene().map(|()| false);
         }
@@ -114,10 +115,7 @@ impl Reader<'_> {
             None => self.object_of_name()?,
         };
         if let Some(object) = object {
-            let object = self.with_default_texture(object);
-            self.count_leaves(&object)?;
-            self.objects.push(object);
-            return Ok(());
+            return self.add_object(object);
         }
         let token = self.raw();
         match token.word() {
@@ -133,6 +131,13 @@ impl Reader<'_> {
             )),
             _ => Err(self.expected_here("an object or a statement")),
         }
+    }
+
+    fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {
+        let object = self.with_default_texture(object);
+        self.count_leaves(&object)?;
+        self.objects.push(object);
+        Ok(())
     }
 
     /// An object without a texture takes the default one as it is at the object's end.
@@ -345,7 +350,7 @@ impl Reader<'_> {
         if open_blocks > 0 && self.is_at_new_statement() {
             return;
         }
-        if open_blocks == 0 && self.statement_start == (self.here.tokens.file, self.here.at) {
+        if open_blocks == 0 && self.statement_start == self.start_here() {
             self.skip_token();
         }
         let mut depth = open_blocks;
@@ -353,6 +358,10 @@ impl Reader<'_> {
             let token = self.raw();
             match token.kind {
                 Kind::End => return,
+                Kind::More => {
+                    self.read_on();
+                    continue;
+                }
                 Kind::Directive if depth == 0 => return,
                 Kind::Directive => {
                     self.skip_directive();
@@ -380,7 +389,7 @@ impl Reader<'_> {
     }
 
     fn skip_token(&mut self) {
-        if self.raw().kind != Kind::End {
+        if !matches!(self.raw().kind, Kind::End | Kind::More) {
             self.pass();
         }
     }

@@ -50,19 +50,19 @@ impl Reader<'_> {
     }
 
     fn string_literal(&mut self, value: u32) -> Parse<String> {
-        if let Some(escape) = self.last_tokens.bad_escape(value) {
+        if let Some(escape) = self.last.tokens.bad_escape(value) {
             return Err(self.bad_escape(escape));
         }
         let is_plain = self.globals.charset == Charset::Utf8
             || self.version < 3.5
-            || self.last_tokens.string_raw(value).is_ascii();
+            || self.last.tokens.string_raw(value).is_ascii();
         if is_plain {
-            return Ok(self.last_tokens.string(value));
+            return Ok(self.last.tokens.string(value));
         }
         let message = "blanks stand here for letters beyond ASCII, as in POV-Ray";
         let hint = "Write `global_settings { charset utf8 }` above, or `\\uXXXX` for the letters.";
         self.warning(Diagnostic::warning(self.taken_span(), message).with_hint(hint));
-        Ok(self.last_tokens.string_in_ascii(value))
+        Ok(self.last.tokens.string_in_ascii(value))
     }
 
     fn bad_escape(&self, escape: Span) -> Box<Diagnostic> {
@@ -76,8 +76,8 @@ impl Reader<'_> {
     fn string_function(&mut self, word: Word) -> Parse<String> {
         self.pass();
         let name = self.taken_span();
-        self.expect_mark('(', &format!("`(` after `{word}`"))?;
-        let open = self.taken_span();
+        self.expect_call(word)?;
+        let open = self.start_taken();
         let text = match word {
             Word::Concat => {
                 let mut text = self.string()?;

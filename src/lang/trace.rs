@@ -22,7 +22,11 @@ impl Reader<'_> {
     fn step(&self, at: usize, frame: &Frame) -> Option<Label> {
         match &frame.kind {
             Entered::Macro {
-                call, name, called, ..
+                call,
+                called_to,
+                name,
+                called,
+                ..
             } => {
                 let depth = self.frames[..=at]
                     .iter()
@@ -40,7 +44,7 @@ impl Reader<'_> {
                 let with = if values.is_empty() { "" } else { " with " };
                 let name = self.names.spelling(*name);
                 Some(Label {
-                    span: *call,
+                    span: self.span_of(*call).to(self.span_of(*called_to)),
                     text: format!("in the macro `{name}`{with}{}, called here", all(&values)),
                 })
             }

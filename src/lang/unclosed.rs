@@ -1,5 +1,6 @@
 //! What is said about a `{`, `(` or `<` that is open where it should not be, or missing.
 
+use super::cursor::Start;
 use super::reader::Reader;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Class, Kind, Token};
@@ -31,7 +32,7 @@ impl Reader<'_> {
 
     /// The word that a block belongs to, with its place; that of the `{` where there is none.
     fn element_of(&self, open: Span) -> (Span, &str) {
-        for tokens in [&self.here.tokens, &self.last_tokens] {
+        for tokens in [&self.here.tokens, &self.last.tokens] {
             if tokens.file != open.file {
                 continue;
             }
@@ -77,11 +78,12 @@ impl Reader<'_> {
         &self,
         error: Box<Diagnostic>,
         mark: char,
-        open: Span,
+        open: Start,
     ) -> Box<Diagnostic> {
         if error.message.is_empty() {
             return error;
         }
+        let open = self.span_of(open);
         let opened = self.source_text(open).to_owned();
         let mut error = error.with_label(open, format!("this `{opened}` is still open"));
         if error.hints.is_empty() {

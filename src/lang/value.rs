@@ -38,6 +38,16 @@ impl Number {
         }
     }
 
+    /// The first three components.
+    pub(super) fn xyz(&self) -> glam::DVec3 {
+        glam::DVec3::new(self.v[0], self.v[1], self.v[2])
+    }
+
+    /// The brightness of a colour.
+    pub(super) fn grey(&self) -> f64 {
+        0.297 * self.v[0] + 0.589 * self.v[1] + 0.114 * self.v[2]
+    }
+
     /// The same value with `len` components: a float is repeated, a shorter vector is filled with zeros.
     pub(super) fn promoted(mut self, len: u8) -> Self {
         if self.len == 1 && len > 1 {

@@ -6,6 +6,7 @@
 //! `matrix`, which has no other: coincident surfaces then get the same bits by every way that leads to them.
 
 use glam::{DAffine3, DMat3, DVec3};
+use std::sync::Arc;
 
 /// A transform from object to world space with its inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct Transform {
 }
 
 /// One transform as a scene writes it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// `translate`.
     Translate(DVec3),
@@ -25,8 +26,8 @@ pub enum Step {
     Scale(DVec3),
     /// `rotate`, degrees about x, then y, then z.
     Rotate(DVec3),
-    /// `matrix` or `transform { ... }`.
-    General(Transform),
+    /// `matrix` or `transform { ... }`: rare, and five times as large as the others.
+    General(Arc<Transform>),
 }
 
 /// Transforms kept one by one of one object or texture.
@@ -41,7 +42,7 @@ pub fn shorten(steps: &mut Vec<Step>, start: usize) {
     let sum = steps
         .drain(start..)
         .fold(Transform::IDENTITY, |sum, step| sum.then(&step.transform()));
-    steps.push(Step::General(sum));
+    steps.push(Step::General(Arc::new(sum)));
 }
 
 impl Transform {
@@ -154,7 +155,7 @@ impl Step {
             Step::Translate(by) => Transform::translation(*by),
             Step::Scale(by) => Transform::scaling(*by),
             Step::Rotate(degrees) => Transform::rotation(*degrees),
-            Step::General(transform) => *transform,
+            Step::General(transform) => **transform,
         }
     }
 }
@@ -193,7 +194,7 @@ mod tests {
     #[test]
     fn very_many_steps_become_one_that_moves_alike() {
         let step = Step::Rotate(DVec3::new(0.0, 0.0, 0.36));
-        let mut few = vec![step; KEPT_STEPS - 1];
+        let mut few = vec![step.clone(); KEPT_STEPS - 1];
         shorten(&mut few, 0);
         assert_eq!(few.len(), KEPT_STEPS - 1);
         let mut many = vec![Step::Scale(DVec3::splat(2.0))];

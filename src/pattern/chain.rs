@@ -45,7 +45,7 @@ enum Movement {
 impl Chain {
     /// Adds a transform.
     pub fn push(&mut self, step: &Step) {
-        self.steps.push(*step);
+        self.steps.push(step.clone());
         shorten(&mut self.steps, 0);
     }
 
@@ -85,7 +85,7 @@ impl Chain {
             movements: Vec::new(),
             turbulence,
         };
-        let all: Vec<Step> = self.steps.iter().chain(after).copied().collect();
+        let all: Vec<Step> = self.steps.iter().chain(after).cloned().collect();
         chain.push(&all);
         for link in self.links.iter().rev() {
             let warp = Movement::Warp(link.warp.prepare(settings));

@@ -24,14 +24,14 @@ pub struct Object {
     pub flags: Flags,
     /// Whether it is a `light_group`, whose own lights shine on it alone.
     pub light_group: Option<LightGroup>,
-    /// What it does with photons.
-    pub photons: ObjectPhotons,
+    /// What it does with photons, if it says so itself.
+    pub photons: Option<Box<ObjectPhotons>>,
     /// Whether inside and outside are exchanged.
     pub is_inverse: bool,
     /// `clipped_by`: the surface is kept where all of these hold it.
-    pub clipped_by: Vec<Attached<Arc<Object>>>,
+    pub clipped_by: Box<[Attached<Arc<Object>>]>,
     /// `bounded_by`: rays that miss any of these miss the object.
-    pub bounded_by: Vec<Attached<Arc<Object>>>,
+    pub bounded_by: Box<[Attached<Arc<Object>>]>,
     size: Size,
 }
 
@@ -147,10 +147,10 @@ impl Object {
             interior: None,
             flags: Flags::default(),
             light_group: None,
-            photons: ObjectPhotons::default(),
+            photons: None,
             is_inverse: false,
-            clipped_by: Vec::new(),
-            bounded_by: Vec::new(),
+            clipped_by: Box::default(),
+            bounded_by: Box::default(),
         }
     }
 
@@ -183,13 +183,13 @@ impl Object {
     /// Gives the object a `clipped_by`.
     pub fn clip(&mut self, by: Attached<Arc<Object>>) {
         self.size = self.size.with_inside(by.what.size);
-        self.clipped_by.push(by);
+        self.clipped_by = with(&mut self.clipped_by, by);
     }
 
     /// Gives the object a `bounded_by`.
     pub fn bound(&mut self, by: Attached<Arc<Object>>) {
         self.size = self.size.with_inside(by.what.size);
-        self.bounded_by.push(by);
+        self.bounded_by = with(&mut self.bounded_by, by);
     }
 
     /// Moves what it holds to `to`; what remains is a leaf.
@@ -208,8 +208,13 @@ impl Object {
             ),
             Kind::Csg { children, .. } => to.append(children),
         }
-        let around = self.clipped_by.drain(..).chain(self.bounded_by.drain(..));
-        to.extend(around.map(|attached| attached.what));
+        for around in [&mut self.clipped_by, &mut self.bounded_by] {
+            to.extend(
+                std::mem::take(around)
+                    .into_iter()
+                    .map(|attached| attached.what),
+            );
+        }
     }
 }
 
@@ -233,6 +238,13 @@ impl Size {
             leaves: self.leaves.saturating_add(inner.leaves),
         }
     }
+}
+
+/// A list with one item more. Lists are short, and few objects have one.
+fn with<T>(list: &mut Box<[T]>, item: T) -> Box<[T]> {
+    let mut longer = std::mem::take(list).into_vec();
+    longer.push(item);
+    longer.into()
 }
 
 #[cfg(test)]

@@ -124,6 +124,7 @@ mod tests {
     use crate::args::text::TextArgs;
     use crate::math::Transform;
     use crate::shape::check;
+    use std::sync::Arc;
 
     fn plane(text: &str) -> Plane {
         Plane::read(&mut TextArgs::new(text)).unwrap()
@@ -174,11 +175,11 @@ mod tests {
             Step::Scale(DVec3::new(2.0, -3.0, 0.5)),
             Step::Rotate(DVec3::new(20.0, 30.0, 40.0)),
             Step::Translate(DVec3::new(1.0, 2.0, 3.0)),
-            Step::General(Transform::from_steps(&[
+            Step::General(Arc::new(Transform::from_steps(&[
                 Step::Rotate(DVec3::new(0.0, 10.0, 0.0)),
                 Step::Scale(DVec3::new(1.0, 2.0, 3.0)),
                 Step::Translate(DVec3::new(-1.0, 0.0, 0.3)),
-            ])),
+            ]))),
         ];
         let mut moved = plane("<1,2,-3>, 0.7");
         assert!(steps.iter().all(|step| moved.absorb(step)));

@@ -17,10 +17,10 @@ use smallvec::SmallVec;
 const LONGEST: f64 = 1e5;
 
 /// A surface of second order. It is one smooth piece, face 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
     /// Half of the matrix of second derivatives.
-    matrix: DMat3,
+    matrix: Box<DMat3>,
     /// The factors of x, y and z.
     linear: DVec3,
     constant: f64,
@@ -40,7 +40,7 @@ impl Quadric {
         );
         let middle = matrix.inverse() * (-0.5 * linear);
         Quadric {
-            matrix,
+            matrix: Box::new(matrix),
             linear,
             constant,
             middle: if middle.is_finite() {
@@ -64,11 +64,11 @@ impl Quadric {
     }
 
     fn value(&self, p: DVec3) -> f64 {
-        p.dot(self.matrix * p) + self.linear.dot(p) + self.constant
+        p.dot(*self.matrix * p) + self.linear.dot(p) + self.constant
     }
 
     fn half_gradient(&self, p: DVec3) -> DVec3 {
-        self.matrix * p + 0.5 * self.linear
+        *self.matrix * p + 0.5 * self.linear
     }
 
     fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
@@ -81,7 +81,7 @@ impl Quadric {
         } else {
             (0.0, ray.origin)
         };
-        let a = dir.dot(self.matrix * dir);
+        let a = dir.dot(*self.matrix * dir);
         let b = self.half_gradient(near).dot(dir);
         let c = self.value(near);
         let (start, places) = sign_changes(a, b, c);

@@ -11,12 +11,12 @@ use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
 
 /// A triangle with a normal at each corner.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SmoothTriangle {
     /// The triangle.
     pub flat: Triangle,
     /// The normals at its corners, unit vectors.
-    pub normals: [DVec3; 3],
+    pub normals: Box<[DVec3; 3]>,
 }
 
 impl SmoothTriangle {
@@ -51,7 +51,10 @@ impl SmoothTriangle {
             );
         }
         let normals = normals.map(|normal| unit(normal).unwrap_or(DVec3::ZERO));
-        Ok(SmoothTriangle { flat, normals })
+        Ok(SmoothTriangle {
+            flat,
+            normals: Box::new(normals),
+        })
     }
 }
 
@@ -107,7 +110,7 @@ impl Geometry for SmoothTriangle {
         let [Some(first), Some(second), Some(third)] = normals else {
             return false;
         };
-        self.normals = [first, second, third];
+        *self.normals = [first, second, third];
         self.flat.absorb(step)
     }
 

@@ -8,6 +8,7 @@ use super::faults;
 use super::groups;
 use super::names::Names;
 use super::scan::{self, Item};
+use super::stretch;
 use super::token::{Directive, END_OF_FILE, Kind, Token, Tokens};
 use super::word::{Class, Word};
 use crate::source::{Diagnostic, FileId, Span};
@@ -50,24 +51,47 @@ pub fn tokenize(
     text: &Arc<str>,
     names: &mut Names,
 ) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+    tokenize_by(file, text, names, Data::Tokens)
+}
+
+/// The same, but in the place of long stretches of data there is [`Kind::More`], and their tokens are made when reading
+/// gets there, by [`super::tokenize_more`]. They hold no strings, comments and directives.
+///
+/// # Errors
+/// As [`tokenize`], without numbers in those stretches.
+pub fn tokenize_around_data(
+    file: FileId,
+    text: &Arc<str>,
+    names: &mut Names,
+) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+    tokenize_by(file, text, names, Data::Waits)
+}
+
+/// What becomes of long stretches of data.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Data {
+    /// Their tokens are made at once.
+    Tokens,
+    /// They get one [`Kind::More`].
+    Waits,
+}
+
+fn tokenize_by(
+    file: FileId,
+    text: &Arc<str>,
+    names: &mut Names,
+    data: Data,
+) -> Result<Tokens, Vec<Box<Diagnostic>>> {
     if u32::try_from(text.len()).is_err() {
         let error = Diagnostic::error(None, "a text of 4 GiB or more is too long for a scene");
         return Err(vec![Box::new(error)]);
     }
-    let mut lexer = Lexer {
-        text,
-        names,
-        out: Tokens {
-            file,
-            // A token takes five to six bytes of ordinary text.
-            tokens: Vec::with_capacity(text.len() / 5 + 1),
-            numbers: Vec::new(),
-            directives: Vec::new(),
-            text: Arc::clone(text),
-            strings: Vec::new(),
-        },
-        faults: Vec::new(),
-    };
+    let mut lexer = Lexer::new(file, text, names);
+    lexer.data = data;
+    if data == Data::Tokens {
+        // A token takes five to six bytes of ordinary text.
+        lexer.out.tokens.reserve(text.len() / 5 + 1);
+    }
     lexer.run();
     lexer.push(Kind::End, 0, text.len());
     if !lexer.faults.is_empty() {
@@ -79,11 +103,29 @@ pub fn tokenize(
     Ok(tokens)
 }
 
+/// The tokens of a range of a text that holds no string, comment or directive, and what is wrong there.
+pub(super) fn tokenize_data(
+    file: FileId,
+    text: &Arc<str>,
+    range: Range<usize>,
+    names: &mut Names,
+) -> (Tokens, Vec<Diagnostic>) {
+    let mut lexer = Lexer::new(file, text, names);
+    let slice = Slice {
+        text: &text[..range.end],
+        base: 0,
+        is_cut: false,
+    };
+    lexer.push_plain(slice, range);
+    (lexer.out, lexer.faults)
+}
+
 struct Lexer<'a> {
     text: &'a str,
     names: &'a mut Names,
     out: Tokens,
     faults: Vec<Diagnostic>,
+    data: Data,
 }
 
 /// The part of the text that pest reads at once.
@@ -117,6 +159,25 @@ impl<'a> Slice<'a> {
 }
 
 impl<'a> Lexer<'a> {
+    fn new(file: FileId, text: &'a Arc<str>, names: &'a mut Names) -> Self {
+        Lexer {
+            text,
+            names,
+            out: Tokens {
+                file,
+                tokens: Vec::new(),
+                numbers: Vec::new(),
+                directives: Vec::new(),
+                text: Arc::clone(text),
+                strings: Vec::new(),
+                stretches: Vec::new(),
+                part: None,
+            },
+            faults: Vec::new(),
+            data: Data::Tokens,
+        }
+    }
+
     fn run(&mut self) {
         let mut at = 0;
         let mut size = SLICE;
@@ -156,18 +217,52 @@ impl<'a> Lexer<'a> {
         let mut at = start;
         while self.text.len() - at >= PLAIN_MIN {
             let slice = Slice::new(self.text, at, PLAIN_SLICE);
-            let plain =
-                Grammar::parse(Rule::plain, slice.text).map_or(0, |pairs| pairs.as_str().len());
+            let bytes = slice.text.as_bytes();
+            let plain = memchr::memchr3(b'#', b'"', b'/', bytes).unwrap_or(bytes.len());
             if plain < PLAIN_MIN {
                 break;
             }
-            let reached = slice.base + self.push_plain(slice, 0..plain);
+            let reached = match self.stretch(at..at + plain) {
+                Some(stretch) => {
+                    self.push_plain(slice, 0..stretch.start - at);
+                    if stretch::is_in_parentheses(&self.out.tokens) {
+                        slice.base + self.push_plain(slice, stretch.start - at..plain)
+                    } else {
+                        self.push_stretch(stretch.clone());
+                        stretch.end
+                    }
+                }
+                None => slice.base + self.push_plain(slice, 0..plain),
+            };
             if reached == at {
                 break;
             }
             at = reached;
         }
         at
+    }
+
+    /// What of a range of plain text can wait.
+    fn stretch(&self, plain: Range<usize>) -> Option<Range<usize>> {
+        match self.data {
+            Data::Tokens => None,
+            Data::Waits => stretch::between_seams(self.text.as_bytes(), plain),
+        }
+    }
+
+    fn push_stretch(&mut self, stretch: Range<usize>) {
+        let (start, end) = (offset(stretch.start), offset(stretch.end));
+        if let (Some(Kind::More), Some(last)) = (
+            self.out.tokens.last().map(|token| token.kind),
+            self.out.stretches.last_mut(),
+        ) && last.end == start
+        {
+            last.end = end;
+            return;
+        }
+        let index = offset(self.out.stretches.len());
+        self.push(Kind::More, index, stretch.start);
+        self.out.stretches.push(start..end);
     }
 
     /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
@@ -293,14 +388,14 @@ impl<'a> Lexer<'a> {
             slice.is_cut,
             |token, item| match item {
                 Item::Word => self.push_word(slice, token.start, token.end),
-                Item::Number => self.push_number(slice, token.start, token.end),
+                Item::Number(value) => self.push_number(slice, token, value),
                 Item::Mark => self.push_mark(slice, token.start, token.end),
             },
         )
     }
 
-    fn push_number(&mut self, slice: Slice, start: usize, end: usize) {
-        let value = scan::number_value(&slice.text[start..end]);
+    fn push_number(&mut self, slice: Slice, place: Range<usize>, value: Option<f64>) {
+        let Range { start, end } = place;
         let index = offset(self.out.numbers.len());
         self.push(Kind::Number, index, slice.base + start);
         self.out.numbers.push(value.unwrap_or(0.0));

@@ -9,13 +9,16 @@ mod groups;
 mod lexer;
 mod names;
 mod scan;
+mod stretch;
 mod token;
 mod word;
 
 #[cfg(test)]
 mod tests;
 
-pub use lexer::tokenize;
+pub use lexer::{tokenize, tokenize_around_data};
 pub use names::{Names, Symbol};
-pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens};
+pub use scan::number;
+pub use stretch::{behind_more, more_from, tokenize_more};
+pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
 pub use word::{Class, Word};

@@ -32,36 +32,86 @@ pub(super) fn number_end(text: &[u8], start: usize) -> usize {
     end_of(text, end + 1 + sign, is_part)
 }
 
+/// The end of the string whose first quote stands at `start`.
+pub(super) fn string_end(text: &[u8], start: usize) -> usize {
+    let mut at = start + 1;
+    loop {
+        match text.get(at) {
+            None => return text.len(),
+            Some(b'"') => return at + 1,
+            Some(b'\\') => at += 2,
+            Some(_) => at += 1,
+        }
+    }
+}
+
 fn end_of(text: &[u8], start: usize, is_part: impl Fn(u8) -> bool) -> usize {
     let tail = text.get(start..).unwrap_or_default();
     start + tail.iter().take_while(|&&byte| is_part(byte)).count()
 }
 
-/// The value of a number, infinite where it is too large for an `f64`; `None` if a second point stands in it.
+/// The powers of ten that are floats.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+/// Bytes of a number whose digits fit into 64 bits, the point included.
+const SHORT: usize = 19;
+
+/// The value of the number that begins at `start`, and its end, which is `start` where none does. The value is the
+/// nearest `f64`, infinite where the number is too large for one, and `None` if a second point stands in it.
 /// An exponent without digits counts as none: `1e` and `1e+` are 1.
-pub(super) fn number_value(number: &str) -> Option<f64> {
-    let digits = number.as_bytes();
-    if digits.len() <= 9 && digits.iter().all(u8::is_ascii_digit) {
-        let whole = digits
-            .iter()
-            .fold(0, |sum: u32, &digit| sum * 10 + u32::from(digit - b'0'));
-        return Some(f64::from(whole));
+#[inline]
+#[must_use]
+pub fn number(text: &[u8], start: usize) -> (Option<f64>, usize) {
+    let digits = |mut at: usize, mut sum: u64| {
+        while let Some(digit) = text
+            .get(at)
+            .map(|byte| byte.wrapping_sub(b'0'))
+            .filter(|digit| *digit < 10)
+        {
+            sum = sum.wrapping_mul(10).wrapping_add(u64::from(digit));
+            at += 1;
+        }
+        (at, sum)
+    };
+    let (mut end, mut sum) = digits(start, 0);
+    let mut decimals = 0;
+    let mut count = end - start;
+    if text.get(end) == Some(&b'.') {
+        let point = end;
+        (end, sum) = digits(point + 1, sum);
+        decimals = end - point - 1;
+        count += decimals;
     }
-    let number = number.trim_end_matches(['+', '-']);
-    number
-        .strip_suffix(['e', 'E'])
-        .unwrap_or(number)
-        .parse()
-        .ok()
+    let is_simple = !matches!(text.get(end), Some(b'.' | b'e' | b'E'));
+    if is_simple && count > 0 && end - start <= SHORT && sum <= 1 << 53 {
+        // Both are exact, so the quotient is the nearest float.
+        #[allow(clippy::cast_precision_loss, reason = "at most 2^53")]
+        return (Some(sum as f64 / TENS[decimals]), end);
+    }
+    long_number(text, start)
+}
+
+#[cold]
+fn long_number(text: &[u8], start: usize) -> (Option<f64>, usize) {
+    let end = number_end(text, start);
+    let number = text
+        .get(start..end)
+        .and_then(|number| std::str::from_utf8(number).ok());
+    let number = number.unwrap_or_default().trim_end_matches(['+', '-']);
+    let value = number.strip_suffix(['e', 'E']).unwrap_or(number).parse();
+    (value.ok(), end)
 }
 
 /// A token of plain text.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Item {
     /// A reserved word or an identifier.
     Word,
-    /// A number.
-    Number,
+    /// A number with its value, `None` if a second point stands in it.
+    Number(Option<f64>),
     /// A mark, a comparison, or any other character.
     Mark,
 }
@@ -83,10 +133,9 @@ pub(super) fn split_plain(
                 at += 1;
                 continue;
             }
-            b'0'..=b'9' => (Item::Number, number_end(bytes, at)),
-            b'.' => match number_end(bytes, at) {
-                end if end == at => (Item::Mark, at + 1),
-                end => (Item::Number, end),
+            b'0'..=b'9' | b'.' => match number(bytes, at) {
+                (_, end) if end == at => (Item::Mark, at + 1),
+                (value, end) => (Item::Number(value), end),
             },
             b'<' | b'>' | b'!' => (
                 Item::Mark,
@@ -149,8 +198,32 @@ mod tests {
             ("1.5.2", None),
             ("1..2", None),
             ("1e2.5", None),
+            ("9007199254740993", Some(9_007_199_254_740_992.0)),
+            ("9007199254740993.0", Some(9_007_199_254_740_992.0)),
+            ("0.000000000000000001", Some(1e-18)),
+            ("12345678901234567890123", Some(1.234_567_890_123_456_8e22)),
         ] {
-            assert_eq!(number_value(text), value, "{text}");
+            let found = number(text.as_bytes(), 0);
+            assert_eq!(found, (value, text.len()), "{text}");
+        }
+        for none in ["", ".", "x", "-1"] {
+            assert_eq!(number(none.as_bytes(), 0).1, 0, "{none}");
+        }
+    }
+
+    #[test]
+    fn short_numbers_are_rounded_as_by_the_standard_library() {
+        let mut random = 88_172_645_463_325_252_u64;
+        for _ in 0..20_000 {
+            random ^= random << 13;
+            random ^= random >> 7;
+            random ^= random << 17;
+            let digits = format!("{}", random >> (random % 50));
+            let point = usize::try_from(random % 19).unwrap().min(digits.len());
+            let text = format!("{}.{}", &digits[..point], &digits[point..]);
+            let value: Result<f64, _> = text.parse();
+            let found = number(text.as_bytes(), 0).0;
+            assert_eq!(found, value.ok(), "{text}");
         }
     }
 }

@@ -6,6 +6,7 @@ use super::word::Word;
 use crate::source::{FileId, Span};
 use std::borrow::Cow;
 use std::ops::Range;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// In [`Directive::next`] and [`Directive::end`]: nothing of the kind in this file.
@@ -32,6 +33,8 @@ pub enum Kind {
     GreaterEqual,
     /// `!=`
     NotEqual,
+    /// Here the text holds a long stretch of data, whose tokens are made when reading gets there.
+    More,
     /// The end of the text, always the last token and only that.
     End,
 }
@@ -43,7 +46,7 @@ pub struct Token {
     pub kind: Kind,
     /// `Number`: index into [`Tokens::numbers`]. `Word`: the word's number, see [`Word::from_index`]. `Name`: the number
     /// of its [`Symbol`]. `String`: what [`Tokens::string`] takes. `Directive`: index into [`Tokens::directives`].
-    /// `Mark`: the code of the character. Otherwise 0.
+    /// `Mark`: the code of the character. `More`: what [`Tokens::more`] takes. Otherwise 0.
     pub value: u32,
     /// Its first byte.
     pub start: u32,
@@ -101,6 +104,18 @@ pub struct Tokens {
     pub(super) text: Arc<str>,
     /// The bytes between the quotes of each string.
     pub(super) strings: Vec<Range<u32>>,
+    /// The stretches of text that have no tokens yet.
+    pub(super) stretches: Vec<Range<u32>>,
+    /// What the tokens are a part of, if they are those of a stretch.
+    pub(super) part: Option<Part>,
+}
+
+/// Where the tokens of a stretch belong.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub(super) whole: Rc<Tokens>,
+    /// The index of [`Kind::More`] there.
+    pub(super) at: usize,
 }
 
 impl Tokens {
@@ -119,7 +134,7 @@ impl Tokens {
             Kind::Directive => self.directives[token.value as usize].stop as usize - start,
             Kind::Mark => char::from_u32(token.value).map_or(1, char::len_utf8),
             Kind::LessEqual | Kind::GreaterEqual | Kind::NotEqual => 2,
-            Kind::End => 0,
+            Kind::More | Kind::End => 0,
         };
         let end = u32::try_from(start + len).unwrap_or(u32::MAX);
         Span::new(self.file, token.start, end)
@@ -203,6 +218,26 @@ impl Tokens {
         let range = &self.strings[value as usize];
         &self.text[range.start as usize..range.end as usize]
     }
+}
+
+/// The place of the token of a text that begins at a byte; of a directive only its `#`.
+#[must_use]
+pub fn span_at(file: FileId, text: &str, start: u32) -> Span {
+    let at = start as usize;
+    let bytes = text.as_bytes();
+    let end = match bytes.get(at) {
+        Some(&byte) if scan::is_letter(byte) => scan::word_end(bytes, at),
+        Some(b'"') => scan::string_end(bytes, at),
+        Some(b'<' | b'>' | b'!') if bytes.get(at + 1) == Some(&b'=') => at + 2,
+        _ => match scan::number_end(bytes, at) {
+            end if end > at => end,
+            _ => {
+                let letter = text.get(at..).and_then(|rest| rest.chars().next());
+                at + letter.map_or(0, char::len_utf8)
+            }
+        },
+    };
+    Span::new(file, start, u32::try_from(end).unwrap_or(u32::MAX))
 }
 
 fn unescaped(mut rest: &str) -> String {

@@ -5,6 +5,8 @@ use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::math::Step;
 use crate::pattern::Settings;
 use crate::syntax::Class;
+use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// The last language version in which upper layers do not filter but only transmit.
 const LAST_WITHOUT_FILTER: f64 = 3.1;
@@ -15,19 +17,19 @@ pub struct Layer {
     /// The colour.
     pub pigment: Pigment,
     /// The answer to light.
-    pub finish: Finish,
+    pub finish: Arc<Finish>,
 }
 
 /// What a surface looks like: layers, the lowest first, never none.
 #[derive(Clone, Debug)]
 pub struct Texture {
-    layers: Vec<Layer>,
+    layers: SmallVec<[Layer; 1]>,
 }
 
 impl From<Layer> for Texture {
     fn from(layer: Layer) -> Self {
         Texture {
-            layers: vec![layer],
+            layers: SmallVec::from_buf([layer]),
         }
     }
 }
@@ -46,7 +48,7 @@ impl Layer {
             }
             Word::Finish => {
                 args.accept(word)?;
-                self.finish = Finish::read(args, &self.finish)?;
+                self.finish = Arc::new(Finish::read(args, &self.finish)?);
             }
             Word::Normal => return Err(not_built(args, word)),
             _ => return Ok(false),
@@ -198,7 +200,13 @@ mod tests {
         let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
         let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
         assert_eq!(
-            texture.layers()[0].pigment.modifiers.chain.steps(),
+            texture.layers()[0]
+                .pigment
+                .modifiers
+                .get()
+                .unwrap()
+                .chain
+                .steps(),
             expected
         );
     }

@@ -8,6 +8,7 @@ mod material;
 mod pigment;
 mod pigment_pattern;
 mod prepared;
+mod rare;
 
 pub use finish::{Finish, Reflection};
 pub use layers::{Layer, Texture};
@@ -15,3 +16,4 @@ pub use material::Material;
 pub use pigment::{Pigment, PigmentKind};
 pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
+pub use rare::Rare;

@@ -1,6 +1,6 @@
 //! `pigment`: the colour of a surface, plain or by a pattern.
 
-use super::read_pattern;
+use super::{Rare, read_pattern};
 use crate::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::bitmap;
 use crate::color::{Color, Rgb};
@@ -15,7 +15,7 @@ pub struct Pigment {
     /// `quick_color`: the colour in previews of quality 5 and less.
     pub quick_color: Option<Color>,
     /// Turbulence, waves, warps and transforms of the pattern; the transforms of its texture stand behind its own.
-    pub modifiers: Modifiers,
+    pub modifiers: Rare<Modifiers>,
 }
 
 /// Where the colour of a pigment comes from.
@@ -47,7 +47,7 @@ impl Pigment {
         Pigment {
             kind: PigmentKind::Plain(color),
             quick_color: None,
-            modifiers: Modifiers::default(),
+            modifiers: Rare::default(),
         }
     }
 
@@ -106,7 +106,9 @@ impl Pigment {
             return Ok(false);
         };
         let is_known = self.read_own(word, args)?
-            || self.modifiers.read(word, args)?
+            || self
+                .modifiers
+                .change(|modifiers| modifiers.read(word, args))?
             || self.read_pattern(word, args)?;
         if !is_known && (pattern::is_pattern(word) || word == Word::UvMapping) {
             return Err(not_built(args, word));
@@ -189,7 +191,7 @@ impl Pigment {
 
     /// Adds a transform.
     pub fn transform(&mut self, step: &Step) {
-        self.modifiers.chain.push(step);
+        self.modifiers.get_mut().chain.push(step);
     }
 
     /// Moves what filters into what transmits, as versions up to 3.1 do in the upper layers of a texture.
@@ -300,7 +302,7 @@ mod tests {
         let first = read("{ checker rgb 1 rgb 0 scale 2 }").unwrap();
         let second = Pigment::read(&mut TextArgs::new("{ translate 1 }"), &first).unwrap();
         let expected = [Step::Scale(DVec3::splat(2.0)), Step::Translate(DVec3::ONE)];
-        assert_eq!(second.modifiers.chain.steps(), expected);
+        assert_eq!(second.modifiers.get().unwrap().chain.steps(), expected);
         assert_eq!(list(&second).len(), 2);
     }
 

@@ -5,7 +5,7 @@ use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
 use crate::math::Step;
-use crate::pattern::{Between, Map, PreparedChain, PreparedPattern, Settings, Spot};
+use crate::pattern::{Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
 
 /// A texture ready for rays.
@@ -47,7 +47,7 @@ impl PreparedTexture {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color,
-            finish: layer.finish.clone(),
+            finish: Finish::clone(&layer.finish),
         };
         let layers: Vec<_> = texture.layers().iter().rev().map(prepare).collect();
         PreparedTexture {
@@ -97,7 +97,8 @@ impl PreparedPigment {
     /// The form for drawing, with the transforms of what carries the pigment after its own.
     #[must_use]
     pub fn new(pigment: &Pigment, after: &[Step], settings: &Settings) -> Self {
-        let modifiers = &pigment.modifiers;
+        let none = Modifiers::default();
+        let modifiers = pigment.modifiers.get().unwrap_or(&none);
         // The entries of a map are where the pattern takes the point; no other transforms act on them.
         let entries = |map: &Map<Pigment>| map.map(|entry| Self::new(entry, &[], settings));
         match &pigment.kind {

@@ -1,0 +1,385 @@
+//! Parameters written as plain literals, read straight from the text: data of which no tokens are made.
+//!
+//! Only what can mean nothing else is read: numbers with a sign, vectors and colours of them, reserved words, and
+//! identifiers that hold elements. At anything else, at a fault and at a warning it gives up, without a message: then
+//! the same text is read by its tokens, which have the whole of the language.
+
+use super::scope::Scopes;
+use super::value::Value;
+use crate::args::{Args, Parse, Word};
+use crate::color::Color;
+use crate::source::{Diagnostic, FileId, Span};
+use crate::syntax::{Class, Names, number};
+use glam::{DVec2, DVec3};
+use std::any::{Any, TypeId};
+use std::cell::Cell;
+use std::sync::Arc;
+
+/// The most components of a vector.
+const MOST: usize = 5;
+
+/// A cursor over text that holds no strings, comments and directives.
+pub(super) struct Literal<'a> {
+    text: &'a str,
+    at: usize,
+    file: FileId,
+    names: &'a Names,
+    scopes: &'a Scopes,
+    version: f64,
+    /// The reserved word looked up last, with its first byte and the byte behind it.
+    known: Option<(usize, Word, usize)>,
+    /// Whether something was found that only the tokens can tell.
+    is_doubtful: Cell<bool>,
+}
+
+/// The place and the surroundings of a literal.
+pub(super) struct Ground<'a> {
+    pub(super) file: FileId,
+    pub(super) names: &'a Names,
+    pub(super) scopes: &'a Scopes,
+    pub(super) version: f64,
+}
+
+fn give_up<T>() -> Parse<T> {
+    Err(nothing())
+}
+
+fn nothing() -> Box<Diagnostic> {
+    Box::new(Diagnostic::error(None, ""))
+}
+
+impl<'a> Literal<'a> {
+    /// A cursor at a byte of a text; it does not go beyond the end of `text`.
+    pub(super) fn new(text: &'a str, at: usize, ground: &Ground<'a>) -> Self {
+        Literal {
+            text,
+            at,
+            file: ground.file,
+            names: ground.names,
+            scopes: ground.scopes,
+            version: ground.version,
+            known: None,
+            is_doubtful: Cell::new(false),
+        }
+    }
+
+    /// Where it has come to, if all that it read is sure.
+    pub(super) fn reached(&self) -> Option<usize> {
+        (!self.is_doubtful.get()).then_some(self.at)
+    }
+
+    /// The next byte that is no blank; 0 at the end.
+    #[inline]
+    fn byte(&mut self) -> u8 {
+        let bytes = self.text.as_bytes();
+        while let Some(b' ' | b'\t'..=b'\r') = bytes.get(self.at) {
+            self.at += 1;
+        }
+        bytes.get(self.at).copied().unwrap_or(0)
+    }
+
+    #[inline]
+    fn take(&mut self, byte: u8) -> bool {
+        let is_it = self.byte() == byte;
+        self.at += usize::from(is_it);
+        is_it
+    }
+
+    /// The reserved word at hand; `None` if there is none, or an identifier.
+    fn reserved(&mut self) -> Option<Word> {
+        if !is_letter(self.byte()) {
+            return None;
+        }
+        if let Some((start, word, _)) = self.known
+            && start == self.at
+        {
+            return Some(word);
+        }
+        let spelling = self.spelling();
+        let word = Word::from_spelling(spelling)?;
+        self.known = Some((self.at, word, self.at + spelling.len()));
+        Some(word)
+    }
+
+    /// The letters, digits and `_` at hand.
+    fn spelling(&self) -> &'a str {
+        let rest = &self.text[self.at..];
+        let is_part = |byte: &u8| is_letter(*byte) || byte.is_ascii_digit();
+        let len = rest.bytes().take_while(|byte| is_part(byte)).count();
+        &rest[..len]
+    }
+
+    /// A number with or without a sign, whatever follows.
+    #[inline]
+    fn signed(&mut self) -> Option<f64> {
+        let is_negative = self.take(b'-');
+        self.byte();
+        let (value, end) = number(self.text.as_bytes(), self.at);
+        let value = value.filter(|value| value.is_finite())?;
+        self.at = end;
+        Some(if is_negative { -value } else { value })
+    }
+
+    /// Whether what is at hand begins something new, so that no expression goes on with it.
+    fn is_at_seam(&mut self) -> bool {
+        match self.byte() {
+            b',' | b'}' | b'0'..=b'9' => true,
+            b'<' | b'>' => self.text.as_bytes().get(self.at + 1) != Some(&b'='),
+            _ => match self.reserved() {
+                Some(word) => !matches!(word, Word::Declare | Word::Include),
+                None => false,
+            },
+        }
+    }
+
+    /// The components of a vector, or a number alone, and how many they are.
+    #[inline]
+    fn components(&mut self) -> Option<([f64; MOST], usize)> {
+        let mut vector = [0.0; MOST];
+        let mut len = 0;
+        if self.take(b'<') {
+            loop {
+                *vector.get_mut(len)? = self.signed()?;
+                len += 1;
+                match self.byte() {
+                    b',' => self.at += 1,
+                    b'>' => break,
+                    b'0'..=b'9' => {}
+                    _ => return None,
+                }
+            }
+            self.at += 1;
+        } else {
+            vector[0] = self.signed()?;
+            len = 1;
+        }
+        let is_whole = self.is_at_seam();
+        is_whole.then_some((vector, len))
+    }
+
+    /// A vector of `N` components; a number stands for all of them, and missing ones are zero.
+    fn vector_of<const N: usize>(&mut self) -> Parse<[f64; N]> {
+        match self.components() {
+            Some((vector, 1)) => Ok([vector[0]; N]),
+            Some((vector, len)) if len <= N => Ok(std::array::from_fn(|at| vector[at])),
+            _ => give_up(),
+        }
+    }
+
+    /// Takes a vector of `len` components with an optional comma before it, if it is followed by what ends an item of
+    /// a list.
+    pub(super) fn item(&mut self, len: usize) -> Option<[f64; MOST]> {
+        let start = self.at;
+        self.take(b',');
+        let item = match self.byte() {
+            b'<' => self.components().filter(|(_, found)| *found == len),
+            _ => None,
+        };
+        if item.is_none() || !matches!(self.byte(), b',' | b'}' | b'<') {
+            self.at = start;
+            return None;
+        }
+        item.map(|(vector, _)| vector)
+    }
+}
+
+fn is_letter(byte: u8) -> bool {
+    byte.is_ascii_alphabetic() || byte == b'_'
+}
+
+impl Args for Literal<'_> {
+    fn float(&mut self) -> Parse<f64> {
+        match self.components() {
+            Some((vector, 1)) => Ok(vector[0]),
+            _ => give_up(),
+        }
+    }
+
+    fn float_or(&mut self, default: f64) -> Parse<f64> {
+        if self.at_expression()? {
+            self.float()
+        } else {
+            Ok(default)
+        }
+    }
+
+    fn vector2(&mut self) -> Parse<DVec2> {
+        self.vector_of().map(DVec2::from_array)
+    }
+
+    fn vector(&mut self) -> Parse<DVec3> {
+        self.vector_of().map(DVec3::from_array)
+    }
+
+    fn vector4(&mut self) -> Parse<[f64; 4]> {
+        self.vector_of()
+    }
+
+    fn color(&mut self) -> Parse<Color> {
+        match self.color_if_any()? {
+            Some(color) => Ok(color),
+            None => give_up(),
+        }
+    }
+
+    fn color_if_any(&mut self) -> Parse<Option<Color>> {
+        let is_mark = self.byte() == b'<';
+        let Some(mut word) = self.reserved().filter(|word| word.class() == Class::Color) else {
+            // An identifier or a vector may be a colour.
+            return if is_mark || is_letter(self.byte()) && self.reserved().is_none() {
+                give_up()
+            } else {
+                Ok(None)
+            };
+        };
+        if matches!(word, Word::Color | Word::Colour) {
+            self.accept(word)?;
+            word = match self.reserved() {
+                Some(word) => word,
+                None => return give_up(),
+            };
+        }
+        let wanted = match word {
+            Word::Rgb => 3,
+            Word::Rgbf | Word::Rgbt => 4,
+            Word::Rgbft => 5,
+            _ => return give_up(),
+        };
+        self.accept(word)?;
+        let mut parts = match self.components() {
+            Some((parts, 1)) => std::array::from_fn(|at| if at < wanted { parts[0] } else { 0.0 }),
+            Some((parts, len)) if len <= wanted => parts,
+            _ => return give_up(),
+        };
+        if word == Word::Rgbt {
+            parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "colours are single precision"
+        )]
+        let is_finite = parts.iter().all(|part| (*part as f32).is_finite());
+        let goes_on = self
+            .reserved()
+            .is_some_and(|word| word.class() == Class::Color);
+        if !is_finite || goes_on {
+            return give_up();
+        }
+        Ok(Some(Color::from_components(parts)))
+    }
+
+    fn string(&mut self) -> Parse<String> {
+        give_up()
+    }
+
+    fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
+        loop {
+            let start = self.at;
+            let Some(vector) = self.item(len) else { return };
+            if !take(&vector[..len]) {
+                self.at = start;
+                return;
+            }
+        }
+    }
+
+    fn comma(&mut self) -> Parse<bool> {
+        Ok(self.take(b','))
+    }
+
+    fn word(&mut self) -> Parse<Option<Word>> {
+        Ok(self.reserved())
+    }
+
+    fn accept(&mut self, word: Word) -> Parse<bool> {
+        if self.reserved() != Some(word) {
+            return Ok(false);
+        }
+        if let Some((_, _, end)) = self.known {
+            self.at = end;
+        }
+        Ok(true)
+    }
+
+    fn accept_mark(&mut self, mark: char) -> Parse<bool> {
+        let is_it = self.at_mark(mark)?;
+        self.at += usize::from(is_it);
+        Ok(is_it)
+    }
+
+    fn at_mark(&mut self, mark: char) -> Parse<bool> {
+        Ok(char::from(self.byte()) == mark && mark != '\0')
+    }
+
+    fn open(&mut self) -> Parse<()> {
+        if self.take(b'{') { Ok(()) } else { give_up() }
+    }
+
+    fn accept_close(&mut self) -> Parse<bool> {
+        Ok(self.take(b'}'))
+    }
+
+    fn close(&mut self) -> Parse<()> {
+        if self.take(b'}') { Ok(()) } else { give_up() }
+    }
+
+    fn at_expression(&mut self) -> Parse<bool> {
+        match self.byte() {
+            b'0'..=b'9' | b'.' | b'<' | b'-' | b'+' | b'(' | b'!' => Ok(true),
+            byte if is_letter(byte) => match self.reserved().map(Word::class) {
+                None | Some(Class::Value | Class::Function) => give_up(),
+                _ => Ok(false),
+            },
+            _ => Ok(false),
+        }
+    }
+
+    fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        if !is_letter(self.byte()) || self.reserved().is_some() {
+            return Ok(None);
+        }
+        let spelling = self.spelling();
+        let held = self
+            .names
+            .symbol(spelling)
+            .and_then(|name| self.scopes.get(name));
+        match held {
+            Some(Value::Element(element)) if element.kind() == kind => {
+                self.at += spelling.len();
+                if is_letter(self.byte()) && self.reserved().is_none() {
+                    // A macro may follow.
+                    return give_up();
+                }
+                Ok(Some(Arc::clone(&element.value)))
+            }
+            _ => give_up(),
+        }
+    }
+
+    fn default_any(&self, _: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        self.is_doubtful.set(true);
+        None
+    }
+
+    fn span(&mut self) -> Span {
+        self.byte();
+        self.last_span()
+    }
+
+    fn last_span(&self) -> Span {
+        let at = u32::try_from(self.at).unwrap_or(u32::MAX);
+        Span::new(self.file, at, at)
+    }
+
+    fn expected(&mut self, _: &str) -> Box<Diagnostic> {
+        nothing()
+    }
+
+    fn warn(&mut self, _: Diagnostic) {
+        self.is_doubtful.set(true);
+    }
+
+    fn version(&self) -> f64 {
+        self.version
+    }
+}

@@ -1,0 +1,254 @@
+//! Expressions that are evaluated again: recorded once, then replayed without looking at a token.
+//!
+//! While an expression is read in a loop or a macro, each step of its evaluation is noted, with the number of
+//! components of its operands. An expression has no branches (`? :` evaluates both sides), so the notes are a program
+//! for a stack of floats, and there is no second grammar. The program is kept under the place of the first token.
+//! A macro that holds nothing but a part of the expression is run through; its parameters become slots.
+//!
+//! A replay gives up, and the tokens are read again, wherever something is not as it was recorded or an error or a
+//! warning is due: an identifier holds something else, an index is out of range, a divisor is zero. Up to there it
+//! has changed nothing but streams of random numbers, which are put back. So a replay means what the tokens mean.
+//!
+//! Not recorded is what cannot be repeated in this way: expressions in which a directive runs or a file ends, strings,
+//! and the functions that [`Op::of_call`] does not know. What their parts hold is recorded alone.
+
+mod notes;
+mod op;
+mod stack;
+
+pub(super) use notes::{Recording, Source};
+pub(super) use op::{Binary, Op};
+
+use super::cursor::is_bare_directive;
+use super::macros::Macro;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::Parse;
+use crate::source::FileId;
+use crate::syntax::{Kind, Symbol};
+use stack::Stack;
+use std::rc::Rc;
+
+/// After so many replays that gave up, an expression is no longer recorded.
+const MOST_MISSES: u8 = 50;
+/// Tokens of a page of [`Replays`].
+const PAGE: usize = 32;
+
+/// Where in the grammar an expression begins. At one token there may be one of each.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Level {
+    /// What may stand behind `#declare X =`.
+    Value,
+    /// With comparisons, logic and `? :`.
+    Full,
+    /// With `+` and `-`.
+    Sum,
+    /// With `*` and `/`.
+    Product,
+}
+
+/// What an expression gives.
+pub(super) trait Replayed: Sized {
+    /// It, from a recorded number.
+    fn of(number: Number) -> Self;
+    /// The number that it is, if it is one.
+    fn number(&self) -> Option<&Number>;
+}
+
+impl Replayed for Number {
+    fn of(number: Number) -> Self {
+        number
+    }
+
+    fn number(&self) -> Option<&Number> {
+        Some(self)
+    }
+}
+
+impl Replayed for Option<Value> {
+    fn of(number: Number) -> Self {
+        Some(Value::Number(number))
+    }
+
+    fn number(&self) -> Option<&Number> {
+        match self {
+            Some(Value::Number(number)) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+/// A recorded expression.
+#[derive(Debug)]
+struct Program {
+    ops: Box<[Op]>,
+    /// How many components it gives.
+    len: u8,
+    /// The token behind it.
+    after: usize,
+    /// The identifier that stands there: if it is a macro, the expression goes on in its body.
+    behind: Option<Symbol>,
+    /// The macros that it calls, with how many tokens they come to.
+    calls: Box<[(Symbol, Rc<Macro>)]>,
+    again: usize,
+    misses: u8,
+}
+
+/// What is known of the expressions that begin at a token, one for each [`Level`].
+#[derive(Clone, Copy, Debug, Default)]
+enum Known {
+    #[default]
+    Nothing,
+    /// It cannot be recorded.
+    Never,
+    /// The index of its program.
+    Program(u32),
+}
+
+/// What is known of the tokens of a page.
+type Page = [[Known; 4]; PAGE];
+
+/// All recorded expressions of a run.
+#[derive(Debug, Default)]
+pub(super) struct Replays {
+    /// For each file its pages, made when something in them is recorded.
+    files: Vec<Vec<Option<Box<Page>>>>,
+    programs: Vec<Program>,
+    stack: Stack,
+}
+
+impl Replays {
+    #[inline]
+    fn known(&self, file: FileId, at: usize, level: Level) -> Known {
+        let pages = self.files.get(file.0 as usize);
+        match pages.and_then(|pages| pages.get(at / PAGE)) {
+            Some(Some(page)) => page[at % PAGE][level as usize],
+            _ => Known::Nothing,
+        }
+    }
+
+    fn set(&mut self, file: FileId, at: usize, level: Level, known: Known) {
+        let file = file.0 as usize;
+        if self.files.len() <= file {
+            self.files.resize_with(file + 1, Vec::new);
+        }
+        let pages = &mut self.files[file];
+        if pages.len() <= at / PAGE {
+            pages.resize_with(at / PAGE + 1, || None);
+        }
+        let page = pages[at / PAGE].get_or_insert_default();
+        page[at % PAGE][level as usize] = known;
+    }
+
+    /// Keeps a program, in place of an old one if there is one.
+    fn keep(&mut self, mut program: Program, old: Option<u32>) -> Known {
+        match old {
+            Some(index) => {
+                let old = &mut self.programs[index as usize];
+                program.misses = old.misses.saturating_add(1);
+                *old = program;
+                if old.misses > MOST_MISSES {
+                    Known::Never
+                } else {
+                    Known::Program(index)
+                }
+            }
+            None => match u32::try_from(self.programs.len()) {
+                Ok(index) => {
+                    self.programs.push(program);
+                    Known::Program(index)
+                }
+                Err(_) => Known::Never,
+            },
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// Reads the expression at hand, or replays it if it was recorded here.
+    #[inline]
+    pub(super) fn replayed<T: Replayed>(
+        &mut self,
+        level: Level,
+        read: impl FnOnce(&mut Self) -> Parse<T>,
+    ) -> Parse<T> {
+        if self.recording.is_some() || self.here.tokens.is_part() {
+            return read(self);
+        }
+        let old = match self
+            .replays
+            .known(self.here.tokens.file, self.here.at, level)
+        {
+            Known::Never => return read(self),
+            Known::Nothing if !self.is_repeated() => return read(self),
+            Known::Nothing => None,
+            Known::Program(index) => match self.replay(index as usize)? {
+                Some(number) => return Ok(T::of(number)),
+                None => Some(index),
+            },
+        };
+        let (file, start) = (self.here.tokens.file, self.here.at);
+        self.recording = Some(Recording::new(self.frames.len()));
+        let value = read(self);
+        let recording = self.recording.take();
+        let value = value?;
+        let program = match (recording, value.number()) {
+            (Some(recording), Some(number)) => self.program(recording, number.len),
+            _ => None,
+        };
+        let known = match program {
+            Some(program) => self.replays.keep(program, old),
+            None => Known::Never,
+        };
+        self.replays.set(file, start, level, known);
+        Ok(value)
+    }
+
+    /// The program of what was noted, if nothing behind the expression stands against it.
+    fn program(&self, recording: Recording, len: u8) -> Option<Program> {
+        let behind = self.raw();
+        let is_quiet = match behind.kind {
+            Kind::Directive | Kind::More | Kind::End => false,
+            Kind::Word => !is_bare_directive(behind),
+            _ => true,
+        };
+        let is_whole = recording.is_whole(len, self.frames.len());
+        (is_quiet && is_whole).then(|| Program {
+            ops: recording.ops.into(),
+            len,
+            after: self.here.at,
+            behind: behind.symbol(),
+            calls: recording.calls.into(),
+            again: recording.again,
+            misses: 0,
+        })
+    }
+
+    /// The value of a recorded expression; `None`, and nothing changed, if it has to be read.
+    fn replay(&mut self, index: usize) -> Parse<Option<Number>> {
+        let program = &self.replays.programs[index];
+        let is_macro = |name: Symbol| self.scopes.is_macro(name);
+        let is_still = |(name, called): &(Symbol, Rc<Macro>)| match self.scopes.get(*name) {
+            Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
+            _ => false,
+        };
+        if program.behind.is_some_and(is_macro) || !program.calls.iter().all(is_still) {
+            return Ok(None);
+        }
+        let (after, again) = (program.after, program.again);
+        let Some(number) =
+            self.replays
+                .stack
+                .run(&program.ops, program.len, &self.scopes, &mut self.streams)
+        else {
+            return Ok(None);
+        };
+        if again > 0 {
+            let start = self.start_here();
+            self.count_again(again, start)?;
+        }
+        self.here.at = after - 1;
+        self.pass();
+        Ok(Some(number))
+    }
+}

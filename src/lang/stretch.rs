@@ -1,0 +1,158 @@
+//! Reading through long stretches of data, of which tokens are made only where they are needed.
+//!
+//! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
+//! tokens are made for the piece at hand.
+
+use super::cursor::Place;
+use super::literal::{Ground, Literal};
+use super::object::{baked, fold_steps, own_texture};
+use super::reader::Reader;
+use crate::args::{Args, Parse, Word, transform_step};
+use crate::scene::{Kind as Is, Object};
+use crate::shape::Shape;
+use crate::syntax::{Class, Kind, behind_more, more_from, tokenize_more};
+use crate::texture::{Layer, Texture};
+use std::sync::Arc;
+
+/// Tokens are made of pieces of about so many bytes: few where literals are interrupted, more where they end.
+pub(super) const SHORTEST_PIECE: usize = 1 << 10;
+const LONGEST_PIECE: usize = 1 << 15;
+
+impl Reader<'_> {
+    /// At a [`Kind::More`]: goes on to the tokens of the next piece, or behind the stretch.
+    pub(super) fn read_on(&mut self) {
+        let (tokens, at, faults) =
+            tokenize_more(&self.here.tokens, self.here.at, self.piece, &mut self.names);
+        self.piece = LONGEST_PIECE.min(2 * self.piece);
+        self.here = Place { tokens, at };
+        for fault in faults {
+            let fault = self.with_trace(fault);
+            self.record(*fault);
+        }
+    }
+
+    /// Goes behind the stretch at hand.
+    pub(super) fn leave_stretch(&mut self) {
+        let (tokens, at) = behind_more(&self.here.tokens, self.here.at);
+        self.here = Place { tokens, at };
+    }
+
+    /// Whether objects and lists may be read from the text here.
+    fn is_at_data(&self) -> bool {
+        self.raw().kind == Kind::More && self.deprecated.is_empty()
+    }
+
+    /// Where in which text the data at hand lies.
+    fn data(&self) -> Option<(Arc<str>, std::ops::Range<usize>)> {
+        let tokens = &self.here.tokens;
+        let rest = tokens.more(self.here.at)?;
+        let range = rest.start as usize..rest.end as usize;
+        Some((Arc::clone(tokens.text()), range))
+    }
+
+    /// Goes to a byte of the stretch at hand.
+    fn go_to(&mut self, from: usize) {
+        let tokens = more_from(&self.here.tokens, self.here.at, from);
+        self.last = Place { tokens, at: 0 };
+        self.here = self.last.clone();
+        self.here.at = 1;
+    }
+
+    /// Takes the objects at hand, as long as they are written as plain literals, and gives them to `take`.
+    pub(super) fn take_literal_objects(
+        &mut self,
+        mut take: impl FnMut(&mut Self, Object) -> Parse<()>,
+    ) -> Parse<()> {
+        if !self.is_at_data() {
+            return Ok(());
+        }
+        let Some((text, range)) = self.data() else {
+            return Ok(());
+        };
+        let mut at = range.start;
+        let mut result = Ok(());
+        while let Some((object, end)) = self.literal_object(&text[..range.end], at) {
+            at = end;
+            result = take(self, object);
+            if result.is_err() {
+                break;
+            }
+        }
+        if at > range.start {
+            self.go_to(at);
+            self.piece = SHORTEST_PIECE;
+        }
+        result
+    }
+
+    /// The object that begins at a byte, and its end, if it is a shape that is written as plain literals.
+    fn literal_object(&self, text: &str, at: usize) -> Option<(Object, usize)> {
+        let ground = Ground {
+            file: self.here.tokens.file,
+            names: &self.names,
+            scopes: &self.scopes,
+            version: self.version,
+        };
+        let mut args = Literal::new(text, at, &ground);
+        let object = literal_shape(&mut args, &self.default_layer).ok()??;
+        args.reached().map(|end| (object, end))
+    }
+
+    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does.
+    pub(super) fn take_vectors_of_data(
+        &mut self,
+        len: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) {
+        if !self.is_at_data() {
+            return;
+        }
+        let Some((text, range)) = self.data() else {
+            return;
+        };
+        let ground = Ground {
+            file: self.here.tokens.file,
+            names: &self.names,
+            scopes: &self.scopes,
+            version: self.version,
+        };
+        let mut args = Literal::new(&text[..range.end], range.start, &ground);
+        args.literal_vectors(len, take);
+        if let Some(end) = args.reached().filter(|end| *end > range.start) {
+            self.go_to(end);
+        }
+    }
+}
+
+/// A shape with its modifiers; `None` if something else stands here.
+fn literal_shape(args: &mut Literal, default: &Layer) -> Parse<Option<Object>> {
+    let Some(word) = args.word()?.filter(|word| word.class() == Class::Shape) else {
+        return Ok(None);
+    };
+    args.accept(word)?;
+    args.open()?;
+    let Some(shape) = Shape::read(word, args) else {
+        return Ok(None);
+    };
+    let mut object = Object::new(Is::Shape(Arc::new(shape?)));
+    while !args.accept_close()? {
+        if let Some(step) = transform_step(args)? {
+            object.steps.push(step);
+            fold_steps(&mut object);
+            continue;
+        }
+        match args.word()? {
+            Some(Word::Texture) if object.texture.is_none() => {
+                args.accept(Word::Texture)?;
+                let texture = Texture::read(args, default)?;
+                object.texture = Some(object.attach(Arc::new(texture)));
+            }
+            Some(part @ (Word::Pigment | Word::Finish)) => {
+                own_texture(&mut object, default);
+                baked(&mut object).top_mut().read_part(part, args)?;
+            }
+            _ => return Ok(None),
+        }
+    }
+    Ok(Some(object))
+}
