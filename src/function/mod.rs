@@ -13,6 +13,8 @@ mod lower;
 mod number;
 mod operation;
 mod program;
+#[cfg(test)]
+mod tests;
 
 pub use fold::{DivisionByZero, Form, Operand, Rest, chain, product};
 pub use graph::{Block, Graph, Id};
