@@ -209,7 +209,7 @@ fn calls_stand_in_expressions_loops_and_macros() {
 
 #[test]
 fn functions_of_patterns_pigments_and_transforms_agree() {
-    let mut scene = "#declare G = function { pigment { gradient x scale 9 color_map { [0 rgbft <.1,.2,.3,.4,.5>] [1 rgbft <.1,.2,.3,.4,.5>] } } }
+    let mut scene = "#declare G = function { pigment { rgbft <.1,.2,.3,.4,.5> } }
         #declare H = function(a) { G(a, a*2, 3).red + G(a, 1, 2).gray - G(1, 2, 3).transmit + G(a, 0, 0).t + G(a, a, a).u }
         #declare T = function { transform { scale 2 rotate <10, 20, 30> translate x } }
         #declare N = function(a) { T(a, 2, 3).x*T(3, a, 1).z - T(1, 1, a).v }

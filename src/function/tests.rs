@@ -194,7 +194,7 @@ fn programs_compute_what_their_trees_say() {
     for _ in 0..300 {
         let mut callees: Vec<Callee> = Vec::new();
         // Some of these are small enough to stand in place of their calls, some are not.
-        for depth in [2, 5, 7] {
+        for depth in [2, 4, 6] {
             let tree = tree(&mut random, depth, 0, callees.len());
             let function = Arc::new(function(&tree, 2, &callees));
             for arguments in [[0.0, 1.0], [0.7, -1.3], [-2.0, 5.5]] {
@@ -208,6 +208,51 @@ fn programs_compute_what_their_trees_say() {
             callees.push(Callee { tree, function });
         }
     }
+}
+
+#[test]
+fn bounds_hold_all_values() {
+    let mut random = Random::new(21);
+    for _ in 0..300 {
+        let mut callees: Vec<Callee> = Vec::new();
+        for depth in [2, 4, 5] {
+            let tree = tree(&mut random, depth, 0, callees.len());
+            let function = Arc::new(function(&tree, 2, &callees));
+            let (low, size) = (random.vector(3.0), random.vector(1.5));
+            let boxed = [0, 1].map(|i| Interval::new(low[i], low[i] + size[i].abs()));
+            let bounds = function.bounds(&boxed);
+            for _ in 0..20 {
+                let at = boxed.map(|side| {
+                    (side.low + random.share() * (side.high - side.low)).clamp(side.low, side.high)
+                });
+                let value = function.eval(&at);
+                let is_held = value.is_nan() || bounds.contains(value);
+                assert!(is_held, "{value} outside of {bounds:?} at {at:?}: {function:?}");
+            }
+            callees.push(Callee { tree, function });
+        }
+    }
+}
+
+#[test]
+fn bounds_are_not_much_wider_than_they_must_be() {
+    let x = Interval::new(0.5, 1.5);
+    let close = |found: Interval, low: f64, high: f64| {
+        let is_close = (found.low - low).abs() < 1e-12 && (found.high - high).abs() < 1e-12;
+        assert!(is_close, "{found:?} instead of {low} to {high}");
+    };
+    close(x + x, 1.0, 3.0);
+    close(x - x, -1.0, 1.0);
+    close(x * x, 0.25, 2.25);
+    close(x / x, 1.0 / 3.0, 3.0);
+    close(x.unary(Unary::Sin), 0.5f64.sin(), 1.5f64.sin());
+    close(Interval::new(1.0, 2.0).unary(Unary::Sin), 1f64.sin(), 1.0);
+    close(Interval::new(3.0, 4.0).unary(Unary::Cos), -1.0, 4f64.cos());
+    close(Interval::new(-1.0, 2.0).unary(Unary::Abs), 0.0, 2.0);
+    let two = Interval::constant(2.0);
+    close(Interval::new(-1.0, 2.0).binary(Binary::Pow, two), 0.0, 4.0);
+    close(x.binary(Binary::Less, two), 1.0, 1.0);
+    close(x.binary(Binary::Less, Interval::constant(1.0)), 0.0, 1.0);
 }
 
 #[test]
