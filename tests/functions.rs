@@ -191,7 +191,7 @@ fn calls_stand_in_expressions_loops_and_macros() {
         #debug concat(\"= \", str(G(2), 0, 5), \" \", str(2*G(3)*2, 0, 5), \" \", str(-G(1), 0, 5), \"\\n\")
         #declare V = <F(1, 2), G(1) 0>;
         #debug concat(\"= \", vstr(3, V, \",\", 0, 3), \"\\n\")
-        #macro Apply(H, v) H(v) + H(v + 1) #end
+        #macro Apply(H, w) H(w) + H(w + 1) #end
         #debug concat(\"= \", str(Apply(G, 3), 0, 5), \"\\n\")
         #if (F(1, 2) > 3 & G(1) < 100) #debug \"= yes\\n\" #end
         #declare C = 5;

@@ -148,8 +148,7 @@ impl Interval {
         let pole = ((self.low - FRAC_PI_2) / PI).ceil() * PI + FRAC_PI_2;
         let slack = SLACK * (self.low.abs() + self.high.abs() + 1.0);
         let is_short = self.high - self.low < PI;
-        if !is_short || pole <= self.high + slack || pole - PI >= self.low - slack
-        {
+        if !is_short || pole <= self.high + slack || pole - PI >= self.low - slack {
             return Interval::WHOLE;
         }
         self.growing(Unary::Tan)
@@ -352,12 +351,7 @@ impl Number for Interval {
             .unwrap_or(Interval::WHOLE)
     }
 
-    fn repeat(
-        fold: Fold,
-        from: Self,
-        to: Self,
-        mut value_at: impl FnMut(Self) -> Self,
-    ) -> Self {
+    fn repeat(fold: Fold, from: Self, to: Self, mut value_at: impl FnMut(Self) -> Self) -> Self {
         let mut result = match fold {
             Fold::Sum => Interval::constant(0.0),
             Fold::Product => Interval::constant(1.0),

@@ -227,7 +227,10 @@ fn bounds_hold_all_values() {
                 });
                 let value = function.eval(&at);
                 let is_held = value.is_nan() || bounds.contains(value);
-                assert!(is_held, "{value} outside of {bounds:?} at {at:?}: {function:?}");
+                assert!(
+                    is_held,
+                    "{value} outside of {bounds:?} at {at:?}: {function:?}"
+                );
             }
             callees.push(Callee { tree, function });
         }

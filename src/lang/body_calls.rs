@@ -11,7 +11,11 @@ use std::sync::Arc;
 
 impl Reader<'_> {
     /// A call of another user function, behind its name.
-    pub(super) fn body_call(&mut self, function: &Arc<Function>, body: &mut Body) -> Parse<Operand> {
+    pub(super) fn body_call(
+        &mut self,
+        function: &Arc<Function>,
+        body: &mut Body,
+    ) -> Parse<Operand> {
         let name = self.taken_span();
         let arguments = self.body_arguments(name, function.parameters(), body)?;
         let component = if function.is_scalar() {
