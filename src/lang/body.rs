@@ -44,13 +44,15 @@ impl Body {
         self.graph.finish(result)
     }
 
-    /// The value of a name: of several parameters of one name the last counts.
+    /// The value of a name. Of several parameters of one name the first counts, but of words the last.
     fn value_of(&mut self, name: Name) -> Option<Id> {
         let variable = self.variables.iter().rev().find(|known| known.0 == name);
-        let parameter = self
-            .parameters
-            .iter()
-            .rposition(|&known| canonical(known) == canonical(name));
+        let mut places = (0..self.parameters.len())
+            .filter(|&place| canonical(self.parameters[place]) == canonical(name));
+        let parameter = match name {
+            Name::Symbol(_) => places.next(),
+            Name::Word(_) => places.next_back(),
+        };
         match (name, variable, parameter) {
             // POV-Ray knows `x` and the like as parameters before it looks for variables.
             (Name::Word(_), _, Some(place)) | (_, None, Some(place)) => {
