@@ -9,8 +9,9 @@
 //! without any file. The reading wing ([`source`], [`syntax`], [`lang`]) fills it; the drawing wing ([`accel`],
 //! [`compile`], [`trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
 //!
-//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`]) live below both wings: one file
-//! each, with its mathematics, what it reads through [`args::Args`], and what it answers to rays.
+//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`], [`function`]) live
+//! below both wings: one file each, with its mathematics, what it reads through [`args::Args`], and what it answers to
+//! rays.
 //!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any

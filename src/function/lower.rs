@@ -288,6 +288,7 @@ impl Lowering<'_> {
                 a: of(*a),
                 f: *f,
             },
+            (None, Node::Binary(Binary::Mul, a, b)) if a == b => Op::Square { to, a: of(*a) },
             (None, Node::Binary(f, a, b)) => {
                 let (a, b) = (of(*a), of(*b));
                 match f {
@@ -382,6 +383,7 @@ fn target(op: &mut Op) -> &mut Register {
         | Op::Add { to, .. }
         | Op::Sub { to, .. }
         | Op::Mul { to, .. }
+        | Op::Square { to, .. }
         | Op::Div { to, .. }
         | Op::AddTo { to, .. }
         | Op::SubFrom { to, .. }

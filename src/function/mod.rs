@@ -9,14 +9,18 @@
 mod fold;
 mod graph;
 pub mod internal;
+mod interval;
 mod lower;
 mod number;
 mod operation;
 mod program;
+#[cfg(test)]
+mod tests;
 
 pub use fold::{DivisionByZero, Form, Operand, Rest, chain, product};
 pub use graph::{Block, Graph, Id};
 pub use internal::Internal;
+pub use interval::Interval;
 pub use number::{Component, Fold, Number, Part};
 pub use operation::{Binary, Unary};
 pub use program::{Program, TooLarge};
@@ -190,6 +194,12 @@ impl Function {
         }
     }
 
+    /// Bounds of the values for arguments within these bounds, of which there are as many as parameters.
+    #[must_use]
+    pub fn bounds(&self, arguments: &[Interval]) -> Interval {
+        <Interval as Number>::call(self, arguments, Component::At(0))
+    }
+
     /// About how many steps a value takes.
     fn cost(&self) -> u64 {
         self.cost
@@ -224,20 +234,24 @@ pub fn read(args: &mut dyn Args) -> Parse<Arc<Function>> {
 /// A malformed body, or a function of other than three numbers, or one that gives no number.
 pub fn read_of_point(args: &mut dyn Args) -> Parse<Arc<Function>> {
     let function = read(args)?;
-    let wrong = if function.parameters() != 3 {
-        format!(
-            "a function of three numbers is wanted here, this one takes {}",
-            function.parameters()
+    let (wrong, hint) = if function.parameters() != 3 {
+        (
+            format!(
+                "a function of three numbers is wanted here, this one takes {}",
+                function.parameters()
+            ),
+            "Leave its parameters out: then they are `x, y, z`.",
         )
     } else if !function.is_scalar() {
-        "a function that gives one number is wanted here, this one gives a vector or colour"
-            .to_owned()
+        (
+            "a function that gives one number is wanted here, this one gives a vector or colour"
+                .to_owned(),
+            "Declare it as `F`, and write a formula here: `function { F(x, y, z).gray }`.",
+        )
     } else {
         return Ok(function);
     };
     Err(Box::new(
-        Diagnostic::error(args.last_span(), wrong).with_hint(
-            "Declare it first, and write a formula that calls it: `function { F(x, y, z).gray }`.",
-        ),
+        Diagnostic::error(args.last_span(), wrong).with_hint(hint),
     ))
 }

@@ -34,6 +34,11 @@ pub trait Number:
 {
     /// The number that has this value.
     fn constant(value: f64) -> Self;
+    /// The number times itself.
+    #[must_use]
+    fn squared(self) -> Self {
+        self * self
+    }
     /// A function of one number.
     fn unary(self, f: Unary) -> Self;
     /// An operation of two numbers.

@@ -215,6 +215,15 @@ impl Binary {
             }
         }
     }
+
+    /// Whether it is one of the six comparisons.
+    pub(super) fn is_comparison(self) -> bool {
+        use Binary::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+        matches!(
+            self,
+            Less | LessEqual | Greater | GreaterEqual | Equal | NotEqual
+        )
+    }
 }
 
 #[inline]

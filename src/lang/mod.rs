@@ -3,6 +3,7 @@
 mod args;
 mod array;
 mod body;
+mod body_calls;
 mod budget;
 mod bulk;
 mod color;

@@ -54,6 +54,13 @@ impl Internal {
         3 + self.extra
     }
 
+    /// What no value of it exceeds, in either direction, if such a number is known.
+    #[must_use]
+    pub fn bound(&self) -> Option<f64> {
+        let is_limited = |list: &[Internal]| list.iter().any(|known| known.number == self.number);
+        is_limited(algebraic::LIST).then_some(LIMIT)
+    }
+
     /// The value for these arguments; zero if they are too few.
     #[must_use]
     pub fn value(&self, arguments: &[f64]) -> f64 {

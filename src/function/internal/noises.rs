@@ -97,8 +97,8 @@ fn ridged_mf(p: &[f64]) -> f64 {
     value
 }
 
-/// `lambda, octaves, omega, offset, ridge, generator`: the mean of octaves, each folded at `ridge`, bent to run from 1 over
-/// 0 at `1 - offset` to -1.
+/// `lambda, octaves, omega, offset, ridge, generator`: the mean of octaves, each folded at `ridge`, where it is 0, and then
+/// stretched so that one end of its range stays and the other moves by `offset`.
 fn ridge(p: &[f64]) -> f64 {
     let [_, _, _, lambda, octaves, omega, offset, fold, number] = *p else {
         return 0.0;
@@ -106,34 +106,35 @@ fn ridge(p: &[f64]) -> f64 {
     let noise = generator(number);
     let folded = |at: DVec3| {
         let value = noise.noise(at);
-        if value < fold {
-            value / fold
+        let side = if fold < 0.5 {
+            (1.0 - value) / (1.0 - fold) - 1.0
         } else {
-            (1.0 - value) / (1.0 - fold)
-        }
+            1.0 - value / fold
+        };
+        side.abs()
     };
     let octaves = octaves.min(MOST_OCTAVES);
     let (mut at, mut size) = (point(p), 1.0);
     let (mut sum, mut sizes) = (folded(at), 1.0);
-    let mut octave = 1.0;
-    while octave < octaves.max(1.0) {
+    let mut add = |part: f64| {
         at *= lambda;
         size *= omega;
-        // The last one may be a part.
-        let part = if octave + 1.0 > octaves {
-            octaves.fract()
-        } else {
-            1.0
-        };
         sum += part * size * folded(at);
         sizes += part * size;
+    };
+    let mut octave = 1.0;
+    while octave < octaves.trunc() {
+        add(1.0);
         octave += 1.0;
     }
+    let part = octaves.fract();
+    if part > 0.0 {
+        add(part);
+    }
     let mean = sum / sizes;
-    let knee = 1.0 - offset;
-    if mean < knee {
-        1.0 - mean / knee
+    if offset < 0.5 {
+        (mean - offset) / (1.0 - offset)
     } else {
-        (1.0 - mean) / offset - 1.0
+        mean / offset - 1.0
     }
 }

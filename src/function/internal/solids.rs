@@ -53,11 +53,10 @@ fn section(a: f64, b: f64, kind: f64) -> f64 {
 
 /// A sphere with a tail that runs round half a circle to a point.
 fn comma(p: &[f64]) -> f64 {
+    /// Where POV-Ray takes a point of the y axis to, which has no angle.
+    const BESIDE: f64 = 1e-4;
     let [x, y, z, size] = *p else { return 0.0 };
-    if x == 0.0 && y == 0.0 && z == 0.0 {
-        // What POV-Ray gives where head and tail meet.
-        return -1e-4;
-    }
+    let x = if x == 0.0 && z == 0.0 { BESIDE } else { x };
     let head = hypot3(x - size / 2.0, y, z) - size / 2.0;
     let out = hypot2(x + size / 4.0, z) - 0.75 * size;
     let tail = hypot2(out, y) - size / 2.0 * (z.atan2(x) / 2.0).cos();
