@@ -35,6 +35,7 @@ mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod spline;
 mod superellipsoid;
 mod text;
@@ -61,6 +62,7 @@ pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
+pub use sphere_sweep::SphereSweep;
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
@@ -343,6 +345,8 @@ shapes! {
     Text from Text,
     /// `julia_fractal`
     JuliaFractal from JuliaFractal,
+    /// `sphere_sweep`
+    SphereSweep from SphereSweep,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
