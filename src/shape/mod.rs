@@ -12,10 +12,12 @@ mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
+mod container;
 mod cuboid;
 mod cylinder;
 mod disc;
 mod height_field;
+mod isosurface;
 mod julia_fractal;
 mod lathe;
 mod mesh;
@@ -25,6 +27,7 @@ mod mesh_looks;
 #[cfg(test)]
 mod oracle;
 mod ovus;
+mod parametric;
 mod plane;
 mod poly;
 mod polygon;
@@ -49,10 +52,12 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use isosurface::Isosurface;
 pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use ovus::Ovus;
+pub use parametric::Parametric;
 pub use plane::Plane;
 pub use poly::Poly;
 pub use polygon::Polygon;
@@ -347,6 +352,10 @@ shapes! {
     JuliaFractal from JuliaFractal,
     /// `sphere_sweep`
     SphereSweep from SphereSweep,
+    /// `isosurface`
+    Isosurface from Isosurface,
+    /// `parametric`
+    Parametric from Parametric,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.
