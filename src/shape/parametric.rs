@@ -206,9 +206,7 @@ impl Surface {
                 continue;
             }
             let size = patch.high - patch.low;
-            let is_small = size.max_element() < self.accuracy
-                || patch.span.1 - patch.span.0 < self.accuracy
-                || patch.left == 0;
+            let is_small = size.max_element() < self.accuracy || patch.left == 0;
             if is_small {
                 let face = self.face(patch.low);
                 let is_hit = patch.span.0 > least && but != Some(face);

@@ -1,7 +1,0 @@
-// A max_gradient that is too low makes holes.
-#version 3.7;
-global_settings { assumed_gamma 1 }
-camera { location <1, 1.5, -4> look_at 0 angle 45 }
-light_source { <-3, 5, -8> rgb 1 }
-background { rgb <0.1, 0.2, 0.3> }
-isosurface { function { 3*(sqrt(x*x + z*z) - 0.6 + 0.1*sin(12*y)) } max_gradient 1.5 pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 } }
