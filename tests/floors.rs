@@ -47,6 +47,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("interior", "texture"),
     // The triangles of a mesh have textures of their own.
     ("shape", "texture"),
+    // An isosurface is a function.
+    ("shape", "function"),
 ];
 
 fn floor_of(room: &str) -> Option<usize> {

@@ -12,10 +12,12 @@ mod blob;
 #[cfg(test)]
 pub(crate) mod check;
 mod cone;
+mod container;
 mod cuboid;
 mod cylinder;
 mod disc;
 mod height_field;
+mod isosurface;
 mod julia_fractal;
 mod lathe;
 mod mesh;
@@ -25,6 +27,7 @@ mod mesh_looks;
 #[cfg(test)]
 mod oracle;
 mod ovus;
+mod parametric;
 mod plane;
 mod poly;
 mod polygon;
@@ -35,6 +38,7 @@ mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
+mod sphere_sweep;
 mod spline;
 mod superellipsoid;
 mod text;
@@ -48,10 +52,12 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use height_field::HeightField;
+pub use isosurface::Isosurface;
 pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use ovus::Ovus;
+pub use parametric::Parametric;
 pub use plane::Plane;
 pub use poly::Poly;
 pub use polygon::Polygon;
@@ -61,6 +67,7 @@ pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
+pub use sphere_sweep::SphereSweep;
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
@@ -343,6 +350,12 @@ shapes! {
     Text from Text,
     /// `julia_fractal`
     JuliaFractal from JuliaFractal,
+    /// `sphere_sweep`
+    SphereSweep from SphereSweep,
+    /// `isosurface`
+    Isosurface from Isosurface,
+    /// `parametric`
+    Parametric from Parametric,
 }
 
 /// The first visible root strictly between `from` and `to` of roots in order.

@@ -1,0 +1,11 @@
+// An isosurface that its box cuts, with the box seen where it cuts.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <1, 1.5, -4> look_at 0 angle 45 }
+light_source { <-3, 5, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+isosurface {
+  function { x*x + y*y*y - z*z - 0.3 }
+  max_gradient 4 accuracy 0.0001
+  pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
+}
