@@ -23,6 +23,7 @@ mod hints;
 mod light;
 mod limits;
 mod macros;
+mod missing;
 mod object;
 mod probe;
 mod reader;
