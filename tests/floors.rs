@@ -38,6 +38,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("texture", "function"),
     // The sky is painted with pigments.
     ("atmosphere", "texture"),
+    // The media of the air are those of interiors.
+    ("atmosphere", "interior"),
     // The colours of a rainbow are a map.
     ("atmosphere", "pattern"),
     // The bokeh of a camera is painted with a pigment.

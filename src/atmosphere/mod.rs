@@ -9,6 +9,7 @@ pub use rainbow::{Rainbow, mean_of};
 pub use sky_sphere::{PreparedSky, Seen, SkySphere};
 
 use crate::color::Rgb;
+use crate::interior::Media;
 use std::sync::Arc;
 
 /// How long POV-Ray takes the way of a ray that meets nothing.
@@ -21,6 +22,8 @@ pub struct Atmosphere {
     pub fogs: Vec<Fog>,
     /// All rainbows.
     pub rainbows: Vec<Rainbow>,
+    /// What fills all space; kept, and not drawn yet.
+    pub media: Vec<Media>,
     /// What rays see that meet nothing, in front of the background.
     pub sky_sphere: Option<Arc<SkySphere>>,
 }

@@ -50,9 +50,9 @@ impl Interiors {
         above: Option<InteriorId>,
         finishes: impl Iterator<Item = &'a Finish> + Clone,
     ) -> InteriorId {
-        let is_changed = finishes
-            .clone()
-            .any(|finish| finish.ior.is_some() || finish.refraction.is_some());
+        let is_changed = finishes.clone().any(|finish| {
+            finish.ior.is_some() || finish.refraction.is_some() || finish.caustics.is_some()
+        });
         match (own, above) {
             (None, Some(above)) if !is_changed => above,
             (None, None) if !is_changed => self.unnamed(),

@@ -178,6 +178,8 @@ pub struct Globals {
     pub max_trace_level: u32,
     /// `ambient_light`.
     pub ambient_light: Rgb,
+    /// `irid_wavelength`.
+    pub irid_wavelength: Rgb,
     /// Whether the rules of version 3.7 and later hold for transparency and background (the effective version).
     pub rules_37: bool,
     /// Whether the picture keeps the transparency of the background.
@@ -267,6 +269,7 @@ impl World {
                 adc_bailout: scene.globals.adc_bailout,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
+                irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
                 has_alpha: options.alpha,
             },

@@ -10,7 +10,7 @@ use crate::args::{Args, Parse, Word, transform_step};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
-use crate::interior::Interior;
+use crate::interior::{Density, Interior, Media};
 use crate::pattern::Map;
 use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind, Symbol, Token};
@@ -508,6 +508,16 @@ impl Reader<'_> {
                 self.pass();
                 let rainbow = Rainbow::read(self)?;
                 Ok(Some(Value::Element(Element::new("rainbow", rainbow))))
+            }
+            Word::Media => {
+                self.pass();
+                let media = Media::read(self)?;
+                Ok(Some(Value::Element(Element::new("media", media))))
+            }
+            Word::Density => {
+                self.pass();
+                let density = Density::read(self)?;
+                Ok(Some(Value::Element(Element::new("density", density))))
             }
             Word::SkySphere => {
                 self.pass();

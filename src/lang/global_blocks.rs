@@ -257,7 +257,7 @@ impl Reader<'_> {
     }
 
     /// Says that drawing cannot do yet what stands here.
-    fn note_undrawn(&mut self, what: &str, at: Span) {
+    pub(super) fn note_undrawn(&mut self, what: &str, at: Span) {
         let error = Diagnostic::error(at, format!("{what} is not built yet"));
         let hint = "With `+Q8` the scene is drawn without it.";
         self.undrawn.push(error.with_hint(hint));

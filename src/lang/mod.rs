@@ -25,6 +25,7 @@ mod light;
 mod limits;
 mod literal;
 mod macros;
+mod missing;
 mod object;
 mod probe;
 mod reader;

@@ -270,6 +270,7 @@ impl<'a> Reader<'a> {
 
     /// The scene that was read.
     pub(super) fn finish(mut self) -> Reading {
+        self.note_missing();
         if self.errors == 0 {
             self.close_files();
         }

@@ -9,6 +9,7 @@ use crate::args::{Args, Parse, Word};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Gamma;
+use crate::interior::Media;
 use crate::pattern::read_noise_generator;
 use crate::scene::{Charset, Object};
 use crate::source::Diagnostic;
@@ -83,6 +84,11 @@ impl Reader<'_> {
                 self.pass();
                 let rainbow = Rainbow::read(self)?;
                 self.atmosphere.rainbows.push(rainbow);
+            }
+            Some(Word::Media) => {
+                self.pass();
+                let media = Media::read(self)?;
+                self.atmosphere.media.push(media);
             }
             Some(Word::SkySphere) => {
                 self.pass();
@@ -207,9 +213,6 @@ impl Reader<'_> {
                     self.set_default(layer);
                 }
                 Some(Word::Radiosity) => self.importance()?,
-                Some(word @ (Word::Rainbow | Word::Fog | Word::Media)) => {
-                    return Err(self.not_built(word));
-                }
                 _ => {
                     return Err(self.expected_here(
                         "`texture`, `pigment`, `finish`, `camera` or `}` in `default`",

@@ -2,6 +2,7 @@
 
 mod bernstein;
 mod bounds;
+pub mod chi_square;
 pub(crate) mod chord;
 pub(crate) mod conditioning;
 pub(crate) mod enclosed;

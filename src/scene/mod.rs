@@ -68,6 +68,9 @@ pub struct Globals {
     pub number_of_waves: u32,
 }
 
+/// The wavelengths for thin films in scenes that give none, in micrometres.
+const IRID_WAVELENGTH: Rgb = Rgb::new(0.70, 0.52, 0.48);
+
 impl Default for Globals {
     fn default() -> Self {
         Globals {
@@ -76,7 +79,7 @@ impl Default for Globals {
             max_trace_level: 5,
             ambient_light: Rgb::WHITE,
             charset: Charset::default(),
-            irid_wavelength: Rgb::new(0.25, 0.18, 0.14),
+            irid_wavelength: IRID_WAVELENGTH,
             mm_per_unit: 10.0,
             radiosity: None,
             photons: None,

@@ -1,6 +1,7 @@
 //! `finish`: how a surface answers to light.
 
-use crate::args::{Args, Parse, Word, declared, not_built};
+use super::{Irid, Reflection, Subsurface};
+use crate::args::{Args, Parse, Word, declared};
 use crate::color::Rgb;
 use crate::source::Diagnostic;
 
@@ -29,44 +30,20 @@ pub struct Finish {
     pub metallic: f32,
     /// By how much diffuse light is darkened at random.
     pub crand: f32,
+    /// Colours of a thin film.
+    pub irid: Irid,
+    /// How light spreads below the surface; kept, and not drawn yet.
+    pub subsurface: Option<Subsurface>,
     /// The mirror image.
     pub reflection: Reflection,
     /// Whether what the surface reflects is missing from what it lets through.
     pub conserve_energy: bool,
     /// `ior` in a finish, the syntax before version 3.1; it overrules that of the interior.
     pub ior: Option<f32>,
+    /// `caustics` in a finish, the syntax before version 3.1; it overrules that of the interior.
+    pub caustics: Option<f32>,
     /// `refraction` in a finish, a factor on all light that comes through the surface.
     pub refraction: Option<f32>,
-}
-
-/// The mirror image of a finish.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reflection {
-    /// Reflectivity when looking straight at the surface.
-    pub min: Rgb,
-    /// Reflectivity at a grazing view.
-    pub max: Rgb,
-    /// Whether the angle counts by Fresnel's law, with the `ior` of the interior, rather than by `falloff`.
-    pub is_fresnel: bool,
-    /// The exponent by which reflectivity goes from `min` to `max`.
-    pub falloff: f32,
-    /// The reflected colour is raised to the reciprocal of this; 0 makes it black, as in POV-Ray.
-    pub exponent: f32,
-    /// How far the image takes the colour of the pigment.
-    pub metallic: f32,
-}
-
-impl Default for Reflection {
-    fn default() -> Self {
-        Reflection {
-            min: Rgb::BLACK,
-            max: Rgb::BLACK,
-            is_fresnel: false,
-            falloff: 1.0,
-            exponent: 1.0,
-            metallic: 0.0,
-        }
-    }
 }
 
 impl Default for Finish {
@@ -84,9 +61,12 @@ impl Default for Finish {
             shininess: 20.0,
             metallic: 0.0,
             crand: 0.0,
+            irid: Irid::default(),
+            subsurface: None,
             reflection: Reflection::default(),
             conserve_energy: false,
             ior: None,
+            caustics: None,
             refraction: None,
         }
     }
@@ -166,8 +146,8 @@ impl Finish {
                 self.metallic = single(args.float_or(1.0)?);
             }
             Word::Crand => self.crand = number(word, args)?,
-            Word::Irid => no_irid(args)?,
-            Word::Subsurface => return Err(not_built(args, word)),
+            Word::Irid => self.irid = Irid::read(args)?,
+            Word::Subsurface => self.subsurface = Some(Subsurface::read(args)?),
             _ => return Ok(false),
         }
         Ok(true)
@@ -212,7 +192,17 @@ impl Finish {
                     "`refraction` in `finish` is not needed; it scales the light that comes through the surface",
                 ));
             }
-            Word::Caustics => no_effect(word, args)?,
+            Word::Caustics => {
+                let at = args.span();
+                self.caustics = Some(number(word, args)?);
+                args.warn(
+                    Diagnostic::warning(
+                        at,
+                        "`caustics` belongs in `interior`; it is taken from `finish` all the same",
+                    )
+                    .with_hint("Write `interior { caustics ... }` in the object."),
+                );
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -236,61 +226,16 @@ impl Finish {
     }
 }
 
-impl Reflection {
-    /// `reflection COLOUR` or `reflection { ... }`, after the word.
-    fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
-        if !args.accept_mark('{')? {
-            self.min = args.color()?.rgb;
-            self.max = self.min;
-            return Ok(());
-        }
-        self.min = args.color()?.rgb;
-        self.max = self.min;
-        let has_comma = args.comma()?;
-        let mut has_max = true;
-        if let Some(max) = args.color_if_any()? {
-            self.max = max.rgb;
-        } else if has_comma || args.at_expression()? {
-            self.max = args.color()?.rgb;
-        } else {
-            has_max = false;
-        }
-        while !args.accept_close()? {
-            match args.word()? {
-                Some(word @ Word::Fresnel) => {
-                    args.accept(word)?;
-                    self.is_fresnel = args.float_or(1.0)? != 0.0;
-                }
-                Some(word @ Word::Falloff) => self.falloff = number(word, args)?,
-                Some(word @ Word::Exponent) => self.exponent = number(word, args)?,
-                Some(word @ Word::Metallic) => {
-                    args.accept(word)?;
-                    self.metallic = single(args.float_or(1.0)?);
-                }
-                _ => {
-                    return Err(args.expected(
-                        "`fresnel`, `falloff`, `exponent`, `metallic` or `}` in `reflection`",
-                    ));
-                }
-            }
-        }
-        if self.is_fresnel && !has_max {
-            self.min = Rgb::BLACK;
-        }
-        Ok(())
-    }
-}
-
 #[allow(
     clippy::cast_possible_truncation,
     reason = "finish values are single precision, as in POV-Ray"
 )]
-fn single(value: f64) -> f32 {
+pub(super) fn single(value: f64) -> f32 {
     value as f32
 }
 
 /// The number after `word`.
-fn number(word: Word, args: &mut dyn Args) -> Parse<f32> {
+pub(super) fn number(word: Word, args: &mut dyn Args) -> Parse<f32> {
     args.accept(word)?;
     Ok(single(args.float()?))
 }
@@ -313,34 +258,6 @@ fn shininess(args: &mut dyn Args) -> Parse<f32> {
         return Ok(0.0);
     }
     Ok(single(1.0 / roughness))
-}
-
-/// A number after `word` that must be 0, because anything else is not built yet.
-fn no_effect(word: Word, args: &mut dyn Args) -> Parse<()> {
-    let error = not_built(args, word);
-    args.accept(word)?;
-    if args.float()? == 0.0 {
-        Ok(())
-    } else {
-        Err(error)
-    }
-}
-
-/// `irid { 0 ... }`; any other amount is not built yet.
-fn no_irid(args: &mut dyn Args) -> Parse<()> {
-    let error = not_built(args, Word::Irid);
-    args.accept(Word::Irid)?;
-    args.open()?;
-    if args.float()? != 0.0 {
-        return Err(error);
-    }
-    while !args.accept_close()? {
-        if !args.accept(Word::Thickness)? && !args.accept(Word::Turbulence)? {
-            return Err(args.expected("`thickness`, `turbulence` or `}` in `irid`"));
-        }
-        args.float()?;
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -392,59 +309,6 @@ mod tests {
     }
 
     #[test]
-    fn one_colour_reflects_alike_at_all_angles() {
-        for text in [
-            "{ reflection 0.5 }",
-            "{ reflection { 0.5 } }",
-            "{ reflection rgb 0.5 }",
-        ] {
-            let reflection = read(text).reflection;
-            assert_eq!(
-                (reflection.min, reflection.max),
-                (Rgb::splat(0.5), Rgb::splat(0.5))
-            );
-        }
-    }
-
-    #[test]
-    fn two_colours_reflect_straight_and_grazing() {
-        for text in [
-            "{ reflection { 0.25, 1 falloff 2 } }",
-            "{ reflection { rgb 0.25 rgb 1 falloff 2 } }",
-        ] {
-            let reflection = read(text).reflection;
-            assert_eq!(
-                (reflection.min, reflection.max),
-                (Rgb::splat(0.25), Rgb::WHITE)
-            );
-            assert_eq!(reflection.falloff, 2.0);
-        }
-    }
-
-    #[test]
-    fn fresnel_with_one_colour_reflects_nothing_straight() {
-        let reflection = read("{ reflection { 1 fresnel } }").reflection;
-        assert_eq!((reflection.min, reflection.is_fresnel), (Rgb::BLACK, true));
-        assert_eq!(
-            read("{ reflection { 0.5, 1 fresnel on } }").reflection.min,
-            Rgb::splat(0.5)
-        );
-        assert!(
-            !read("{ reflection { 1 fresnel off } }")
-                .reflection
-                .is_fresnel
-        );
-    }
-
-    #[test]
-    fn a_second_reflection_keeps_what_it_does_not_say() {
-        let reflection =
-            read("{ reflection { 0.5, 1 exponent 2 metallic } reflection 0.25 }").reflection;
-        assert_eq!(reflection.min, Rgb::splat(0.25));
-        assert_eq!((reflection.exponent, reflection.metallic), (2.0, 1.0));
-    }
-
-    #[test]
     fn roughness_0_is_doubtful() {
         let mut args = TextArgs::new("{ roughness 0 }");
         let finish = Finish::read(&mut args, &Finish::default()).unwrap();
@@ -454,25 +318,10 @@ mod tests {
 
     #[test]
     fn refraction_words_of_old_scenes_are_kept() {
-        let mut args = TextArgs::new("{ ior 1.5 refraction 0.5 caustics 0 }");
+        let mut args = TextArgs::new("{ ior 1.5 refraction 0.5 caustics 0.25 }");
         let finish = Finish::read(&mut args, &Finish::default()).unwrap();
         assert_eq!((finish.ior, finish.refraction), (Some(1.5), Some(0.5)));
-        assert_eq!(args.warnings().len(), 2);
-    }
-
-    #[test]
-    fn what_matters_and_is_missing_is_named() {
-        for (text, word) in [
-            ("{ irid { 0.2 thickness 1 } }", "irid"),
-            ("{ subsurface { 1, 1 } }", "subsurface"),
-            ("{ caustics 0.5 }", "caustics"),
-        ] {
-            assert_eq!(error(text), format!("`{word}` is not built yet"));
-        }
-        assert_eq!(
-            read("{ crand 0 irid { 0 thickness 1 } }"),
-            Finish::default()
-        );
+        assert_eq!((finish.caustics, args.warnings().len()), (Some(0.25), 3));
     }
 
     #[test]

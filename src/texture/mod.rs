@@ -2,6 +2,7 @@
 //!
 //! Built are plain and listed pigments, finishes and layers. Normals, texture maps and patterned textures are missing.
 
+mod film;
 mod finish;
 mod layers;
 mod material;
@@ -9,11 +10,14 @@ mod pigment;
 mod pigment_pattern;
 mod prepared;
 mod rare;
+mod reflection;
 
-pub use finish::{Finish, Reflection};
+pub use film::{Irid, Subsurface};
+pub use finish::Finish;
 pub use layers::{Layer, Texture};
 pub use material::Material;
 pub use pigment::{Pigment, PigmentKind};
 pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
 pub use rare::Rare;
+pub use reflection::Reflection;

@@ -57,13 +57,20 @@ impl Pigment {
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         args.open()?;
-        let mut pigment = Pigment::read_known(args, base)?;
+        Pigment::read_known(args, base)?.read_on(args, "pigment")
+    }
+
+    /// This pigment, changed by all that follows up to the end of a block; `what` is the word of the block.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_on(mut self, args: &mut dyn Args, what: &str) -> Parse<Pigment> {
         while !args.accept_close()? {
-            if !pigment.read_item(args)? {
-                return Err(args.expected("a colour, a pattern or `}` in `pigment`"));
+            if !self.read_item(args)? {
+                return Err(args.expected(&format!("a colour, a pattern or `}}` in `{what}`")));
             }
         }
-        pigment.checked(args)
+        self.checked(args)
     }
 
     /// An entry of a map: a pigment without its braces.
@@ -127,7 +134,8 @@ impl Pigment {
                 args.accept(word)?;
                 self.kind = PigmentKind::Colors(pattern, Map::read_colors(args)?);
             }
-            Word::PigmentMap => {
+            // The map of a density is one of pigments under its own name.
+            Word::PigmentMap | Word::DensityMap => {
                 if let PigmentKind::Average(entries) = &mut self.kind {
                     args.accept(word)?;
                     *entries = Some(Pigment::read_map(args)?);

@@ -1,7 +1,7 @@
 //! Light from many lamps: soft shadows, and each lamp by itself with `area_illumination`.
 
 use super::Tracer;
-use super::light::{Coat, Lit, Shining, is_nothing, shine};
+use super::light::{Coat, Lit, Shining, is_nothing};
 use crate::color::Rgb;
 use crate::compile::Scratch;
 use crate::light::{Area, Arrival, Axes, Light};
@@ -160,7 +160,7 @@ impl Tracer<'_> {
                         arriving: left,
                         has_highlights: side.is_in_front && !light.is_shadowless(),
                     };
-                    sum += shine(&shining, lit, coat, scratch);
+                    sum += self.shine(&shining, lit, coat, scratch);
                 }
             }
         }

@@ -120,7 +120,7 @@ impl Tracer<'_> {
             arriving,
             has_highlights: side.is_in_front && !light.is_shadowless(),
         };
-        shine(&shining, lit, coat, scratch)
+        self.shine(&shining, lit, coat, scratch)
     }
 
     /// What is left of light after all that stands between a point and the lamps of its source.
@@ -199,6 +199,44 @@ impl Tracer<'_> {
         Rgb::BLACK
     }
 
+    /// What light from one direction gives to a layer.
+    pub(super) fn shine(
+        &self,
+        shining: &Shining,
+        lit: &Lit,
+        coat: &Coat,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let finish = coat.finish;
+        let Shining {
+            to_light,
+            side,
+            arriving,
+            has_highlights,
+        } = *shining;
+        let cosine = side.cosine.abs();
+        let mut sum = Rgb::BLACK;
+        if side.diffuse != 0.0 {
+            let mut strength =
+                f64::from(side.diffuse) * coat.opacity * power(cosine, finish.brilliance);
+            if finish.crand > 0.0 {
+                strength -= grain(scratch) * f64::from(finish.crand);
+            }
+            sum += coat.rgb * arriving * strength;
+        }
+        if has_highlights {
+            let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
+            if strength != 0.0 {
+                let shine = metallic(finish.metallic, coat.rgb, cosine);
+                sum += arriving * shine * strength;
+            }
+        }
+        if finish.irid.amount > 0.0 {
+            sum *= self.film(&finish.irid, lit, to_light);
+        }
+        sum
+    }
+
     /// The fading of light along the segment that ends at a hit, which changes what the light is inside of.
     fn fade(&self, inside: &mut Inside, hit: &Hit) -> Rgb {
         let interior = self.world.surfaces[hit.surface as usize].interior;
@@ -208,35 +246,6 @@ impl Tracer<'_> {
             Rgb::WHITE
         }
     }
-}
-
-/// What light from one direction gives to a layer.
-pub(super) fn shine(shining: &Shining, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
-    let finish = coat.finish;
-    let Shining {
-        to_light,
-        side,
-        arriving,
-        has_highlights,
-    } = *shining;
-    let cosine = side.cosine.abs();
-    let mut sum = Rgb::BLACK;
-    if side.diffuse != 0.0 {
-        let mut strength =
-            f64::from(side.diffuse) * coat.opacity * power(cosine, finish.brilliance);
-        if finish.crand > 0.0 {
-            strength -= grain(scratch) * f64::from(finish.crand);
-        }
-        sum += coat.rgb * arriving * strength;
-    }
-    if has_highlights {
-        let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
-        if strength != 0.0 {
-            let shine = metallic(finish.metallic, coat.rgb, cosine);
-            sum += arriving * shine * strength;
-        }
-    }
-    sum
 }
 
 /// The next number of `crand`, from 0 to 1.

@@ -7,12 +7,15 @@
 mod air;
 mod area;
 mod block;
+mod film;
 mod lens;
 mod light;
 mod passage;
+mod spectrum;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod through;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
@@ -72,6 +75,8 @@ struct Path {
     /// The largest share that its colour can have in the sample.
     weight: f64,
     inside: Inside,
+    /// Its wavelength in nanometres, if it comes of light that was split.
+    wavelength: Option<f64>,
 }
 
 /// A surface passed straight on: `rgb + factor · behind + reflected`.
@@ -164,6 +169,7 @@ impl<'w> Tracer<'w> {
             level: 0,
             weight: 1.0,
             inside,
+            wavelength: None,
         }
     }
 

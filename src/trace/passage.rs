@@ -1,11 +1,13 @@
 //! Through a surface: in which interiors a ray is, and whether its way bends.
 
-use super::{Inside, Path, Tracer};
+use super::{Inside, Path, Tracer, spectrum};
 use crate::compile::{Hit, InteriorId};
 use glam::DVec3;
 
 /// The index of refraction outside all objects.
 const ATMOSPHERE_IOR: f64 = 1.0;
+/// Index of refraction and dispersion outside all objects.
+const ATMOSPHERE: [f64; 2] = [ATMOSPHERE_IOR, 1.0];
 /// Indices whose ratio differs from 1 by less than this do not bend light; POV-Ray's value.
 const NO_BEND: f64 = 1e-10;
 
@@ -17,6 +19,8 @@ pub(super) struct Passage {
     pub(super) was_inside: bool,
     /// The index of refraction before, divided by that behind.
     pub(super) ratio: f64,
+    /// The dispersion before, divided by that behind.
+    pub(super) dispersion: f64,
 }
 
 /// Where light goes behind a surface.
@@ -70,23 +74,49 @@ impl Tracer<'_> {
     /// The crossing of the surface of a hit.
     pub(super) fn passage(&self, path: &Path, hit: &Hit) -> Passage {
         let id = self.world.surfaces[hit.surface as usize].interior;
-        let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
-        let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
+        // Index of refraction and dispersion.
+        let of = |id: InteriorId| {
+            let interior = self.world.interiors.get(id);
+            [interior.ior, interior.effective_dispersion()].map(f64::from)
+        };
+        let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE, |&id| of(id));
         let is_innermost = path.inside.last() == Some(&id);
         let before = outermost(&path.inside);
         let mut inside = Inside::from_slice(&path.inside);
         let was_inside = cross(&mut inside, id);
-        let ratio = match (was_inside, is_innermost) {
-            (false, _) => before / ior(id),
-            (true, true) => ior(id) / outermost(&inside),
-            (true, false) => 1.0,
+        let [ratio, dispersion] = match (was_inside, is_innermost) {
+            (false, _) => divided(before, of(id)),
+            (true, true) => divided(of(id), outermost(&inside)),
+            (true, false) => ATMOSPHERE,
         };
         Passage {
             inside,
             was_inside,
             ratio,
+            dispersion,
         }
     }
+}
+
+impl Passage {
+    /// Whether it splits white light, even such as would go straight on.
+    pub(super) fn splits(&self) -> bool {
+        (self.dispersion - 1.0).abs() >= NO_BEND
+    }
+
+    /// The ratio of the indices for light of a wavelength, or for white light.
+    pub(super) fn ratio_at(&self, wavelength: Option<f64>) -> f64 {
+        match wavelength {
+            Some(wavelength) if self.splits() => {
+                self.ratio * spectrum::bending(self.dispersion, wavelength)
+            }
+            _ => self.ratio,
+        }
+    }
+}
+
+fn divided(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] / b[0], a[1] / b[1]]
 }
 
 /// The direction behind a surface of unit `normal` towards the viewer (Snell's law as a vector).

@@ -1,7 +1,7 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
 use super::light::{Coat, Lit, metallic, mirrored};
-use super::passage::{Bend, bend};
+use super::through::StraightOn;
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
 use crate::compile::{Hit, Scratch, Seen, Surface, Way};
@@ -63,20 +63,8 @@ type Looks<'s> = SmallVec<[(f32, &'s PreparedTexture); 1]>;
     clippy::cast_possible_truncation,
     reason = "POV-Ray keeps shares of textures in single precision, like colours"
 )]
-fn single(weight: f64) -> f32 {
+pub(super) fn single(weight: f64) -> f32 {
     weight as f32
-}
-
-/// What shines through without a bend.
-pub(super) struct StraightOn {
-    /// The factor on light from behind.
-    pub(super) factor: Rgb,
-    /// The factor on the transparency of what is behind.
-    pub(super) transmit: f32,
-    /// The factor on the weight of the ray.
-    pub(super) weight: f64,
-    /// The interiors behind.
-    pub(super) inside: Inside,
 }
 
 /// A mirror image to be traced.
@@ -221,68 +209,6 @@ impl Tracer<'_> {
         own * coat.opacity + self.illuminate(lit, &coat, scratch)
     }
 
-    /// Adds what comes through a surface. Says whether it is the mirror image of a total reflection, beside which
-    /// there is no other.
-    fn pass(
-        &self,
-        lit: &Lit,
-        hit: &Hit,
-        filter: Rgb,
-        view: &mut View,
-        scratch: &mut Scratch,
-    ) -> bool {
-        let path = lit.path;
-        let passage = self.passage(path, hit);
-        let interior = self.interior_of(hit);
-        let fade = if passage.was_inside {
-            interior.fade(hit.t)
-        } else {
-            Rgb::WHITE
-        };
-        let factor = filter * fade * interior.refraction;
-        let transmit = fade.grey() * filter.grey();
-        let weight = f64::from(filter.max());
-        match bend(path.ray.dir, lit.normal, passage.ratio) {
-            Bend::None => {
-                view.straight_on = Some(StraightOn {
-                    factor,
-                    transmit,
-                    weight,
-                    inside: passage.inside,
-                });
-                false
-            }
-            Bend::To(dir) => {
-                let onward = Path {
-                    ray: Ray::new(hit.point, dir),
-                    from: Some(hit.departure),
-                    seen: path.seen,
-                    level: path.level + 1,
-                    weight: path.weight * weight,
-                    inside: passage.inside,
-                };
-                let behind = self.trace(onward, None, scratch);
-                view.rgb += factor * behind.rgb;
-                view.transmit = transmit * behind.transmit;
-                false
-            }
-            Bend::Total => {
-                let onward = Path {
-                    ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
-                    from: Some(hit.departure),
-                    seen: Seen::Reflection,
-                    level: path.level + 1,
-                    weight: path.weight * weight,
-                    inside: Inside::from_slice(&path.inside),
-                };
-                // All light comes back, whatever the layers would filter.
-                let factor = fade * interior.refraction;
-                view.rgb += factor * self.trace(onward, None, scratch).rgb;
-                true
-            }
-        }
-    }
-
     /// How much of its surroundings a layer reflects at this angle.
     fn mirror<'f>(&self, lit: &Lit, hit: &Hit, finish: &'f Finish, pigment: Rgb) -> Mirror<'f> {
         let reflection = &finish.reflection;
@@ -322,6 +248,7 @@ impl Tracer<'_> {
             level: path.level + 1,
             weight: path.weight * mirror.weight,
             inside: Inside::from_slice(&path.inside),
+            wavelength: path.wavelength,
         };
         let Sample { rgb, .. } = self.trace(onward, None, scratch);
         let exponent = mirror.finish.reflection.exponent;
@@ -330,6 +257,11 @@ impl Tracer<'_> {
         } else {
             rgb.map(|c| c.powf(1.0 / exponent))
         };
+        let irid = &mirror.finish.irid;
+        if irid.amount > 0.0 {
+            let film = self.film(irid, lit, mirrored(path.ray.dir, lit.normal));
+            return rgb * mirror.reflectivity * film;
+        }
         rgb * mirror.reflectivity
     }
 
@@ -337,9 +269,15 @@ impl Tracer<'_> {
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
         let looks = self.looks(surface, hit, ray.dir);
+        let caustics = f64::from(self.interior_of(hit).caustics);
         looks.iter().fold(Rgb::BLACK, |sum, (weight, texture)| {
             let light = texture.layers().iter().fold(Rgb::WHITE, |light, layer| {
-                light * self.color(layer, &spot(hit, ray.dir)).transmission()
+                let through = self.color(layer, &spot(hit, ray.dir)).transmission();
+                if caustics == 0.0 {
+                    return light * through;
+                }
+                let cosine = hit.shading_normal.dot(ray.dir).abs();
+                light * through * (1.0 + cosine.powf(caustics))
             });
             sum + light * f64::from(*weight)
         })
@@ -353,7 +291,7 @@ impl Tracer<'_> {
         }
     }
 
-    fn interior_of(&self, hit: &Hit) -> &Interior {
+    pub(super) fn interior_of(&self, hit: &Hit) -> &Interior {
         let id = self.world.surfaces[hit.surface as usize].interior;
         self.world.interiors.get(id)
     }

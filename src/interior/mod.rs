@@ -1,26 +1,42 @@
 //! `interior`: what fills an object: how it bends light and how light fades in it.
 //!
-//! Missing: `media`, `caustics` and `dispersion`.
+//! Its media are kept, and not drawn yet.
 
-use crate::args::{Args, Parse, Word, declared, not_built};
+mod media;
+
+pub use media::{Density, Media, Phase, Sampling, Scattering};
+
+use crate::args::{Args, Parse, Word, declared};
 use crate::color::Rgb;
 use crate::source::Diagnostic;
 use crate::texture::Finish;
 
+/// The power of the cosine for `caustics 1`; old finishes give the power itself.
+const CAUSTICS: f32 = 45.0;
 /// From this `fade_power` on, light fades exponentially.
 const EXPONENTIAL_POWER: f64 = 1000.0;
 
 /// What fills an object. The default is the atmosphere: light goes straight and does not fade.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Interior {
     /// The index of refraction.
     pub ior: f32,
+    /// Whether the scene says so. Otherwise it is that of the atmosphere, and so is the dispersion (measured).
+    pub has_ior: bool,
     /// The distance over which light fades to the mean of full light and `fade_color`; 0 for no fading.
     pub fade_distance: f32,
     /// How fast light fades; from 1000 on exponentially. With 0 all light is halved towards `fade_color`.
     pub fade_power: f32,
     /// The colour to which light fades.
     pub fade_color: Rgb,
+    /// How much more light bends that is bluer: the ratio of the indices of violet and red light.
+    pub dispersion: f32,
+    /// Into how many colours white light is split.
+    pub dispersion_samples: u32,
+    /// The power of the cosine by which light gathers behind the surface; 0 for no gathering.
+    pub caustics: f32,
+    /// What fills the object and glows, swallows light or scatters it.
+    pub media: Vec<Media>,
     /// `refraction` of an old finish: a factor on all light that comes through the surface.
     pub refraction: f32,
 }
@@ -29,9 +45,14 @@ impl Default for Interior {
     fn default() -> Self {
         Interior {
             ior: 1.0,
+            has_ior: false,
             fade_distance: 0.0,
             fade_power: 0.0,
             fade_color: Rgb::BLACK,
+            dispersion: 1.0,
+            dispersion_samples: 7,
+            caustics: 0.0,
+            media: Vec::new(),
             refraction: 1.0,
         }
     }
@@ -58,26 +79,23 @@ impl Interior {
         let Some(word) = args.word()? else {
             return Err(args.expected("a parameter of `interior` or `}`"));
         };
-        let missing = not_built(args, word);
         match word {
-            Word::Ior => self.ior = number(word, args)?,
+            Word::Ior => {
+                self.ior = number(word, args)?;
+                self.has_ior = true;
+            }
             Word::FadeDistance => self.fade_distance = number(word, args)?,
             Word::FadePower => self.fade_power = number(word, args)?,
             Word::FadeColor | Word::FadeColour => {
                 args.accept(word)?;
                 self.fade_color = args.color()?.rgb;
             }
-            Word::Caustics if number(word, args)? == 0.0 => {}
-            Word::Dispersion if number(word, args)? == 1.0 => {}
-            Word::DispersionSamples => {
-                let at = args.span();
-                if number(word, args)? < 2.0 {
-                    let message = "`dispersion_samples` must be at least 2";
-                    return Err(Box::new(Diagnostic::error(
-                        at.to(args.last_span()),
-                        message,
-                    )));
-                }
+            Word::Caustics => self.caustics = CAUSTICS * number(word, args)?,
+            Word::Dispersion => self.dispersion = number(word, args)?,
+            Word::DispersionSamples => self.dispersion_samples = dispersion_samples(args)?,
+            Word::Media => {
+                args.accept(word)?;
+                self.media.push(Media::read(args)?);
             }
             Word::Refraction => {
                 let at = args.span();
@@ -87,7 +105,6 @@ impl Interior {
                     "`refraction` in `interior` does nothing",
                 ));
             }
-            Word::Caustics | Word::Dispersion | Word::Media => return Err(missing),
             _ => return Err(args.expected("a parameter of `interior` or `}`")),
         }
         Ok(())
@@ -116,12 +133,20 @@ impl Interior {
         })
     }
 
-    /// Takes over `ior` and `refraction` from the finishes of the object's texture, where old scenes have them.
+    /// Takes over `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes have them.
     pub fn take_from_finishes<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
         for finish in finishes {
             self.ior = finish.ior.unwrap_or(self.ior);
+            self.has_ior |= finish.ior.is_some();
             self.refraction = finish.refraction.unwrap_or(self.refraction);
+            self.caustics = finish.caustics.unwrap_or(self.caustics);
         }
+    }
+
+    /// How much more bluer light bends, without regard to what an interior without `ior` says.
+    #[must_use]
+    pub fn effective_dispersion(&self) -> f32 {
+        if self.has_ior { self.dispersion } else { 1.0 }
     }
 
     /// Whether light fades at all.
@@ -129,6 +154,27 @@ impl Interior {
     pub fn fades(&self) -> bool {
         self.fade_distance != 0.0
     }
+}
+
+/// Bounds of `dispersion_samples`; the upper one is more than any picture is worth.
+const DISPERSION_SAMPLES: std::ops::RangeInclusive<f64> = 2.0..=4096.0;
+
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the number is checked"
+)]
+fn dispersion_samples(args: &mut dyn Args) -> Parse<u32> {
+    let at = args.span();
+    args.accept(Word::DispersionSamples)?;
+    let count = args.float()?.trunc();
+    if DISPERSION_SAMPLES.contains(&count) {
+        return Ok(count as u32);
+    }
+    Err(Box::new(Diagnostic::error(
+        at.to(args.last_span()),
+        format!("`dispersion_samples` runs from 2 to 4096, not {count}"),
+    )))
 }
 
 #[allow(
@@ -184,15 +230,22 @@ mod tests {
     }
 
     #[test]
-    fn what_matters_and_is_missing_is_named() {
-        for (text, word) in [
-            ("{ media { } }", "media"),
-            ("{ caustics 1 }", "caustics"),
-            ("{ dispersion 1.1 }", "dispersion"),
-        ] {
-            let error = read(text).expect_err("it is missing");
-            assert_eq!(error.message, format!("`{word}` is not built yet"));
-        }
-        assert!(read("{ caustics 0 dispersion 1 dispersion_samples 9 }").is_ok());
+    fn light_can_be_split_in_two_colours_at_least() {
+        let interior = read("{ dispersion 1.1 dispersion_samples 9.5 caustics 0.5 }").unwrap();
+        assert_eq!((interior.dispersion, interior.dispersion_samples), (1.1, 9));
+        assert_eq!(interior.effective_dispersion(), 1.0);
+        let glass = read("{ ior 1 dispersion 1.1 }").unwrap();
+        assert_eq!(glass.effective_dispersion(), 1.1);
+        let error = read("{ dispersion_samples 1 }").expect_err("one is white");
+        assert_eq!(
+            error.message,
+            "`dispersion_samples` runs from 2 to 4096, not 1"
+        );
+    }
+
+    #[test]
+    fn several_media_add_up() {
+        let interior = read("{ media { emission 1 } media { absorption rgb 0.5 } }").unwrap();
+        assert_eq!(interior.media.len(), 2);
     }
 }

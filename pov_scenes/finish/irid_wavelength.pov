@@ -1,0 +1,9 @@
+// `irid_wavelength` says at which thickness which colour comes.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -8> look_at <0, 0.8, 0> angle 45 }
+light_source { <5, 8, -6>, rgb 1 }
+plane { y, 0 pigment { checker rgb 0.9 rgb <0.3, 0.4, 0.5> } }
+global_settings { irid_wavelength rgb <0.5, 0.4, 0.3> }
+sphere { <-1.3, 1, 0>, 1 pigment { rgb 0.8 } finish { irid { 0.4 thickness 0.7 } } }
+sphere { <1.3, 1, 0>, 1 pigment { rgb 0.8 } finish { irid { 0.4 } } }

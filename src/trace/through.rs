@@ -1,0 +1,174 @@
+//! What comes through a surface: straight on, bent, thrown back as a whole, or split into its colours.
+
+use super::light::{Lit, mirrored};
+use super::passage::{Bend, Passage, bend};
+use super::surface::{View, single};
+use super::{Inside, Path, Sample, Tracer, spectrum};
+use crate::color::Rgb;
+use crate::compile::{Hit, Scratch, Seen};
+use crate::math::Ray;
+use glam::DVec3;
+
+/// What shines through without a bend.
+pub(super) struct StraightOn {
+    /// The factor on light from behind.
+    pub(super) factor: Rgb,
+    /// The factor on the transparency of what is behind.
+    pub(super) transmit: f32,
+    /// The factor on the weight of the ray.
+    pub(super) weight: f64,
+    /// The interiors behind.
+    pub(super) inside: Inside,
+}
+
+/// What a surface does to light that comes through it.
+struct Through {
+    /// The factor on light.
+    factor: Rgb,
+    /// The factor on the transparency of what is behind.
+    transmit: f32,
+    /// The factor on the weight of the ray.
+    weight: f64,
+    passage: Passage,
+}
+
+impl Tracer<'_> {
+    /// Adds what comes through a surface. Says whether it is the mirror image of a total reflection, beside which
+    /// there is no other.
+    pub(super) fn pass(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        filter: Rgb,
+        view: &mut View,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let path = lit.path;
+        let passage = self.passage(path, hit);
+        let interior = self.interior_of(hit);
+        let fade = if passage.was_inside {
+            interior.fade(hit.t)
+        } else {
+            Rgb::WHITE
+        };
+        let through = Through {
+            factor: filter * fade * interior.refraction,
+            transmit: fade.grey() * filter.grey(),
+            weight: f64::from(filter.max()),
+            passage,
+        };
+        if path.wavelength.is_none() && through.passage.splits() {
+            self.split(lit, hit, &through, view, scratch);
+            return false;
+        }
+        let ratio = through.passage.ratio_at(path.wavelength);
+        match bend(path.ray.dir, lit.normal, ratio) {
+            Bend::None => {
+                view.straight_on = Some(StraightOn {
+                    factor: through.factor,
+                    transmit: through.transmit,
+                    weight: through.weight,
+                    inside: through.passage.inside,
+                });
+                false
+            }
+            Bend::To(dir) => {
+                let behind = self.bent(lit, hit, &through, dir, path.wavelength, scratch);
+                view.rgb += behind.rgb;
+                view.transmit = behind.transmit;
+                false
+            }
+            Bend::Total => {
+                // All light comes back, whatever the layers would filter.
+                let factor = fade * interior.refraction;
+                view.rgb +=
+                    factor * self.thrown_back(lit, hit, through.weight, path.wavelength, scratch);
+                true
+            }
+        }
+    }
+
+    /// What comes through a surface from a direction.
+    fn bent(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        through: &Through,
+        dir: DVec3,
+        wavelength: Option<f64>,
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let path = lit.path;
+        let onward = Path {
+            ray: Ray::new(hit.point, dir),
+            from: Some(hit.departure),
+            seen: path.seen,
+            level: path.level + 1,
+            weight: path.weight * through.weight,
+            inside: Inside::from_slice(&through.passage.inside),
+            wavelength,
+        };
+        let behind = self.trace(onward, None, scratch);
+        Sample {
+            rgb: through.factor * behind.rgb,
+            transmit: through.transmit * behind.transmit,
+        }
+    }
+
+    /// The mirror image of a total reflection.
+    fn thrown_back(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        weight: f64,
+        wavelength: Option<f64>,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let path = lit.path;
+        let onward = Path {
+            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
+            from: Some(hit.departure),
+            seen: Seen::Reflection,
+            level: path.level + 1,
+            weight: path.weight * weight,
+            inside: Inside::from_slice(&path.inside),
+            wavelength,
+        };
+        self.trace(onward, None, scratch).rgb
+    }
+
+    /// Adds what comes through a surface that splits white light: the mean of its colours, each on a way of its own.
+    /// Colours that are reflected as a whole are filtered like the others, unlike light that is not split (measured).
+    fn split(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        through: &Through,
+        view: &mut View,
+        scratch: &mut Scratch,
+    ) {
+        let count = self.interior_of(hit).dispersion_samples;
+        let share = 1.0 / f64::from(count);
+        let mut sum = Rgb::BLACK;
+        let mut transmit = 0.0;
+        for number in 0..count {
+            let band = spectrum::band(number, count);
+            let wavelength = Some(band.wavelength);
+            let dir = lit.path.ray.dir;
+            let dir = match bend(dir, lit.normal, through.passage.ratio_at(wavelength)) {
+                Bend::None => dir,
+                Bend::To(dir) => dir,
+                Bend::Total => {
+                    let light = self.thrown_back(lit, hit, through.weight, wavelength, scratch);
+                    sum += band.hue * through.factor * light;
+                    continue;
+                }
+            };
+            let behind = self.bent(lit, hit, through, dir, wavelength, scratch);
+            sum += band.hue * behind.rgb;
+            transmit += f64::from(behind.transmit);
+        }
+        view.rgb += sum * share;
+        view.transmit = single(transmit * share);
+    }
+}
