@@ -15,6 +15,7 @@ mod files;
 mod flow;
 mod foreign;
 mod function;
+mod function_picture;
 mod functions;
 #[cfg(test)]
 mod fuzz;
