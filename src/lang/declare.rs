@@ -507,8 +507,13 @@ impl Reader<'_> {
                 let map = Pigment::read_map(self)?;
                 Ok(Some(Value::Element(Element::new("pigment_map", map))))
             }
-            Word::Normal | Word::Density | Word::Media | Word::NormalMap | Word::SlopeMap
-            | Word::TextureMap | Word::DensityMap => Err(self.not_built(word)),
+            Word::Normal
+            | Word::Density
+            | Word::Media
+            | Word::NormalMap
+            | Word::SlopeMap
+            | Word::TextureMap
+            | Word::DensityMap => Err(self.not_built(word)),
             Word::Finish => {
                 self.pass();
                 let default = self.default_layer.finish.clone();

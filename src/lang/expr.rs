@@ -334,7 +334,11 @@ impl Reader<'_> {
     /// The array of the identifier at hand, or its item if indices follow.
     pub(super) fn array_or_item(&mut self) -> Parse<Value> {
         let symbol = Symbol(self.raw().value);
-        let mut value = self.scopes.get(symbol).cloned().unwrap_or(Value::Poison(None));
+        let mut value = self
+            .scopes
+            .get(symbol)
+            .cloned()
+            .unwrap_or(Value::Poison(None));
         self.pass();
         while let Value::Array(array) = &value {
             let token = self.peek()?;
