@@ -57,6 +57,10 @@ pub trait Args {
         let _ = endings;
         Err(self.expected(&format!("the name of {what}")))
     }
+    /// Reads `function W, H { ... }` as a picture, if `function` is the next word.
+    fn sampled(&mut self) -> Parse<Option<Sampled>> {
+        Ok(None)
+    }
     /// Reads an object, as a value of the type of objects of scenes.
     fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         Err(self.expected("an object"))
@@ -124,6 +128,17 @@ pub trait Args {
     fn warn(&mut self, warning: Diagnostic);
     /// The language version in force, as `#version` writes it: 3.7, 3.1.
     fn version(&self) -> f64;
+}
+
+/// A picture of the values of a function over the unit square, which is taken from `0` to `1` in both directions.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// Pixels in a row, at least 1.
+    pub width: usize,
+    /// Rows, at least 1. The first row is that of `y = 0`.
+    pub height: usize,
+    /// The colours row by row; the values of a function of numbers are grey.
+    pub colors: Vec<Color>,
 }
 
 /// The value of the next token, if that is an identifier declared as a `T`.

@@ -35,6 +35,8 @@ enum Samples {
     Words(Vec<[u16; 4]>, Transfer),
     /// Numbers of the working space.
     Floats(Vec<[f32; 4]>),
+    /// Colours of the scene.
+    Colors(Vec<Color>),
     /// Indices into a palette.
     Indexed(Vec<u8>, Vec<Color>),
 }
@@ -93,10 +95,12 @@ impl Bitmap {
         }
     }
 
-    /// Whether some colour of the palette lets light through.
-    fn has_clear_palette(&self) -> bool {
+    /// Whether some colour of the scene or of the palette lets light through.
+    fn has_clear_colors(&self) -> bool {
         match &self.samples {
-            Samples::Indexed(_, palette) => palette.iter().any(|color| color.is_transparent()),
+            Samples::Indexed(_, colors) | Samples::Colors(colors) => {
+                colors.iter().any(|color| color.is_transparent())
+            }
             _ => false,
         }
     }
@@ -137,6 +141,7 @@ impl Bitmap {
                 [transfer.apply(r), transfer.apply(g), transfer.apply(b), a]
             }
             Samples::Floats(pixels) => pixels[at],
+            Samples::Colors(colors) => return colors[at],
         };
         let rgb = if self.is_premultiplied && alpha != 0.0 {
             Rgb::new(r / alpha, g / alpha, b / alpha)

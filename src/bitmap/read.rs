@@ -2,8 +2,8 @@
 
 use super::decode::{Handling, decode};
 use super::format::Format;
-use super::{Bitmap, Mapping};
-use crate::args::{Args, Parse, Word, not_built};
+use super::{Bitmap, Mapping, Samples};
+use crate::args::{Args, Parse, Sampled, Word, not_built};
 use crate::color::{Color, Gamma, Rgb};
 use crate::source::{Diagnostic, Span};
 use glam::DVec3;
@@ -65,7 +65,7 @@ impl Source {
         self.mapping.is_once
             || self.all != (0.0, 0.0)
             || self.bitmap.has_alpha()
-            || self.bitmap.has_clear_palette()
+            || self.bitmap.has_clear_colors()
     }
 }
 
@@ -83,7 +83,10 @@ struct Entry {
 /// A malformed block, or a file that is missing or no picture.
 pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     args.open()?;
-    let (bytes, format, span) = read_file(args)?;
+    let content = match args.sampled()? {
+        Some(sampled) => Content::Sampled(sampled),
+        None => read_file(args)?,
+    };
     let mut handling = Handling {
         gamma: None,
         working: args.working_gamma(),
@@ -127,10 +130,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             _ => return Err(args.expected("a parameter of the picture or `}`")),
         }
     }
-    let mut bitmap = decode(&bytes, format, &handling).map_err(|fault| {
-        let message = format!("this file cannot be read as a picture: {fault}");
-        Box::new(Diagnostic::error(span, message))
-    })?;
+    let mut bitmap = content.into_bitmap(&handling)?;
     for entry in &entries {
         entry.apply(&mut bitmap, &mut all)?;
     }
@@ -146,15 +146,42 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
 /// From this version on, files that say nothing hold light by the sRGB curve.
 const SRGB_SINCE: f64 = 3.7;
 
-/// `[format] "file"`: its bytes, its format, and its place in the scene.
-fn read_file(args: &mut dyn Args) -> Parse<(Arc<[u8]>, Format, Span)> {
+/// What a picture is made of.
+enum Content {
+    /// The bytes of a file, its format, and its place in the scene.
+    File(Arc<[u8]>, Format, Span),
+    Sampled(Sampled),
+}
+
+impl Content {
+    fn into_bitmap(self, handling: &Handling) -> Parse<Bitmap> {
+        match self {
+            Content::File(bytes, format, span) => {
+                decode(&bytes, format, handling).map_err(|fault| {
+                    let message = format!("this file cannot be read as a picture: {fault}");
+                    Box::new(Diagnostic::error(span, message))
+                })
+            }
+            Content::Sampled(sampled) => Ok(Bitmap {
+                width: sampled.width,
+                height: sampled.height,
+                samples: Samples::Colors(sampled.colors),
+                has_alpha: false,
+                is_premultiplied: false,
+            }),
+        }
+    }
+}
+
+/// `[format] "file"`.
+fn read_file(args: &mut dyn Args) -> Parse<Content> {
     let word = args.word()?;
     let said = word.and_then(Format::of_word);
     match word {
         Some(word) if said.is_some() => {
             args.accept(word)?;
         }
-        Some(word @ (Word::Iff | Word::Sys | Word::Pot | Word::Function)) => {
+        Some(word @ (Word::Iff | Word::Sys | Word::Pot)) => {
             return Err(not_built(args, word));
         }
         _ => {}
@@ -163,7 +190,7 @@ fn read_file(args: &mut dyn Args) -> Parse<(Arc<[u8]>, Format, Span)> {
     let (name, bytes) = args.file("the picture", endings)?;
     let span = args.last_span();
     match said.or_else(|| Format::of_name(&name)) {
-        Some(format) => Ok((bytes, format, span)),
+        Some(format) => Ok(Content::File(bytes, format, span)),
         None => Err(Box::new(
             Diagnostic::error(span, "the name does not tell the format of this picture")
                 .with_hint("Write `png`, `jpeg`, ... before it."),

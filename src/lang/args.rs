@@ -3,7 +3,7 @@
 use super::cursor::Start;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Args, Parse, Word};
+use crate::args::{Args, Parse, Sampled, Word};
 use crate::color::{Color, Gamma};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
@@ -71,6 +71,13 @@ impl Args for Reader<'_> {
         let name = self.file_name()?;
         let bytes = self.file_named(what, &name, endings)?;
         Ok((name, bytes))
+    }
+
+    fn sampled(&mut self) -> Parse<Option<Sampled>> {
+        if !self.take_word(Word::Function)? {
+            return Ok(None);
+        }
+        self.picture_of_function().map(Some)
     }
 
     fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
@@ -167,7 +174,7 @@ impl Args for Reader<'_> {
                     other => Err(self.error_taken(format!("{} cannot stand here", other.kind()))),
                 }
             }
-            Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
             _ => Ok(None),
         }
     }

@@ -243,7 +243,7 @@ impl Reader<'_> {
         let value = match self.scopes.get(symbol) {
             None => return Err(self.undeclared_in_body(body)),
             Some(Value::Array(_)) => self.array_or_item()?,
-            Some(Value::Poison) => return Err(self.consequence()),
+            Some(Value::Poison(why)) => return Err(self.consequence_of(why.as_deref())),
             Some(value) => {
                 let value = value.clone();
                 self.pass();

@@ -155,7 +155,7 @@ impl Reader<'_> {
             Kind::Number => true,
             Kind::Mark => "<(-+!".contains(char::from_u32(token.value).unwrap_or(' ')),
             Kind::Name => match self.scopes.get(Symbol(token.value)) {
-                Some(Value::Number(_) | Value::Poison) => true,
+                Some(Value::Number(_) | Value::Poison(_)) => true,
                 Some(Value::Array(array)) => array
                     .items
                     .iter()

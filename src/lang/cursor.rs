@@ -324,7 +324,10 @@ impl Reader<'_> {
             return earlier;
         }
         let token = self.raw();
-        if self.is_poison(token) || self.is_known_as_undeclared(token) {
+        if let Some(error) = self.of_poison(token) {
+            return error;
+        }
+        if self.is_known_as_undeclared(token) {
             return self.consequence();
         }
         let found = self.describe(token);

@@ -76,17 +76,53 @@ impl Reader<'_> {
                 end
             }
             Ok(None) => {
-                self.assign(symbol, Value::Poison, is_local);
+                self.assign(symbol, Value::Poison(None), is_local);
                 let spelling = self.names.spelling(symbol).to_owned();
                 let error = self.expected_here(&format!("a value for `{spelling}`"));
                 let name = self.span_of(name);
                 Err(Box::new(error.with_label(name, "declared here")))
             }
+            Err(error) if error.code == Some(Code::NotBuilt) => {
+                // A directive may stand behind the value and use the name.
+                self.assign(symbol, Value::Poison(Some(Rc::new(*error))), is_local);
+                self.skip_value(place)
+            }
             Err(error) => {
-                self.assign(symbol, Value::Poison, is_local);
+                self.assign(symbol, Value::Poison(None), is_local);
                 Err(error)
             }
         }
+    }
+
+    /// Goes behind the value that is being declared, in which something is not built yet.
+    fn skip_value(&mut self, place: Declaring) -> Parse<()> {
+        let mut open = self.blocks.len().saturating_sub(place.blocks);
+        loop {
+            let token = self.peek()?;
+            if token.kind == Kind::End {
+                break;
+            }
+            if token.is_mark('}') && open == 0 {
+                break;
+            }
+            self.pass();
+            if token.is_mark('{') {
+                open += 1;
+            } else if token.is_mark('}') {
+                open -= 1;
+            }
+            // The word that is not built may stand before its block, and further layers of a texture behind it.
+            let next = self.raw();
+            if open == 0 && !next.is_mark('{') && next.word() != Some(Word::Texture) {
+                break;
+            }
+        }
+        self.blocks.truncate(place.blocks);
+        self.depth = place.depth;
+        if self.raw().is_mark(';') {
+            self.pass();
+        }
+        Ok(())
     }
 
     /// `deprecated [once] ["message"]` before a name that is declared.
@@ -196,7 +232,7 @@ impl Reader<'_> {
         };
         self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
         if !open.is_item && self.scopes.get(open.symbol).is_none() {
-            self.assign(open.symbol, Value::Poison, open.is_local);
+            self.assign(open.symbol, Value::Poison(None), open.is_local);
         }
     }
 
@@ -442,7 +478,7 @@ impl Reader<'_> {
                     other => Ok(Some(other)),
                 }
             }
-            Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
             Some(Value::File(_)) => Err(self.expected_here(what)),
             Some(_) if self.at_call() => self.number_or_color().map(Some),
             Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
@@ -480,6 +516,11 @@ impl Reader<'_> {
                 let map = Pigment::read_map(self)?;
                 Ok(Some(Value::Element(Element::new("pigment_map", map))))
             }
+            Word::Normal
+            | Word::NormalMap
+            | Word::SlopeMap
+            | Word::TextureMap
+            | Word::DensityMap => Err(self.not_built(word)),
             Word::Finish => {
                 self.pass();
                 let default = self.default_layer.finish.clone();

@@ -357,7 +357,7 @@ impl Reader<'_> {
                     },
                 }
             }
-            Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
             other => match other.and_then(Callee::of) {
                 Some(callee) => {
                     self.pass();
@@ -372,7 +372,11 @@ impl Reader<'_> {
     /// The array of the identifier at hand, or its item if indices follow.
     pub(super) fn array_or_item(&mut self) -> Parse<Value> {
         let symbol = Symbol(self.raw().value);
-        let mut value = self.scopes.get(symbol).cloned().unwrap_or(Value::Poison);
+        let mut value = self
+            .scopes
+            .get(symbol)
+            .cloned()
+            .unwrap_or(Value::Poison(None));
         self.pass();
         while let Value::Array(array) = &value {
             let token = self.peek()?;

@@ -239,7 +239,7 @@ impl Reader<'_> {
                 self.scopes.undefine(symbol);
                 self.close_file(handle, span)
             }
-            Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
             Some(other) => {
                 let found = other.kind();
                 Err(self.error_taken(format!("expected an open file, found {found}")))
@@ -261,7 +261,7 @@ impl Reader<'_> {
         let symbol = self.identifier(&what)?;
         match self.scopes.get(symbol) {
             Some(&Value::File(handle)) => Ok((symbol, handle)),
-            Some(Value::Poison) => Err(self.consequence()),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
             held => {
                 let found = match held {
                     Some(held) => format!("expected an open file, found {}", held.kind()),
@@ -349,7 +349,7 @@ impl Reader<'_> {
             }
             let symbol = self.identifier("a name to read into, or `)`")?;
             match self.scopes.get(symbol) {
-                None | Some(Value::Number(_) | Value::Text(_) | Value::Poison) => {}
+                None | Some(Value::Number(_) | Value::Text(_) | Value::Poison(_)) => {}
                 Some(other) => {
                     let message = format!("cannot read into this name: it is {}", other.kind());
                     let error = Diagnostic::error(self.taken_span(), message);

@@ -268,10 +268,15 @@ impl Reader<'_> {
             && (self.lacks_file || !self.undeclared.insert(symbol))
     }
 
-    /// Whether a value is one that failed.
-    pub(super) fn is_poison(&self, token: Token) -> bool {
-        token.kind == Kind::Name
-            && matches!(self.scopes.get(Symbol(token.value)), Some(Value::Poison))
+    /// The error of using the name of a value that could not be read.
+    pub(super) fn of_poison(&self, token: Token) -> Option<Box<Diagnostic>> {
+        if token.kind != Kind::Name {
+            return None;
+        }
+        match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Poison(why)) => Some(self.consequence_of(why.as_deref())),
+            _ => None,
+        }
     }
 }
 

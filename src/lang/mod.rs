@@ -16,6 +16,7 @@ mod files;
 mod flow;
 mod foreign;
 mod function;
+mod function_picture;
 mod functions;
 #[cfg(test)]
 mod fuzz;

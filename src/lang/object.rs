@@ -41,7 +41,7 @@ impl Reader<'_> {
         }
         let value = match self.scopes.get(Symbol(token.value)) {
             Some(Value::Array(_)) => self.array_or_item()?,
-            Some(Value::Poison) => return Err(self.consequence()),
+            Some(Value::Poison(why)) => return Err(self.consequence_of(why.as_deref())),
             Some(value @ Value::Object(_)) => {
                 let value = value.clone();
                 self.pass();

@@ -90,7 +90,7 @@ impl Reader<'_> {
         let symbol = self.identifier(what)?;
         let item = match self.scopes.get(symbol) {
             Some(Value::Array(_)) => Some(self.item_path(symbol)?),
-            Some(Value::Poison) => return Err(self.consequence()),
+            Some(Value::Poison(why)) => return Err(self.consequence_of(why.as_deref())),
             _ => None,
         };
         let held = self.scopes.get(symbol);

@@ -237,6 +237,11 @@ impl<'a> Reader<'a> {
         Box::new(Diagnostic::error(None, ""))
     }
 
+    /// The error of using a value that could not be read.
+    pub(super) fn consequence_of(&self, why: Option<&Diagnostic>) -> Box<Diagnostic> {
+        why.map_or_else(|| self.consequence(), |why| Box::new(why.clone()))
+    }
+
     /// Keeps a finding; consequences of earlier ones are not told.
     pub(super) fn record(&mut self, finding: Diagnostic) {
         if finding.severity == Severity::Error {

@@ -39,7 +39,7 @@ impl Reader<'_> {
                         Err(self.error_taken(format!("expected a string, found {}", other.kind())))
                     }
                 },
-                Some(Value::Poison) => Err(self.consequence()),
+                Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
                 _ => Err(self.expected_here("a string")),
             },
             _ => match token.word().filter(|&word| self.begins_string(word)) {

@@ -2,6 +2,7 @@
 
 use super::macros::Macro;
 use crate::scene::Object;
+use crate::source::Diagnostic;
 use std::any::{Any, TypeId};
 use std::fmt;
 use std::rc::Rc;
@@ -104,8 +105,9 @@ pub(super) enum Value {
     File(usize),
     /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
     Element(Element),
-    /// The result of something that failed: using it fails without a further message.
-    Poison,
+    /// The result of something that failed: using it fails without a further message, or where something is not built
+    /// yet, with the message that declaring it did not bring.
+    Poison(Option<Rc<Diagnostic>>),
 }
 
 /// A scene element behind an identifier.
@@ -216,7 +218,7 @@ impl Value {
             Value::Object(_) => "an object".to_owned(),
             Value::Element(e) => format!("a {}", e.name),
             Value::File(_) => "an open file".to_owned(),
-            Value::Poison => "a value that could not be read".to_owned(),
+            Value::Poison(_) => "a value that could not be read".to_owned(),
         }
     }
 }

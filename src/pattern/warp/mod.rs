@@ -1,12 +1,13 @@
 //! The warps: one file each. A warp takes a point of the outside to the point of the pattern that shows there.
 
 mod black_hole;
+mod cubic;
 mod repeat;
 mod turbulence;
 mod wrap;
 
 use super::Settings;
-use crate::args::{Args, Parse, Word, not_built};
+use crate::args::{Args, Parse, Word};
 use glam::DVec3;
 use std::fmt::Debug;
 
@@ -16,6 +17,7 @@ type Read = fn(&mut dyn Args) -> Parse<Box<dyn Warp>>;
 /// The warps by their words.
 static WARPS: &[(Word, Read)] = &[
     (Word::BlackHole, black_hole::read),
+    (Word::Cubic, cubic::read),
     (Word::Cylindrical, wrap::cylindrical),
     (Word::Planar, wrap::planar),
     (Word::Repeat, repeat::read),
@@ -62,11 +64,7 @@ pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
         return Err(args.expected("a kind of `warp`"));
     };
     let Some((_, read)) = WARPS.iter().find(|entry| entry.0 == word) else {
-        return Err(if word == Word::Cubic {
-            not_built(args, word)
-        } else {
-            args.expected("a kind of `warp`")
-        });
+        return Err(args.expected("a kind of `warp`"));
     };
     args.accept(word)?;
     let warp = read(args)?;
