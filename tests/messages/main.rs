@@ -104,13 +104,14 @@ fn messages(scene: &Path, mistake: &Mistake) -> Result<String, Failed> {
     let file = sources.load_file(scene).map_err(|error| error.message)?;
     let reading = evaluate(file, &mut sources, &ReadOptions::default());
     let line = |finding: &Diagnostic| finding.span.map_or(0, |span| sources.line_column(span).0);
+    let findings = || reading.findings.iter().chain(&reading.undrawn);
     let of_kind = |finding: &&Diagnostic| finding.severity == mistake.severity;
-    let lines: Vec<usize> = reading.findings.iter().filter(of_kind).map(line).collect();
+    let lines: Vec<usize> = findings().filter(of_kind).map(line).collect();
     if lines != mistake.lines {
         let told = &mistake.lines;
         return Err(format!("the mistake is in {told:?}, the findings are about {lines:?}").into());
     }
-    let texts = reading.findings.iter().map(|finding| {
+    let texts = findings().map(|finding| {
         let line = pov_line(finding, &sources);
         format!("{line}\n{}\n", annotated(finding, &sources, Styling::Plain))
     });
