@@ -36,7 +36,10 @@ fn names(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn a_file_is_whole_at_the_end_even_if_it_is_not_closed() {
     let folder = folder();
-    let reading = read("#fopen F \"@/a.txt\" write #write(F, 1, \" \", x)", folder.path());
+    let reading = read(
+        "#fopen F \"@/a.txt\" write #write(F, 1, \" \", x)",
+        folder.path(),
+    );
     assert_eq!(first_error(&reading), "");
     let written = fs::read_to_string(folder.path().join("a.txt"));
     assert_eq!(written.expect("the file is there"), "1 <1,0,0> ");
@@ -75,7 +78,10 @@ fn nothing_is_written_outside_of_the_allowed_folders() {
     fs::create_dir(inner.path().join("sub")).expect("folders can be made");
     for name in [
         &format!("{outside}/a.txt"),
-        &format!("@/../{}/a.txt", outer.path().file_name().expect("it has a name").display()),
+        &format!(
+            "@/../{}/a.txt",
+            outer.path().file_name().expect("it has a name").display()
+        ),
         "@/sub/../../a.txt",
         "@",
         "@/..",
@@ -107,7 +113,10 @@ fn links_lead_nowhere_else() {
     for name in ["there", "new", "folder/a.txt"] {
         let scene = format!("#fopen F \"@/{name}\" write #write(F, \"bad\")");
         let reading = read(&scene, inner.path());
-        assert!(first_error(&reading).starts_with("this scene may not write to"), "{name}");
+        assert!(
+            first_error(&reading).starts_with("this scene may not write to"),
+            "{name}"
+        );
     }
     assert_eq!(names(outer.path()).len(), 1);
 }
@@ -119,14 +128,21 @@ fn too_many_open_files_are_refused() {
         .map(|n| format!("#fopen F{n} \"@/{n}.txt\" write\n"))
         .collect();
     let reading = read(&many, folder.path());
-    assert_eq!(first_error(&reading), "a scene has at most 64 files open at once");
+    assert_eq!(
+        first_error(&reading),
+        "a scene has at most 64 files open at once"
+    );
 }
 
 #[test]
 fn what_was_read_or_asked_for_is_told() {
     let folder = folder();
     let path = |name: &str| folder.path().join(name);
-    for (name, text) in [("a.inc", "#declare A = 1;"), ("d.txt", "1, 2"), ("e.txt", "")] {
+    for (name, text) in [
+        ("a.inc", "#declare A = 1;"),
+        ("d.txt", "1, 2"),
+        ("e.txt", ""),
+    ] {
         fs::write(path(name), text).expect("files can be written");
     }
     let scene = "#include \"@/a.inc\"
@@ -139,6 +155,14 @@ fn what_was_read_or_asked_for_is_told() {
     assert_eq!(first_error(&reading), "");
     let seen = reading.dependencies.iter();
     let seen: Vec<_> = seen.map(|one| (one.path.clone(), one.is_there)).collect();
-    let expected = [("a.inc", true), ("d.txt", true), ("e.txt", true), ("none.txt", false)];
-    assert_eq!(seen, expected.map(|(name, is_there)| (path(name), is_there)));
+    let expected = [
+        ("a.inc", true),
+        ("d.txt", true),
+        ("e.txt", true),
+        ("none.txt", false),
+    ];
+    assert_eq!(
+        seen,
+        expected.map(|(name, is_there)| (path(name), is_there))
+    );
 }

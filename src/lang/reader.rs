@@ -124,11 +124,7 @@ impl<'a> Reader<'a> {
             return Err(vec![Diagnostic::error(span, NO_ROOM)]);
         }
         let mut names = Names::new();
-        let unboxed = |errors: Vec<Box<Diagnostic>>| {
-            errors.into_iter().map(|error| *error).collect::<Vec<_>>()
-        };
-        let tokens =
-            Rc::new(tokenize_around_data(file, sources.text(file), &mut names).map_err(unboxed)?);
+        let tokens = Rc::new(tokenize_around_data(file, sources.text(file), &mut names)?);
         let mut reader = Reader {
             sources,
             options,
@@ -223,11 +219,11 @@ impl<'a> Reader<'a> {
                 Ok(tokens)
             }
             Err(mut errors) => {
-                let last = errors.pop().unwrap_or_else(|| self.consequence());
+                let last = errors.pop().map(Box::new);
                 for error in errors {
-                    self.record(*error);
+                    self.record(error);
                 }
-                Err(last)
+                Err(last.unwrap_or_else(|| self.consequence()))
             }
         }
     }

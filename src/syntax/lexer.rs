@@ -50,7 +50,7 @@ pub fn tokenize(
     file: FileId,
     text: &Arc<str>,
     names: &mut Names,
-) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+) -> Result<Tokens, Vec<Diagnostic>> {
     tokenize_by(file, text, names, Data::Tokens)
 }
 
@@ -63,7 +63,7 @@ pub fn tokenize_around_data(
     file: FileId,
     text: &Arc<str>,
     names: &mut Names,
-) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+) -> Result<Tokens, Vec<Diagnostic>> {
     tokenize_by(file, text, names, Data::Waits)
 }
 
@@ -81,10 +81,10 @@ fn tokenize_by(
     text: &Arc<str>,
     names: &mut Names,
     data: Data,
-) -> Result<Tokens, Vec<Box<Diagnostic>>> {
+) -> Result<Tokens, Vec<Diagnostic>> {
     if u32::try_from(text.len()).is_err() {
         let error = Diagnostic::error(None, "a text of 4 GiB or more is too long for a scene");
-        return Err(vec![Box::new(error)]);
+        return Err(vec![error]);
     }
     let mut lexer = Lexer::new(file, text, names);
     lexer.data = data;
@@ -95,7 +95,7 @@ fn tokenize_by(
     lexer.run();
     lexer.push(Kind::End, 0, text.len());
     if !lexer.faults.is_empty() {
-        return Err(lexer.faults.into_iter().map(Box::new).collect());
+        return Err(lexer.faults);
     }
     let mut tokens = lexer.out;
     tokens.tokens.shrink_to_fit();

@@ -20,10 +20,7 @@ const FARTHEST: usize = 1 << 16;
 /// Whether a stretch or a piece may end here: behind a `}`, and behind the comma that follows a vector. No construct of
 /// the language looks further than this without asking for the next token.
 fn is_seam(text: &[u8], at: usize) -> bool {
-    match text.get(..at) {
-        Some([.., b'}'] | [.., b'>', b',']) => true,
-        _ => false,
-    }
+    matches!(text.get(..at), Some([.., b'}'] | [.., b'>', b',']))
 }
 
 /// What of a range of plain text lies between its first and its last seam; `None` if that is not long.

@@ -12,8 +12,7 @@ use std::sync::Arc;
 /// The tokens of a text, and the names in it.
 fn lex(text: &str) -> Result<(Tokens, Names), Vec<Diagnostic>> {
     let mut names = Names::new();
-    let tokens = tokenize(FileId(0), &Arc::from(text), &mut names)
-        .map_err(|faults| faults.into_iter().map(|fault| *fault).collect::<Vec<_>>())?;
+    let tokens = tokenize(FileId(0), &Arc::from(text), &mut names)?;
     Ok((tokens, names))
 }
 
