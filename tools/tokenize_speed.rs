@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 fn main() {
     let files: Vec<String> = std::env::args().skip(1).collect();
-    let texts: Vec<(String, Vec<Arc<str>>)> = if files.is_empty() {
+    let texts: Vec<(String, Vec<Arc<String>>)> = if files.is_empty() {
         vec![
             ("spheres".into(), vec![spheres(160_000).into()]),
             ("mesh2".into(), vec![mesh(260_000).into()]),
@@ -21,7 +21,7 @@ fn main() {
         ]
     } else {
         let texts = files.iter().filter_map(|path| std::fs::read(path).ok());
-        let texts = texts.map(|bytes| String::from_utf8_lossy(&bytes).into());
+        let texts = texts.map(|bytes| String::from_utf8_lossy(&bytes).into_owned().into());
         vec![(format!("{} files", files.len()), texts.collect())]
     };
     for (name, texts) in texts {
@@ -29,7 +29,7 @@ fn main() {
     }
 }
 
-fn report(name: &str, texts: &[Arc<str>]) {
+fn report(name: &str, texts: &[Arc<String>]) {
     let mut best = Duration::MAX;
     let mut count = 0;
     for _ in 0..5 {

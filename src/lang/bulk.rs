@@ -1,11 +1,13 @@
-//! Long lists of literal vectors, straight from the tokens: the lists of a mesh hold millions of them.
+//! Literal numbers and vectors, straight from the tokens: most of what programs write is nothing else, and the lists
+//! of a mesh hold millions of them.
 //!
 //! Only what can mean nothing else is taken: numbers with a sign, commas between them, and behind the vector something
 //! that cannot go on with an expression. Everything else (a name, an operator, a directive) is left to the reader of
 //! expressions.
 
-use super::cursor::Place;
+use super::cursor::{Place, is_bare_directive};
 use super::reader::Reader;
+use super::value::Number;
 use crate::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
 
@@ -13,6 +15,31 @@ use std::rc::Rc;
 const MOST: usize = 5;
 
 impl Reader<'_> {
+    /// Takes the literal number or vector at hand if it is a whole expression.
+    #[inline]
+    pub(super) fn take_literal(&mut self) -> Option<Number> {
+        if self.recording.is_some() {
+            return None;
+        }
+        let tokens = &*self.here.tokens;
+        let at = self.here.at;
+        let first = tokens.tokens[at];
+        let (number, after) = if first.kind == Kind::Number || first.is_mark('-') {
+            let (number, after) = signed(tokens, at)?;
+            (Number::float(number), after)
+        } else if first.is_mark('<') {
+            components(tokens, at)?
+        } else {
+            return None;
+        };
+        if !ends_expression(*tokens.tokens.get(after)?) {
+            return None;
+        }
+        self.here.at = after - 1;
+        self.pass();
+        Some(number)
+    }
+
     /// Takes literal vectors of `len` components, each with an optional comma before it, as long as `take` wants them.
     pub(super) fn take_literal_vectors(
         &mut self,
@@ -73,6 +100,38 @@ fn signed(tokens: &Tokens, mut at: usize) -> Option<(f64, usize)> {
 /// Whether no expression can go on with this token.
 fn ends_item(behind: Token) -> bool {
     [',', '}', '<'].iter().any(|mark| behind.is_mark(*mark))
+}
+
+/// Whether no expression at the additive level can go on with this token, whatever identifiers stand for.
+fn ends_expression(behind: Token) -> bool {
+    match behind.kind {
+        Kind::Mark => !['+', '-', '*', '/', '.']
+            .iter()
+            .any(|mark| behind.is_mark(*mark)),
+        Kind::Word => !is_bare_directive(behind),
+        Kind::Number | Kind::String => true,
+        Kind::LessEqual | Kind::GreaterEqual | Kind::NotEqual => true,
+        Kind::Name | Kind::Directive | Kind::More | Kind::End => false,
+    }
+}
+
+/// The vector of two to five literal components at a token, and the token behind it.
+fn components(tokens: &Tokens, start: usize) -> Option<(Number, usize)> {
+    let mut number = Number {
+        v: [0.0; MOST],
+        len: 0,
+    };
+    let mut at = start;
+    for component in &mut number.v {
+        (*component, at) = signed(tokens, at + 1)?;
+        number.len += 1;
+        match tokens.tokens.get(at)? {
+            comma if comma.is_mark(',') => {}
+            end if end.is_mark('>') => return (number.len > 1).then_some((number, at + 1)),
+            _ => return None,
+        }
+    }
+    None
 }
 
 /// The vector at a token and the token behind it.

@@ -1,5 +1,6 @@
 //! Colours in all the forms of the language.
 
+use super::cursor::Start;
 use super::flow::EQUAL;
 use super::function::is_callable;
 use super::reader::Reader;
@@ -68,7 +69,7 @@ impl Reader<'_> {
 
     /// The components behind `rgb`, `rgbf`, `srgbt` and their like, in the order red, green, blue, filter, transmit.
     fn color_vector(&mut self, word: Word) -> Parse<[f64; 5]> {
-        let at = self.taken_span();
+        let at = self.start_taken();
         let wanted = match word {
             Word::Rgb | Word::Srgb => 3,
             Word::Rgbft | Word::Srgbft => 5,
@@ -77,7 +78,7 @@ impl Reader<'_> {
         let number = self.sum()?;
         if number.len > wanted {
             self.warning(Diagnostic::warning(
-                at.to(self.taken_span()),
+                self.span_from(at),
                 format!("`{word}` takes {wanted} components, found {}; the rest count as filter and transmit", number.len),
             ));
         }
@@ -91,13 +92,13 @@ impl Reader<'_> {
         Ok(parts)
     }
 
-    fn decode_srgb(&mut self, parts: &mut [f64; 5], at: crate::source::Span) -> Parse<()> {
+    fn decode_srgb(&mut self, parts: &mut [f64; 5], at: Start) -> Parse<()> {
         let working = match self.globals.assumed_gamma {
             Some(gamma) => gamma,
             None if self.version >= 3.7 - EQUAL => Gamma::LINEAR,
             None => {
                 return Err(self.with_trace(
-                    Diagnostic::error(at, "sRGB colours need a working gamma")
+                    Diagnostic::error(self.span_of(at), "sRGB colours need a working gamma")
                         .with_hint("Set `global_settings { assumed_gamma 1 }` above."),
                 ));
             }

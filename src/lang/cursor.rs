@@ -25,8 +25,8 @@ pub(super) struct Place {
 /// Where a token begins. Where it ends is found out only for a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Start {
-    file: FileId,
-    start: u32,
+    pub(super) file: FileId,
+    pub(super) start: u32,
 }
 
 impl Start {
@@ -298,14 +298,14 @@ impl Reader<'_> {
             let element = self.taken_span();
             let error = self.no_block(element);
             // Its `}` is to be passed over as well.
-            self.blocks.push(element);
+            self.blocks.push(self.start_taken());
             return Err(error);
         }
         if self.blocks.len() >= limits::NESTING {
             let message = format!("blocks are nested more than {} deep", limits::NESTING);
             return Err(self.error_here(message));
         }
-        self.blocks.push(self.taken_span());
+        self.blocks.push(self.start_taken());
         Ok(())
     }
 
@@ -349,7 +349,7 @@ impl Reader<'_> {
         if let Some(&open) = self.blocks.last()
             && (token.kind == Kind::End || what.contains("`}`"))
         {
-            diagnostic = self.with_block(diagnostic, token, open);
+            diagnostic = self.with_block(diagnostic, token, self.span_of(open));
         }
         self.with_trace(diagnostic)
     }

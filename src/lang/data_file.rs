@@ -135,7 +135,7 @@ mod tests {
 
     /// The values of a file and how many warnings they gave.
     fn values(text: &str) -> (Vec<String>, usize) {
-        let tokens = tokenize(FileId(0), &text.into(), &mut Names::new()).unwrap();
+        let tokens = tokenize(FileId(0), &String::from(text).into(), &mut Names::new()).unwrap();
         let mut file = DataFile::new("d".to_owned(), Rc::new(tokens));
         let (mut found, mut warnings) = (Vec::new(), 0);
         while !file.is_at_end() {

@@ -140,7 +140,10 @@ impl Reader<'_> {
 
     /// Terms with `+` and `-` between them.
     pub(super) fn sum(&mut self) -> Parse<Number> {
-        self.replayed(Level::Sum, Self::read_sum)
+        match self.take_literal() {
+            Some(number) => Ok(number),
+            None => self.replayed(Level::Sum, Self::read_sum),
+        }
     }
 
     fn read_sum(&mut self) -> Parse<Number> {

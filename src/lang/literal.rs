@@ -71,18 +71,26 @@ impl<'a> Literal<'a> {
     /// The next byte that is no blank; 0 at the end.
     #[inline]
     fn byte(&mut self) -> u8 {
-        let bytes = self.text.as_bytes();
-        while let Some(b' ' | b'\t'..=b'\r') = bytes.get(self.at) {
-            self.at += 1;
+        let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
+        match rest.iter().position(|byte| !is_blank(*byte)) {
+            Some(blanks) => {
+                self.at += blanks;
+                rest[blanks]
+            }
+            None => {
+                self.at = self.text.len();
+                0
+            }
         }
-        bytes.get(self.at).copied().unwrap_or(0)
     }
 
     #[inline]
     fn take(&mut self, byte: u8) -> bool {
-        let is_it = self.byte() == byte;
-        self.at += usize::from(is_it);
-        is_it
+        if self.byte() != byte {
+            return false;
+        }
+        self.at += 1;
+        true
     }
 
     /// The reserved word at hand; `None` if there is none, or an identifier.
@@ -183,6 +191,19 @@ impl<'a> Literal<'a> {
     }
 }
 
+/// Whether a number is finite in single precision, as colours are.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision"
+)]
+fn is_single(number: f64) -> bool {
+    (number as f32).is_finite()
+}
+
+fn is_blank(byte: u8) -> bool {
+    byte == b' ' || byte.wrapping_sub(b'\t') <= b'\r' - b'\t'
+}
+
 fn is_letter(byte: u8) -> bool {
     byte.is_ascii_alphabetic() || byte == b'_'
 }
@@ -216,9 +237,12 @@ impl Args for Literal<'_> {
     }
 
     fn color(&mut self) -> Parse<Color> {
-        match self.color_if_any()? {
-            Some(color) => Ok(color),
-            None => give_up(),
+        if let Some(color) = self.color_if_any()? {
+            return Ok(color);
+        }
+        match self.components() {
+            Some((parts, 1)) if is_single(parts[0]) => Ok(Color::from_components([parts[0]; 5])),
+            _ => give_up(),
         }
     }
 
@@ -254,11 +278,7 @@ impl Args for Literal<'_> {
         if word == Word::Rgbt {
             parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
         }
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "colours are single precision"
-        )]
-        let is_finite = parts.iter().all(|part| (*part as f32).is_finite());
+        let is_finite = parts.iter().all(|part| is_single(*part));
         let goes_on = self
             .reserved()
             .is_some_and(|word| word.class() == Class::Color);
@@ -311,6 +331,8 @@ impl Args for Literal<'_> {
         Ok(char::from(self.byte()) == mark && mark != '\0')
     }
 
+    // Inlined into its caller, rustc 1.95 forgets the step behind the `{` in optimised builds.
+    #[inline(never)]
     fn open(&mut self) -> Parse<()> {
         if self.take(b'{') { Ok(()) } else { give_up() }
     }

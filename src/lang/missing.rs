@@ -20,13 +20,14 @@ impl Reader<'_> {
                 .map(|media| (media.at, Word::Media)),
         );
         let has_subsurface = self.globals.subsurface.is_some();
-        // Objects share their parts.
+        // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<(&Arc<Object>, bool)> =
             self.objects.iter().map(|object| (object, false)).collect();
         while let Some((object, is_hollow)) = open.pop() {
             let is_hollow = object.flags.hollow.unwrap_or(is_hollow);
-            if !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
+            let is_shared = Arc::strong_count(object) > 1;
+            if is_shared && !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
                 continue;
             }
             if let Some(interior) = &object.interior {

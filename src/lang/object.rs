@@ -73,7 +73,7 @@ impl Reader<'_> {
 
     fn shape(&mut self, word: Word) -> Parse<Object> {
         self.pass();
-        let start = self.taken_span();
+        let start = self.start_taken();
         self.open_block()?;
         let depth = self.blocks.len();
         let mut object = match self.object_of_name()? {
@@ -82,7 +82,10 @@ impl Reader<'_> {
                 Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
                 Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
                 None => {
-                    let error = Diagnostic::error(start, format!("`{word}` is not built yet"));
+                    let error = Diagnostic::error(
+                        self.span_of(start),
+                        format!("`{word}` is not built yet"),
+                    );
                     return Err(self.with_trace(error.with_code(Code::NotBuilt)));
                 }
             },

@@ -39,7 +39,7 @@ pub(super) struct Reader<'a> {
     pub(super) frames: Vec<Frame>,
     pub(super) scopes: Scopes,
     /// The `{` of the elements being read.
-    pub(super) blocks: Vec<Span>,
+    pub(super) blocks: Vec<Start>,
     /// Where the statement being read began.
     pub(super) statement_start: Start,
     /// How deep the expression being read is nested.

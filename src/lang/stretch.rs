@@ -43,7 +43,7 @@ impl Reader<'_> {
     }
 
     /// Where in which text the data at hand lies.
-    fn data(&self) -> Option<(Arc<str>, std::ops::Range<usize>)> {
+    fn data(&self) -> Option<(Arc<String>, std::ops::Range<usize>)> {
         let tokens = &self.here.tokens;
         let rest = tokens.more(self.here.at)?;
         let range = rest.start as usize..rest.end as usize;
@@ -155,4 +155,53 @@ fn literal_shape(args: &mut Literal, default: &Layer) -> Parse<Option<Object>> {
         }
     }
     Ok(Some(object))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lang::scope::Scopes;
+    use crate::source::FileId;
+    use crate::syntax::Names;
+
+    /// How much of a text is read as one object of literals.
+    fn reached(text: &str) -> Option<usize> {
+        let (names, scopes) = (Names::new(), Scopes::default());
+        let ground = Ground {
+            file: FileId(0),
+            names: &names,
+            scopes: &scopes,
+            version: 3.7,
+        };
+        let mut args = Literal::new(text, 0, &ground);
+        literal_shape(&mut args, &Layer::default()).ok()??;
+        args.reached()
+    }
+
+    #[test]
+    fn objects_in_literals_need_no_tokens() {
+        for text in [
+            "sphere { <-1.5, 2, 3>, 0.5 }",
+            "\nsphere { <1,2,3>, 0.5 pigment { rgb <0.1, 0.2, 0.3> } }",
+            "sphere {<1,2,3>,0.5 pigment{color rgbt <0.1, 0.2, 0.3, 0.4>}finish{phong 1 ambient 0.2}}",
+            "box { -1, 1 rotate <0, 30, 0> scale 2 translate <1, 2, 3> texture { pigment { rgb 1 } } }",
+            "cylinder { <0,0,0>, <0,1,0>, 0.25 open }",
+            "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }",
+        ] {
+            assert_eq!(reached(text), Some(text.len()), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_more_than_literals_is_left_to_the_tokens() {
+        for text in [
+            "sphere { x, 0.5 }",
+            "sphere { <1, 2, 3>*2, 0.5 }",
+            "sphere { <1, 2, 3>, R }",
+            "sphere { <1, 2, 3>, 0.5 interior { ior 1.5 } }",
+            "union { sphere { 0, 1 } }",
+        ] {
+            assert_eq!(reached(text), None, "{text}");
+        }
+    }
 }

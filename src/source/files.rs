@@ -47,7 +47,7 @@ pub struct Dependency {
 struct Source {
     name: String,
     path: Option<PathBuf>,
-    text: Arc<str>,
+    text: Arc<String>,
     /// Where each line begins; made when first asked for.
     lines: OnceLock<Vec<u32>>,
 }
@@ -87,7 +87,7 @@ impl Sources {
             return Err(Box::new(Diagnostic::error(None, message)));
         };
         self.note(path, true);
-        let id = self.push(name.to_string(), Some(path.to_owned()), &bytes);
+        let id = self.push(name.to_string(), Some(path.to_owned()), bytes);
         self.by_path.insert(canonical, id);
         Ok(id)
     }
@@ -95,10 +95,10 @@ impl Sources {
     /// A text that comes from no file: standard input, a test, a string of a Rust program. Its include files are
     /// searched in the current folder and the library paths.
     pub fn add_text(&mut self, name: impl Into<String>, bytes: impl AsRef<[u8]>) -> FileId {
-        self.push(name.into(), None, bytes.as_ref())
+        self.push(name.into(), None, bytes.as_ref().to_vec())
     }
 
-    fn push(&mut self, name: String, path: Option<PathBuf>, bytes: &[u8]) -> FileId {
+    fn push(&mut self, name: String, path: Option<PathBuf>, bytes: Vec<u8>) -> FileId {
         let id = FileId(u32::try_from(self.texts.len()).expect("a run has under 2³² files"));
         self.texts.push(Source {
             name,
@@ -261,7 +261,7 @@ impl Sources {
     /// # Panics
     /// When `file` is of other `Sources`, as for all methods that take one.
     #[must_use]
-    pub fn text(&self, file: FileId) -> &Arc<str> {
+    pub fn text(&self, file: FileId) -> &Arc<String> {
         &self.source(file).text
     }
 

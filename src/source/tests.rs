@@ -60,7 +60,10 @@ fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
     fs::write(path("own.inc"), "new").unwrap();
     sources.wrote(&path("own.inc"));
     let new = sources.find_include(&name("own"), scene).unwrap();
-    assert_eq!((&**sources.text(old), &**sources.text(new)), ("old", "new"));
+    assert_eq!(
+        (sources.text(old).as_str(), sources.text(new).as_str()),
+        ("old", "new")
+    );
     fs::write(path("made.inc"), "").unwrap();
     sources.wrote(&path("made.inc"));
     sources.find_data(&name("made.inc"), scene).unwrap();

@@ -1,32 +1,31 @@
 //! From the bytes of a file to a text.
 
-use std::borrow::Cow;
-
 /// The text that bytes mean.
 ///
 /// UTF-8 stays as it is, but for a byte-order mark at the start, which goes; a text that begins with the mark of
 /// UTF-16 is that. A byte that is no UTF-8 becomes the character of the same code, as in Latin-1, which is what old
 /// scenes are written in; so lines and columns (in characters) are those an editor shows, `°` and `ü` are printed as
 /// they were meant, and only byte offsets differ from those of the file. All spans count bytes of this text.
-pub(super) fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    match bytes {
-        [0xef, 0xbb, 0xbf, rest @ ..] => from_utf8_or_latin1(rest),
-        [0xff, 0xfe, rest @ ..] => Cow::Owned(from_utf16(rest, u16::from_le_bytes)),
-        [0xfe, 0xff, rest @ ..] => Cow::Owned(from_utf16(rest, u16::from_be_bytes)),
+pub(super) fn decode(bytes: Vec<u8>) -> String {
+    match bytes.as_slice() {
+        [0xef, 0xbb, 0xbf, rest @ ..] => from_utf8_or_latin1(rest.to_vec()),
+        [0xff, 0xfe, rest @ ..] => from_utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => from_utf16(rest, u16::from_be_bytes),
         _ => from_utf8_or_latin1(bytes),
     }
 }
 
-fn from_utf8_or_latin1(bytes: &[u8]) -> Cow<'_, str> {
-    if let Ok(text) = std::str::from_utf8(bytes) {
-        return Cow::Borrowed(text);
-    }
+fn from_utf8_or_latin1(bytes: Vec<u8>) -> String {
+    let bytes = match String::from_utf8(bytes) {
+        Ok(text) => return text,
+        Err(error) => error.into_bytes(),
+    };
     let mut out = String::with_capacity(bytes.len() + bytes.len() / 8);
     for chunk in bytes.utf8_chunks() {
         out.push_str(chunk.valid());
         out.extend(chunk.invalid().iter().copied().map(char::from));
     }
-    Cow::Owned(out)
+    out
 }
 
 fn from_utf16(bytes: &[u8], unit: impl Fn([u8; 2]) -> u16) -> String {
@@ -51,7 +50,7 @@ mod tests {
             (b"\xfe\xff\0g\0\xfc\xd8\x00", "gü\u{fffd}"),
             (b"", ""),
         ] {
-            assert_eq!(decode(bytes), text);
+            assert_eq!(decode(bytes.to_vec()), text);
         }
     }
 }

@@ -48,7 +48,7 @@ const MAX_FAULTS: usize = 20;
 /// them; a text of 4 GiB or more.
 pub fn tokenize(
     file: FileId,
-    text: &Arc<str>,
+    text: &Arc<String>,
     names: &mut Names,
 ) -> Result<Tokens, Vec<Diagnostic>> {
     tokenize_by(file, text, names, Data::Tokens)
@@ -61,7 +61,7 @@ pub fn tokenize(
 /// As [`tokenize`], without numbers in those stretches.
 pub fn tokenize_around_data(
     file: FileId,
-    text: &Arc<str>,
+    text: &Arc<String>,
     names: &mut Names,
 ) -> Result<Tokens, Vec<Diagnostic>> {
     tokenize_by(file, text, names, Data::Waits)
@@ -78,7 +78,7 @@ enum Data {
 
 fn tokenize_by(
     file: FileId,
-    text: &Arc<str>,
+    text: &Arc<String>,
     names: &mut Names,
     data: Data,
 ) -> Result<Tokens, Vec<Diagnostic>> {
@@ -106,7 +106,7 @@ fn tokenize_by(
 /// The tokens of a range of a text that holds no string, comment or directive, and what is wrong there.
 pub(super) fn tokenize_data(
     file: FileId,
-    text: &Arc<str>,
+    text: &Arc<String>,
     range: Range<usize>,
     names: &mut Names,
 ) -> (Tokens, Vec<Diagnostic>) {
@@ -159,7 +159,7 @@ impl<'a> Slice<'a> {
 }
 
 impl<'a> Lexer<'a> {
-    fn new(file: FileId, text: &'a Arc<str>, names: &'a mut Names) -> Self {
+    fn new(file: FileId, text: &'a Arc<String>, names: &'a mut Names) -> Self {
         Lexer {
             text,
             names,
@@ -389,6 +389,9 @@ impl<'a> Lexer<'a> {
             |token, item| match item {
                 Item::Word => self.push_word(slice, token.start, token.end),
                 Item::Number(value) => self.push_number(slice, token, value),
+                Item::Byte(mark) => {
+                    self.push(Kind::Mark, u32::from(mark), slice.base + token.start);
+                }
                 Item::Mark => self.push_mark(slice, token.start, token.end),
             },
         )

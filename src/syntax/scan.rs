@@ -14,7 +14,9 @@ pub(super) fn is_blank(letter: char) -> bool {
 
 /// The end of the letters, digits and `_` that begin at `start`.
 pub(super) fn word_end(text: &[u8], start: usize) -> usize {
-    end_of(text, start, |byte| is_letter(byte) || byte.is_ascii_digit())
+    end_of(text, start, |byte| {
+        matches!(BEGINS[usize::from(byte)], Begins::Word | Begins::Number) && byte != b'.'
+    })
 }
 
 /// The end of the number that begins at `start`; `start` itself where none does.
@@ -112,8 +114,45 @@ pub(super) enum Item {
     Word,
     /// A number with its value, `None` if a second point stands in it.
     Number(Option<f64>),
-    /// A mark, a comparison, or any other character.
+    /// A mark of one byte.
+    Byte(u8),
+    /// A comparison, or a character that is not ASCII.
     Mark,
+}
+
+/// What a byte of plain text begins.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Begins {
+    Blank,
+    Number,
+    Word,
+    /// A mark that `=` may follow.
+    Comparison,
+    Mark,
+    /// A character of several bytes.
+    Letter,
+}
+
+/// [`Begins`] for each byte.
+const BEGINS: [Begins; 256] = begins();
+
+const fn begins() -> [Begins; 256] {
+    let mut table = [Begins::Mark; 256];
+    let mut byte = 0_u8;
+    loop {
+        table[byte as usize] = match byte {
+            b' ' | b'\t'..=b'\r' | 0 | 0x1a => Begins::Blank,
+            b'0'..=b'9' | b'.' => Begins::Number,
+            b'a'..=b'z' | b'A'..=b'Z' | b'_' => Begins::Word,
+            b'<' | b'>' | b'!' => Begins::Comparison,
+            0x80.. => Begins::Letter,
+            _ => Begins::Mark,
+        };
+        if byte == u8::MAX {
+            return table;
+        }
+        byte += 1;
+    }
 }
 
 /// Splits a range of the text in which no comment, string or directive begins, and gives each token with its place to
@@ -126,24 +165,24 @@ pub(super) fn split_plain(
     mut take: impl FnMut(Range<usize>, Item),
 ) -> usize {
     let bytes = text.as_bytes();
+    let range = range.start..range.end.min(bytes.len());
     let mut at = range.start;
     while at < range.end {
-        let (item, end) = match bytes[at] {
-            b' ' | b'\t'..=b'\r' | 0 | 0x1a => {
+        let byte = bytes[at];
+        let (item, end) = match BEGINS[usize::from(byte)] {
+            Begins::Blank => {
                 at += 1;
                 continue;
             }
-            b'0'..=b'9' | b'.' => match number(bytes, at) {
-                (_, end) if end == at => (Item::Mark, at + 1),
+            Begins::Mark => (Item::Byte(byte), at + 1),
+            Begins::Number => match number(bytes, at) {
+                (_, end) if end == at => (Item::Byte(byte), at + 1),
                 (value, end) => (Item::Number(value), end),
             },
-            b'<' | b'>' | b'!' => (
-                Item::Mark,
-                at + 1 + usize::from(bytes.get(at + 1) == Some(&b'=')),
-            ),
-            byte if is_letter(byte) => (Item::Word, word_end(bytes, at)),
-            byte if byte.is_ascii() => (Item::Mark, at + 1),
-            _ => {
+            Begins::Comparison if bytes.get(at + 1) == Some(&b'=') => (Item::Mark, at + 2),
+            Begins::Comparison => (Item::Byte(byte), at + 1),
+            Begins::Word => (Item::Word, word_end(bytes, at)),
+            Begins::Letter => {
                 let letter = text[at..].chars().next().unwrap_or_default();
                 if is_blank(letter) {
                     at += letter.len_utf8();

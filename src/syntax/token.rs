@@ -101,7 +101,7 @@ pub struct Tokens {
     pub numbers: Vec<f64>,
     /// The directives.
     pub directives: Vec<Directive>,
-    pub(super) text: Arc<str>,
+    pub(super) text: Arc<String>,
     /// The bytes between the quotes of each string.
     pub(super) strings: Vec<Range<u32>>,
     /// The stretches of text that have no tokens yet.
@@ -142,7 +142,7 @@ impl Tokens {
 
     /// The text that the tokens are of.
     #[must_use]
-    pub fn text(&self) -> &Arc<str> {
+    pub fn text(&self) -> &Arc<String> {
         &self.text
     }
 

@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// The tokens of a text, and the names in it.
 fn lex(text: &str) -> Result<(Tokens, Names), Vec<Diagnostic>> {
     let mut names = Names::new();
-    let tokens = tokenize(FileId(0), &Arc::from(text), &mut names)?;
+    let tokens = tokenize(FileId(0), &Arc::from(text.to_owned()), &mut names)?;
     Ok((tokens, names))
 }
 
