@@ -44,6 +44,8 @@ impl Start {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
+    /// How many scopes were open where the name stood.
+    pub(super) scope: u32,
     /// Whether an item of the array of this name is declared, not the name.
     pub(super) is_item: bool,
     /// How many frames, parentheses and blocks were open where the value began.
@@ -67,6 +69,15 @@ pub(super) struct Frame {
     repeats: bool,
 }
 
+/// Stands for all that a condition can depend on: two that are equal have seen the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct State {
+    /// How often something was declared, read or set so far.
+    pub(super) changes: u64,
+    /// Where the streams of random numbers are.
+    pub(super) streams: u32,
+}
+
 /// The kinds of [`Frame`].
 #[derive(Debug)]
 pub(super) enum Entered {
@@ -74,8 +85,12 @@ pub(super) enum Entered {
     If,
     /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
     Switch { value: f64, is_chosen: bool },
-    /// A `#while`, with the place of its condition, and which round it is in.
-    While { condition: usize, rounds: u64 },
+    /// A `#while`, with the place of its condition, which round it is in, and what it could read when that began.
+    While {
+        condition: usize,
+        rounds: u64,
+        state: Option<State>,
+    },
     /// A `#for`.
     For(Box<super::flow::For>),
     /// A macro call.
@@ -156,7 +171,10 @@ impl Reader<'_> {
                     if !(self.is_end(token) && self.is_in_noted_call()) {
                         self.spoil();
                     }
-                    self.run_directive(token)?;
+                    if let Err(error) = self.run_directive(token) {
+                        self.has_faulty_directive = true;
+                        return Err(error);
+                    }
                 }
                 Kind::Word if is_bare_directive(token) => {
                     self.spoil();

@@ -1,6 +1,6 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
-use super::cursor::{Declaring, Entered, Frame, Place};
+use super::cursor::{Declaring, Entered, Frame, Place, Start, is_bare_directive};
 use super::function::is_callable;
 use super::limits;
 use super::reader::Reader;
@@ -11,10 +11,10 @@ use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::{Density, Interior, Media};
-use crate::pattern::Map;
+use crate::pattern::{Keys, Map};
 use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind, Symbol, Token};
-use crate::texture::{Finish, Material, Pigment, Texture};
+use crate::texture::{Finish, Material, Normal, Pigment, Texture};
 use std::rc::Rc;
 
 /// What `deprecated` says of a name.
@@ -52,12 +52,17 @@ impl Reader<'_> {
         }
         let outer = self.declaring.take();
         let mut place = self.declaring_here(symbol, is_local);
+        let mut start = name;
         self.without_semicolon = None;
         let value = self.replayed(Level::Value, |reader| {
             // Directives before the value run before it and may enter a file or a macro where it is then read:
             // `#declare N = #declare A = 1; N + A;`.
             reader.peek()?;
-            place = reader.declaring_here(symbol, is_local);
+            place = Declaring {
+                scope: place.scope,
+                ..reader.declaring_here(symbol, is_local)
+            };
+            start = reader.start_here();
             reader.declaring = Some(place);
             reader.read_value("a value")
         });
@@ -66,7 +71,7 @@ impl Reader<'_> {
             Ok(Some(value)) => {
                 // The name has its value before the `;` is looked for: a directive may stand there and use it.
                 let is_number = matches!(value, Value::Number(_));
-                self.assign(symbol, value, is_local);
+                self.assign(&place, value);
                 let outer = self.declaring.replace(Declaring {
                     is_complete: true,
                     ..place
@@ -76,7 +81,7 @@ impl Reader<'_> {
                 end
             }
             Ok(None) => {
-                self.assign(symbol, Value::Poison(None), is_local);
+                self.assign(&place, Value::Poison(None));
                 let spelling = self.names.spelling(symbol).to_owned();
                 let error = self.expected_here(&format!("a value for `{spelling}`"));
                 let name = self.span_of(name);
@@ -84,19 +89,47 @@ impl Reader<'_> {
             }
             Err(error) if error.code == Some(Code::NotBuilt) => {
                 // A directive may stand behind the value and use the name.
-                self.assign(symbol, Value::Poison(Some(Rc::new(*error))), is_local);
-                self.skip_value(place)
+                self.assign(&place, Value::Poison(Some(Rc::new(*error))));
+                self.has_faulty_directive = false;
+                self.skip_value(place, start)
             }
             Err(error) => {
-                self.assign(symbol, Value::Poison(None), is_local);
+                self.assign(&place, Value::Poison(None));
                 Err(error)
             }
         }
     }
 
     /// Goes behind the value that is being declared, in which something is not built yet.
-    fn skip_value(&mut self, place: Declaring) -> Parse<()> {
-        let mut open = self.blocks.len().saturating_sub(place.blocks);
+    fn skip_value(&mut self, place: Declaring, start: Start) -> Parse<()> {
+        let is_expression = match self.raw().kind {
+            Kind::Name | Kind::Word if self.start_here() == start => {
+                let next = self.raw_ahead(1);
+                ['(', '[', '.', '+', '-', '*', '/']
+                    .into_iter()
+                    .any(|mark| next.is_mark(mark))
+            }
+            Kind::Word => false,
+            _ => true,
+        };
+        if is_expression && self.blocks.len() <= place.blocks {
+            while !self.peek()?.is_mark(';') && self.raw().kind != Kind::End {
+                self.pass();
+            }
+        } else {
+            self.skip_blocks(place.blocks)?;
+        }
+        self.depth = place.depth;
+        if self.raw().is_mark(';') {
+            self.pass();
+        }
+        Ok(())
+    }
+
+    /// Goes behind a value or an object in which something is not built yet, to where so many blocks were open. Nothing
+    /// is wrong with it: directives in it run.
+    pub(super) fn skip_blocks(&mut self, outside: usize) -> Parse<()> {
+        let mut open = self.blocks.len().saturating_sub(outside);
         loop {
             let token = self.peek()?;
             if token.kind == Kind::End {
@@ -117,11 +150,7 @@ impl Reader<'_> {
                 break;
             }
         }
-        self.blocks.truncate(place.blocks);
-        self.depth = place.depth;
-        if self.raw().is_mark(';') {
-            self.pass();
-        }
+        self.blocks.truncate(outside);
         Ok(())
     }
 
@@ -164,6 +193,7 @@ impl Reader<'_> {
         Declaring {
             symbol,
             is_local,
+            scope: self.scopes.depth(),
             is_item: false,
             frames: self.frames.len(),
             depth: self.depth,
@@ -172,16 +202,23 @@ impl Reader<'_> {
         }
     }
 
-    /// Looks at what follows a value that may be complete. A directive there may use the name that is being declared,
-    /// so it gets what it has until now.
+    /// Looks at what follows a value that may be complete. A directive or a macro call there may use the name that is
+    /// being declared, so it gets what it has until now.
     pub(super) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
         let place = (self.depth, self.blocks.len());
         let open = self
             .declaring
             .filter(|open| (open.depth, open.blocks) == place);
         if let Some(open) = open {
-            if self.raw().kind == Kind::Directive && !open.is_item {
-                self.assign(open.symbol, value(), open.is_local);
+            let next = self.raw();
+            let is_run = match next.kind {
+                Kind::Directive => true,
+                Kind::Name => self.scopes.is_macro(Symbol(next.value)),
+                Kind::Word => is_bare_directive(next),
+                _ => false,
+            };
+            if is_run && !open.is_item {
+                self.assign(&open, value());
             }
             self.declaring = Some(Declaring {
                 is_complete: true,
@@ -195,11 +232,15 @@ impl Reader<'_> {
         token
     }
 
-    fn assign(&mut self, symbol: Symbol, value: Value, is_local: bool) {
-        if is_local {
-            self.scopes.local(symbol, value);
+    /// Gives a name its value. A macro may have been entered since the name was read, and may end behind the value.
+    fn assign(&mut self, to: &Declaring, value: Value) {
+        if to.scope < self.scopes.depth() {
+            self.scopes
+                .assign_from(to.scope, to.symbol, value, to.is_local);
+        } else if to.is_local {
+            self.scopes.local(to.symbol, value);
         } else {
-            self.scopes.declare(symbol, value);
+            self.scopes.declare(to.symbol, value);
         }
     }
 
@@ -232,7 +273,7 @@ impl Reader<'_> {
         };
         self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
         if !open.is_item && self.scopes.get(open.symbol).is_none() {
-            self.assign(open.symbol, Value::Poison(None), open.is_local);
+            self.assign(&open, Value::Poison(None));
         }
     }
 
@@ -513,14 +554,36 @@ impl Reader<'_> {
             }
             Word::PigmentMap => {
                 self.pass();
-                let map = Pigment::read_map(self)?;
+                let map = Pigment::read_map(Keys::Positions, self)?;
                 Ok(Some(Value::Element(Element::new("pigment_map", map))))
             }
-            Word::Normal
-            | Word::NormalMap
-            | Word::SlopeMap
-            | Word::TextureMap
-            | Word::DensityMap => Err(self.not_built(word)),
+            Word::Normal => {
+                self.pass();
+                let default = self.default_layer.normal.clone();
+                let normal = Normal::read(self, default.as_ref())?;
+                Ok(Some(Value::Element(Element::new("normal", normal))))
+            }
+            Word::NormalMap => {
+                self.pass();
+                let map = Normal::read_map(Keys::Positions, self)?;
+                Ok(Some(Value::Element(Element::new("normal_map", map))))
+            }
+            Word::SlopeMap => {
+                self.pass();
+                let map = Normal::read_slopes(self)?;
+                Ok(Some(Value::Element(Element::new("slope_map", map))))
+            }
+            Word::TextureMap => {
+                self.pass();
+                let default = self.default_layer.clone();
+                let map = Texture::read_map(Keys::Positions, self, &default)?;
+                Ok(Some(Value::Element(Element::new("texture_map", map))))
+            }
+            Word::DensityMap => {
+                self.pass();
+                let map = Density::read_map(Keys::Positions, self)?;
+                Ok(Some(Value::Element(Element::new("density_map", map))))
+            }
             Word::Finish => {
                 self.pass();
                 let default = self.default_layer.finish.clone();
@@ -628,8 +691,11 @@ impl Reader<'_> {
         sum.ok_or_else(|| self.expected_here("`texture`"))
     }
 
-    /// Textures that hold themselves twice double their layers.
+    /// Textures that are chosen by a pattern have no layers, and textures that hold themselves twice double theirs.
     pub(super) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
+        if lower.is_patterned() || upper.is_patterned() {
+            return Err(self.error_taken("a texture that a pattern chooses is no layer of another"));
+        }
         if lower.layers().len() + upper.layers().len() <= limits::LAYERS {
             return Ok(());
         }

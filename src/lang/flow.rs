@@ -1,6 +1,6 @@
 //! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
 
-use super::cursor::{Entered, Frame, Place, Start};
+use super::cursor::{Entered, Frame, Place, Start, State};
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
@@ -11,6 +11,9 @@ use std::rc::Rc;
 
 /// How far two floats may differ and still be equal to the language.
 pub(super) const EQUAL: f64 = 1e-10;
+
+/// Whether a loop may draw from more streams of random numbers than this is not asked at each round.
+const FEW_STREAMS: usize = 16;
 
 /// A running `#for`.
 #[derive(Debug)]
@@ -142,6 +145,9 @@ impl Reader<'_> {
     }
 
     fn run_known(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
+        if changes_values(word) {
+            self.changes += 1;
+        }
         match word {
             Word::If => self.run_if(index, span, |reader| reader.condition()),
             Word::Ifdef => self.run_if(index, span, |reader| reader.is_defined()),
@@ -153,6 +159,7 @@ impl Reader<'_> {
                     Entered::While {
                         condition: self.here.at,
                         rounds: 1,
+                        state: None,
                     },
                 );
                 self.run_while(index)
@@ -355,16 +362,45 @@ impl Reader<'_> {
         let home = Rc::clone(&self.here.tokens);
         let (_, end) = self.group(index);
         self.count_round(index, end, Start::of(&home, index))?;
+        let span = home.span(index);
+        self.look_for_change(span)?;
         if self.condition()? {
             return Ok(());
         }
-        let span = home.span(index);
         self.stay_in(&home, span)?;
         self.frames.pop();
         let (_, end) = self.group(index);
         self.jump(end, span)?;
         self.pass();
         Ok(())
+    }
+
+    /// At the condition of a `#while`: an error if the round behind it has changed nothing that the next one could read.
+    fn look_for_change(&mut self, at: Span) -> Parse<()> {
+        if self.streams.len() > FEW_STREAMS {
+            self.changes += 1;
+        }
+        let streams = self.streams.iter();
+        let state = State {
+            changes: self.changes,
+            streams: streams.fold(0, |sum, &stream| sum.rotate_left(5) ^ stream),
+        };
+        let Some(Frame {
+            kind: Entered::While { state: known, .. },
+            ..
+        }) = self.frames.last_mut()
+        else {
+            return Ok(());
+        };
+        if known.replace(state) != Some(state) {
+            return Ok(());
+        }
+        let error = Diagnostic::error(
+            at,
+            "this loop does not end: no round of it changes anything",
+        );
+        let hint = "Change what its condition asks for, or leave it by `#break`.";
+        Err(self.with_trace(error.with_hint(hint)))
     }
 
     fn run_for(&mut self, index: usize, span: Span) -> Parse<()> {
@@ -487,7 +523,9 @@ impl Reader<'_> {
                 self.frames.pop();
                 Ok(())
             }
-            Entered::While { condition, rounds } => {
+            Entered::While {
+                condition, rounds, ..
+            } => {
                 *rounds += 1;
                 self.here.at = *condition;
                 self.here.tokens = Rc::clone(&frame.home);
@@ -581,4 +619,22 @@ impl Reader<'_> {
 /// Whether the text at hand ends, or what comes next is not all of it.
 fn ends_text(token: Token) -> bool {
     matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
+}
+
+/// Whether a directive may change what an expression gives.
+fn changes_values(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Declare
+            | Word::Local
+            | Word::Undef
+            | Word::For
+            | Word::Macro
+            | Word::Include
+            | Word::Version
+            | Word::Default
+            | Word::Fopen
+            | Word::Fclose
+            | Word::Read
+    )
 }

@@ -12,7 +12,7 @@ use crate::color::Gamma;
 use crate::interior::Media;
 use crate::pattern::read_noise_generator;
 use crate::scene::{Charset, Object};
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
 use std::sync::Arc;
@@ -30,8 +30,13 @@ impl Reader<'_> {
                 Ok(true) => {}
                 Ok(false) => return,
                 Err(error) => {
-                    let error = self.with_trace(*error);
-                    self.record(*error);
+                    let mut is_unbuilt =
+                        error.code == Some(Code::NotBuilt) && !self.has_faulty_directive;
+                    self.tell(error);
+                    if is_unbuilt && let Err(error) = self.skip_blocks(0) {
+                        is_unbuilt = false;
+                        self.tell(error);
+                    }
                     if self.is_over {
                         return;
                     }
@@ -40,16 +45,24 @@ impl Reader<'_> {
                         self.warning(Diagnostic::warning(None, message));
                         return;
                     }
-                    self.recover();
+                    if !is_unbuilt {
+                        self.recover();
+                    }
                 }
             }
         }
+    }
+
+    fn tell(&mut self, error: Box<Diagnostic>) {
+        let error = self.with_trace(*error);
+        self.record(*error);
     }
 
     /// One statement; false at the end of the scene.
     fn statement(&mut self) -> Parse<bool> {
         self.blocks.clear();
         self.depth = 0;
+        self.has_faulty_directive = false;
         self.take_literal_objects(|reader, object| reader.add_object(Arc::new(object)))?;
         let token = self.peek()?;
         self.statement_start = self.start_here();
@@ -223,6 +236,7 @@ impl Reader<'_> {
     }
 
     fn global_settings(&mut self) -> Parse<()> {
+        self.changes += 1;
         self.pass();
         self.open_block()?;
         while !self.take_close()? {
