@@ -92,7 +92,7 @@ pub(super) enum Entered {
         state: Option<State>,
     },
     /// A `#for`.
-    For(Box<super::flow::For>),
+    For(Box<super::loops::For>),
     /// A macro call.
     Macro {
         back: Place,

@@ -60,7 +60,6 @@ fn normals_refused() {
     are_refused(
         "textures/normals_refused",
         &[
-            "normal { bumps no_bump_scale on }",
             "normal { bumps dents }",
             "normal { bumps normal { bumps } }",
             "normal { crackle solid .3 }",
