@@ -1,7 +1,7 @@
 //! The example scenes of Debian's `povray-examples` are read: whatever is refused is a word that drawing does not have
 //! yet, or something that POV-Ray refuses too.
 //!
-//! `cargo test --test examples -- --nocapture` prints how many scenes lack which word.
+//! How many scenes lack which word is written to `target/tmp/examples.txt`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -123,7 +123,7 @@ fn scenes_of_examples_are_read() {
         }
     });
     let verdicts = verdicts.into_inner().expect("no thread fails");
-    print_table(&verdicts);
+    fs::write(folder.with_extension("txt"), table(&verdicts)).expect("the table can be written");
     let mut wrong = Vec::new();
     for (name, verdict) in &verdicts {
         let is_refused = REFUSED.contains(&name.as_str());
@@ -136,14 +136,12 @@ fn scenes_of_examples_are_read() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-fn print_table(verdicts: &BTreeMap<String, Verdict>) {
+fn table(verdicts: &BTreeMap<String, Verdict>) -> String {
     let is_right = |verdict: &&Verdict| verdict.faults.is_empty() && verdict.missing.is_empty();
     let refused = REFUSED.len();
     let right = verdicts.values().filter(is_right).count();
-    println!(
-        "{} scenes, {right} right, {refused} refused by POV-Ray too",
-        verdicts.len()
-    );
+    let total = verdicts.len();
+    let mut table = format!("{total} scenes, {right} right, {refused} refused by POV-Ray too\n");
     let mut counts: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for verdict in verdicts.values() {
         for word in &verdict.missing {
@@ -154,8 +152,9 @@ fn print_table(verdicts: &BTreeMap<String, Verdict>) {
     }
     let mut rows: Vec<_> = counts.into_iter().collect();
     rows.sort_by_key(|(_, (scenes, _))| std::cmp::Reverse(*scenes));
-    println!("scenes  lack nothing else  word");
+    table.push_str("scenes  lack nothing else  word\n");
     for (word, (scenes, alone)) in rows {
-        println!("{scenes:6}  {alone:17}  {word}");
+        table.push_str(&format!("{scenes:6}  {alone:17}  {word}\n"));
     }
+    table
 }
