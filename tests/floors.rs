@@ -47,6 +47,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     ("camera", "pattern"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
+    // A density is chosen by a pattern, out of a map.
+    ("interior", "pattern"),
     // The triangles of a mesh have textures of their own.
     ("shape", "texture"),
     // An isosurface is a function.

@@ -16,6 +16,10 @@ pub enum Purpose {
     Colors,
     /// Its values as they are stored.
     Values,
+    /// Its values, for bumps: `bump_size` may stand among its parameters.
+    Bumps,
+    /// Its values, for a list of textures: it begins at the first `texture` of the block, which stays open.
+    Textures,
 }
 
 /// What `image_pattern` takes for its value.
@@ -41,6 +45,8 @@ pub struct Source {
     pub alpha: Alpha,
     /// `use_index`: the index in the palette counts, not the colour.
     pub uses_index: bool,
+    /// `bump_size` among the parameters.
+    pub bump_size: Option<f64>,
 }
 
 impl Source {
@@ -77,7 +83,7 @@ struct Entry {
     span: Span,
 }
 
-/// Reads the block behind `image_map` and the like, with the braces.
+/// Reads the block behind `image_map` and the like, with the braces unless a list of textures follows in it.
 ///
 /// # Errors
 /// A malformed block, or a file that is missing or no picture.
@@ -94,13 +100,14 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
         is_premultiplied: false,
     };
     // Values are as they are stored; a gamma must be written to change them.
-    if purpose == Purpose::Values {
+    if purpose != Purpose::Colors {
         handling.working = None;
     }
     let mut mapping = Mapping::default();
     let mut all = (0.0, 0.0);
     let mut alpha = Alpha::Ignored;
     let mut uses_index = false;
+    let mut bump_size = None;
     let mut entries = Vec::new();
     while !args.accept_close()? {
         let Some(word) = args.word()? else {
@@ -116,6 +123,11 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
                 args.accept(word)?;
                 handling.is_premultiplied = args.float_or(1.0)? != 0.0;
             }
+            Word::BumpSize if purpose == Purpose::Bumps => {
+                args.accept(word)?;
+                bump_size = Some(args.float()?);
+            }
+            Word::Texture if purpose == Purpose::Textures => break,
             Word::Filter | Word::Transmit if purpose == Purpose::Colors => {
                 args.accept(word)?;
                 entries.push(read_entry(word, args)?);
@@ -140,6 +152,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
         all,
         alpha,
         uses_index,
+        bump_size,
     })
 }
 

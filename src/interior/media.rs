@@ -2,8 +2,9 @@
 
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::{Color, Rgb};
+use crate::pattern::{Keys, Map};
 use crate::source::{Diagnostic, Span};
-use crate::texture::Pigment;
+use crate::texture::{Family, Pigment};
 
 /// The first language version with the defaults of today.
 const FIRST_WITH_SAMPLES: f64 = 3.5;
@@ -84,6 +85,12 @@ pub struct Sampling {
 #[derive(Clone, Debug)]
 pub struct Density(pub Pigment);
 
+impl Default for Density {
+    fn default() -> Self {
+        Density(Pigment::plain(Color::opaque(Rgb::WHITE)))
+    }
+}
+
 impl Density {
     /// The density of a block, white unless it says more.
     ///
@@ -91,11 +98,24 @@ impl Density {
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args) -> Parse<Density> {
         args.open()?;
-        let base = match declared::<Density>(args)? {
-            Some(known) => known.0.clone(),
-            None => Pigment::plain(Color::opaque(Rgb::WHITE)),
-        };
-        Ok(Density(base.read_on(args, "density")?))
+        let base = Density::known(args)?;
+        Ok(Density(base.0.read_on(args, Family::Density)?))
+    }
+
+    /// Reads `density_map { ... }` behind its word.
+    ///
+    /// # Errors
+    /// A malformed entry, or none.
+    pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Density>> {
+        Map::read("density_map", keys, args, &mut |args| {
+            let base = Density::known(args)?;
+            base.0.read_entry(args, Family::Density).map(Density)
+        })
+    }
+
+    fn known(args: &mut dyn Args) -> Parse<Density> {
+        let known = declared::<Density>(args)?;
+        Ok(known.map_or_else(Density::default, |known| Density::clone(&known)))
     }
 }
 

@@ -128,7 +128,11 @@ impl Args for Reader<'_> {
     }
 
     fn accept_mark(&mut self, mark: char) -> Parse<bool> {
-        self.take_mark(mark)
+        match mark {
+            '{' if self.peek()?.is_mark('{') => self.open_block().map(|()| true),
+            '}' => self.take_close(),
+            _ => self.take_mark(mark),
+        }
     }
 
     fn open(&mut self) -> Parse<()> {

@@ -70,11 +70,22 @@ impl Reader<'_> {
             .get(symbol)
             .map_or(0, |array| array.copied_by(path));
         self.take_memory(array_bytes(copied), self.taken_span())?;
-        let item = self.scopes.get_mut(symbol);
-        if let Some(item) = item.and_then(|array| array.item_mut(path)) {
-            *item = Some(value);
-        }
-        Ok(())
+        let Some(array) = self.scopes.get_mut(symbol) else {
+            return Ok(());
+        };
+        let kind = value.kind();
+        let Some(other) = array.put(path, value) else {
+            return Ok(());
+        };
+        Err(self.mixed(other, &kind))
+    }
+
+    /// The error for an item that is not as the others are.
+    fn mixed(&self, others: &str, this: &str) -> Box<Diagnostic> {
+        let others = others.trim_start_matches("an ").trim_start_matches("a ");
+        let message = format!("this array holds values of the kind `{others}`, not {this}");
+        let hint = "All items of an array are of one kind: <1, 1, 1> and not 1 among vectors.";
+        Box::new(self.error_taken(message).with_hint(hint))
     }
 
     /// `[i][j]...` as an index into the row-major items of an array with these sizes.
@@ -170,6 +181,13 @@ impl Reader<'_> {
                 let Some(value) = self.value("an item of the array")? else {
                     return Err(self.expected_here("an item of the array or `}`"));
                 };
+                let sort = value.sort();
+                if let (Some(sort), Some(others)) = (sort, array.holds)
+                    && sort != others
+                {
+                    return Err(self.mixed(others, &value.kind()));
+                }
+                array.holds = array.holds.or(sort);
                 array.items[at] = Some(value);
             }
             self.take_mark(',')?;

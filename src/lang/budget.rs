@@ -127,7 +127,8 @@ impl Reader<'_> {
         // What goes round costs something beside its tokens.
         budget.again += tokens as u64 + 8;
         let most = self.options.patience
-            + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects;
+            + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects
+            + limits::TOKENS_FOR_BYTE * self.files.written();
         if budget.again > most {
             let message = format!(
                 "the loops and macros of this scene do not come to an end: {} tokens were read in them",

@@ -4,7 +4,7 @@ use super::cursor::Start;
 use super::flow::EQUAL;
 use super::function::is_callable;
 use super::reader::Reader;
-use super::value::{Number, Value};
+use super::value::Value;
 use crate::args::{Parse, Word};
 use crate::color::{Color, Gamma};
 use crate::source::Diagnostic;
@@ -121,10 +121,10 @@ impl Reader<'_> {
             Kind::Word => token
                 .word()
                 .is_some_and(|word| word.class() == Class::Color),
-            Kind::Name => matches!(
-                self.scopes.get(Symbol(token.value)),
-                Some(Value::Number(Number { len: 5, .. }))
-            ),
+            Kind::Name => self
+                .scopes
+                .get(Symbol(token.value))
+                .is_some_and(holds_color),
             Kind::Mark => token.is_mark('<'),
             _ => false,
         };
@@ -181,6 +181,15 @@ impl Reader<'_> {
             }
             _ => word == Word::Version,
         }
+    }
+}
+
+/// Whether a value is a colour, or an array of colours.
+fn holds_color(value: &Value) -> bool {
+    match value {
+        Value::Number(number) => number.len == 5,
+        Value::Array(array) => array.items.iter().flatten().next().is_some_and(holds_color),
+        _ => false,
     }
 }
 

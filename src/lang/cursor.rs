@@ -44,6 +44,8 @@ impl Start {
 pub(super) struct Declaring {
     pub(super) symbol: Symbol,
     pub(super) is_local: bool,
+    /// How many scopes were open where the name stood.
+    pub(super) scope: u32,
     /// Whether an item of the array of this name is declared, not the name.
     pub(super) is_item: bool,
     /// How many frames, parentheses and blocks were open where the value began.
@@ -67,6 +69,15 @@ pub(super) struct Frame {
     repeats: bool,
 }
 
+/// Stands for all that a condition can depend on: two that are equal have seen the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct State {
+    /// How often something was declared, read or set so far.
+    pub(super) changes: u64,
+    /// Where the streams of random numbers are.
+    pub(super) streams: u32,
+}
+
 /// The kinds of [`Frame`].
 #[derive(Debug)]
 pub(super) enum Entered {
@@ -74,10 +85,14 @@ pub(super) enum Entered {
     If,
     /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
     Switch { value: f64, is_chosen: bool },
-    /// A `#while`, with the place of its condition, and which round it is in.
-    While { condition: usize, rounds: u64 },
+    /// A `#while`, with the place of its condition, which round it is in, and what it could read when that began.
+    While {
+        condition: usize,
+        rounds: u64,
+        state: Option<State>,
+    },
     /// A `#for`.
-    For(Box<super::flow::For>),
+    For(Box<super::loops::For>),
     /// A macro call.
     Macro {
         back: Place,
@@ -156,7 +171,10 @@ impl Reader<'_> {
                     if !(self.is_end(token) && self.is_in_noted_call()) {
                         self.spoil();
                     }
-                    self.run_directive(token)?;
+                    if let Err(error) = self.run_directive(token) {
+                        self.has_faulty_directive = true;
+                        return Err(error);
+                    }
                 }
                 Kind::Word if is_bare_directive(token) => {
                     self.spoil();
@@ -192,10 +210,38 @@ impl Reader<'_> {
         let frames = self.frames.len();
         (frames <= open.frames || open.is_complete)
             && (self.depth, self.blocks.len()) == (open.depth, open.blocks)
-            && matches!(
-                self.here.tokens.directives[token.value as usize].word,
-                Some(Word::Declare | Word::Local | Word::Macro | Word::Undef)
-            )
+            && self.here.tokens.directives[token.value as usize]
+                .word
+                .is_some_and(|word| self.begins_anew(word))
+    }
+
+    /// Whether a directive has nothing to do with the value before it. In old versions no `;` need stand there.
+    fn begins_anew(&self, word: Word) -> bool {
+        match word {
+            Word::Declare | Word::Local | Word::Macro | Word::Undef => true,
+            Word::Debug
+            | Word::Warning
+            | Word::Error
+            | Word::Render
+            | Word::Statistics
+            | Word::Include
+            | Word::Default
+            | Word::Version
+            | Word::Fopen
+            | Word::Fclose
+            | Word::Read
+            | Word::Write => self.version < 3.5,
+            _ => false,
+        }
+    }
+
+    /// Whether the `#end` of the innermost macro is at hand.
+    pub(super) fn is_end_of_macro(&self) -> bool {
+        let token = self.raw();
+        let innermost = self.frames.last().map(|frame| &frame.kind);
+        token.kind == Kind::Directive
+            && self.is_end(token)
+            && matches!(innermost, Some(Entered::Macro { .. }))
     }
 
     /// Passes the token at hand, which `peek` has shown.

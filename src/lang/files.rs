@@ -27,6 +27,13 @@ pub(super) struct Files {
     written: u64,
 }
 
+impl Files {
+    /// Bytes written in the whole run.
+    pub(super) fn written(&self) -> u64 {
+        self.written
+    }
+}
+
 #[derive(Debug)]
 enum OpenFile {
     Read(DataFile),

@@ -9,11 +9,11 @@ use crate::math::{Spline, SplineKind, Step, Transform};
 use crate::pattern::{Settings, read_field};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
-use crate::texture::{Pigment, PreparedPigment};
+use crate::texture::{Pigment, PreparedPigment, read_pattern};
 use std::sync::Arc;
 
 /// The word under which functions are kept.
-const FUNCTION: &str = "function";
+pub(super) const FUNCTION: &str = "function";
 /// The word under which splines are kept.
 const SPLINE: &str = "spline";
 
@@ -327,7 +327,7 @@ impl Reader<'_> {
             Some(Word::Pattern) => {
                 self.pass();
                 let settings = self.pattern_settings();
-                Computes::Field(Arc::new(read_field(self, &settings)?))
+                Computes::Field(Arc::new(read_field(self, &settings, read_pattern)?))
             }
             Some(Word::Pigment) => {
                 self.pass();

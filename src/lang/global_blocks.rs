@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use crate::args::{Args, Parse, Word};
 use crate::scene::{PhotonDensity, Photons, Radiosity, Subsurface};
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 
 /// Values that a setting may have, and how a person says it.
 struct Range {
@@ -260,6 +260,7 @@ impl Reader<'_> {
     pub(super) fn note_undrawn(&mut self, what: &str, at: Span) {
         let error = Diagnostic::error(at, format!("{what} is not built yet"));
         let hint = "With `+Q8` the scene is drawn without it.";
+        let error = error.with_code(Code::NotBuilt);
         self.undrawn.push(error.with_hint(hint));
     }
 }

@@ -16,6 +16,8 @@ pub(super) const HEIGHT: usize = 2_000;
 /// Who makes many objects works long: for each object that the scene has made, this share of the reader's patience may
 /// be read again beyond it. 2,000 tokens, as patience commonly is.
 pub(super) const PATIENCE_FOR_OBJECT: u64 = 75_000;
+/// Tokens that may be read again for each byte that the scene has written to files: what makes meshes writes long.
+pub(super) const TOKENS_FOR_BYTE: u64 = 8;
 /// Items of one array.
 pub(super) const ARRAY_ITEMS: usize = 50_000_000;
 /// Bytes of one string.

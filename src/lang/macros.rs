@@ -56,6 +56,12 @@ impl Reader<'_> {
             ));
         }
         let name = self.identifier("a name after `#macro`")?;
+        if let Some(held) = self.scopes.get(name)
+            && !matches!(held, Value::Macro(_) | Value::Poison(_))
+        {
+            let error = self.name_is_taken(name, self.start_taken());
+            self.record(*error);
+        }
         let mut parameters = Vec::new();
         if !self.take_raw_mark('(') {
             let name = self.taken_span();

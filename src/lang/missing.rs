@@ -4,8 +4,8 @@ use super::reader::Reader;
 use crate::args::Word;
 use crate::interior::Interior;
 use crate::scene::{Kind, Object};
-use crate::source::Span;
-use crate::texture::Texture;
+use crate::source::{Code, Diagnostic, Span};
+use crate::texture::{NormalKind, Texture};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
@@ -20,6 +20,7 @@ impl Reader<'_> {
                 .map(|media| (media.at, Word::Media)),
         );
         let has_subsurface = self.globals.subsurface.is_some();
+        let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<(&Arc<Object>, bool)> =
@@ -33,10 +34,12 @@ impl Reader<'_> {
             if let Some(interior) = &object.interior {
                 found.extend(media_of(interior, is_hollow));
             }
-            if has_subsurface {
-                let textures = [&object.texture, &object.interior_texture];
-                let textures = textures.into_iter().flatten();
-                found.extend(textures.filter_map(|texture| subsurface_of(&texture.what)));
+            let textures = [&object.texture, &object.interior_texture];
+            for texture in textures.into_iter().flatten() {
+                if has_subsurface {
+                    found.extend(subsurface_of(&texture.what));
+                }
+                parts.extend(faults_of(&texture.what));
             }
             match &object.kind {
                 Kind::Shape(_) => {}
@@ -48,12 +51,46 @@ impl Reader<'_> {
                 }
             }
         }
-        found.sort_by_key(|(at, _)| (at.file, at.start));
-        found.dedup();
-        for (at, word) in found {
+        for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }
+        for (at, fault) in in_order(parts) {
+            self.record(match fault {
+                Fault::NotBuilt(word) => {
+                    Diagnostic::error(at, format!("`{word}` is not built yet"))
+                        .with_code(Code::NotBuilt)
+                }
+                Fault::NoPattern => Diagnostic::error(at, "this `normal` has no pattern")
+                    .with_hint("Write `normal { bumps 0.5 }`, or the name of another pattern."),
+            });
+        }
     }
+}
+
+/// Why a surface cannot have a texture at any quality.
+#[derive(PartialEq)]
+enum Fault {
+    NotBuilt(Word),
+    NoPattern,
+}
+
+/// Each once, as they stand in the files.
+fn in_order<T: PartialEq>(mut found: Vec<(Span, T)>) -> Vec<(Span, T)> {
+    found.sort_by_key(|(at, _)| (at.file, at.start));
+    found.dedup();
+    found
+}
+
+fn faults_of(texture: &Texture) -> impl Iterator<Item = (Span, Fault)> {
+    let pattern = texture
+        .pattern()
+        .map(|pattern| (pattern.at, Fault::NotBuilt(pattern.word)));
+    let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
+    let normals = normals.map(|normal| match normal.kind {
+        NormalKind::None => (normal.at, Fault::NoPattern),
+        _ => (normal.at, Fault::NotBuilt(Word::Normal)),
+    });
+    pattern.into_iter().chain(normals)
 }
 
 /// The media of an interior, which are seen in hollow objects alone.

@@ -278,6 +278,12 @@ impl Reader<'_> {
 
     /// `pigment`, `normal` or `finish` straight in an object: they change the top layer of its texture.
     fn texture_part(&mut self, object: &mut Object, word: Word) -> Parse<()> {
+        if let Some(known) = &object.texture
+            && known.what.is_patterned()
+        {
+            let message = format!("`{word}` cannot change a texture that a pattern chooses");
+            return Err(self.error_here(message));
+        }
         own_texture(object, &self.default_layer);
         baked(object).top_mut().read_part(word, self)?;
         Ok(())

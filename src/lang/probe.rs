@@ -107,6 +107,7 @@ impl Reader<'_> {
     }
 
     fn set_normal(&mut self, target: &Target, value: Value) -> Parse<()> {
+        self.changes += 1;
         match &target.item {
             None => {
                 self.scopes.declare(target.symbol, value);

@@ -48,6 +48,8 @@ pub(super) struct Reader<'a> {
     pub(super) nesting: usize,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
+    /// Whether a directive within the statement being read failed.
+    pub(super) has_faulty_directive: bool,
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
     /// of the directive and how many frames were open.
     pub(super) without_semicolon: Option<(Span, Place, usize)>,
@@ -66,6 +68,8 @@ pub(super) struct Reader<'a> {
     /// Names whose use is to be warned of.
     pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
     pub(super) streams: Vec<u32>,
+    /// How often something that expressions depend on may have changed; the streams are not counted.
+    pub(super) changes: u64,
     /// What `#fopen` opened.
     pub(super) files: Files,
     pub(super) version: f64,
@@ -144,6 +148,7 @@ impl<'a> Reader<'a> {
             depth: 0,
             nesting: 0,
             declaring: None,
+            has_faulty_directive: false,
             without_semicolon: None,
             piece: SHORTEST_PIECE,
             replays: Replays::default(),
@@ -154,6 +159,7 @@ impl<'a> Reader<'a> {
             lacks_file: false,
             deprecated: FxHashMap::default(),
             streams: Vec::new(),
+            changes: 0,
             files: Files::default(),
             version: options.version.unwrap_or(3.7),
             has_version: options.version.is_some(),

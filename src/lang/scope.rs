@@ -115,7 +115,13 @@ impl Scopes {
 
     /// The value of a symbol, to be changed in place.
     pub(super) fn get_mut(&mut self, symbol: Symbol) -> Option<&mut Value> {
-        let (symbol, at) = self.owner(symbol)?;
+        let top = self.top(symbol)?;
+        self.held_mut(symbol, top)
+    }
+
+    /// What the binding at this place in a symbol's stack stands for, to be changed.
+    fn held_mut(&mut self, symbol: Symbol, at: usize) -> Option<&mut Value> {
+        let (symbol, at) = self.owner(symbol, at);
         let (symbol, at, path) = match &self.stacks[symbol.0 as usize][at].held {
             Held::Item(array, at, path) => (*array, *at as usize, Some(Rc::clone(path))),
             _ => (symbol, at, None),
@@ -133,14 +139,16 @@ impl Scopes {
         stack.is_some_and(|stack| stack.last().is_some_and(|last| last.depth == self.depth()))
     }
 
-    /// Where the value of a symbol is kept, or what names the item of an array: the end of its chain of aliases.
-    fn owner(&self, symbol: Symbol) -> Option<(Symbol, usize)> {
-        let stack = self.stacks.get(symbol.0 as usize)?;
-        let (mut symbol, mut at) = (symbol, stack.len().checked_sub(1)?);
-        while let Held::Alias(target, place) = self.stacks[symbol.0 as usize].get(at)?.held {
+    /// Where the value of a binding is kept, or what names the item of an array: the end of its chain of aliases.
+    fn owner(&self, mut symbol: Symbol, mut at: usize) -> (Symbol, usize) {
+        while let Some(&Binding {
+            held: Held::Alias(target, place),
+            ..
+        }) = self.stacks[symbol.0 as usize].get(at)
+        {
             (symbol, at) = (target, place as usize);
         }
-        Some((symbol, at))
+        (symbol, at)
     }
 
     /// `#declare`: assigns to the binding that the name has now, or makes a global one.
@@ -163,6 +171,21 @@ impl Scopes {
         }
     }
 
+    /// `#declare` or `#local` of a name that stood where `depth` scopes were open, while the value ended in an inner one:
+    /// what is bound further in is another name.
+    pub(super) fn assign_from(&mut self, depth: u32, symbol: Symbol, value: Value, is_local: bool) {
+        let is_it = |binding: &Binding| match is_local {
+            true => binding.depth == depth,
+            false => binding.depth <= depth,
+        };
+        let stack = self.stacks.get(symbol.0 as usize);
+        let known = stack.and_then(|stack| stack.iter().rposition(is_it));
+        match known.and_then(|at| self.held_mut(symbol, at)) {
+            Some(old) => *old = value,
+            None => self.bind(symbol, if is_local { depth } else { 0 }, Held::Value(value)),
+        }
+    }
+
     /// Binds a macro parameter in the innermost scope to the binding that `target` had before that scope opened.
     pub(super) fn alias(&mut self, symbol: Symbol, target: Target) {
         let depth = self.depth();
@@ -182,7 +205,7 @@ impl Scopes {
 
     /// What an alias made now would stand for.
     pub(super) fn target(&self, symbol: Symbol) -> Option<Target> {
-        let (symbol, at) = self.owner(symbol)?;
+        let (symbol, at) = self.owner(symbol, self.top(symbol)?);
         Some(match &self.stacks[symbol.0 as usize].get(at)?.held {
             Held::Item(array, at, path) => Target {
                 symbol: *array,
@@ -215,9 +238,26 @@ impl Scopes {
             .rposition(|binding| binding.depth <= depth)
             .map_or(0, |i| i + 1);
         stack.insert(at, Binding { depth, held });
+        if at + 1 < stack.len() {
+            self.shift_aliases(symbol, at);
+        }
         if depth > 0 {
-            // Only the innermost scope gets bindings, and the global one.
-            self.bound.push(symbol);
+            let inner = self.open.get_mut(depth as usize..).unwrap_or_default();
+            let end = inner.first().copied().unwrap_or(self.bound.len());
+            inner.iter_mut().for_each(|start| *start += 1);
+            self.bound.insert(end, symbol);
+        }
+    }
+
+    /// A binding was put below others of its symbol: what stands for those stands for the next place.
+    fn shift_aliases(&mut self, moved: Symbol, from: usize) {
+        for binding in self.stacks.iter_mut().flatten() {
+            if let Held::Alias(symbol, at) | Held::Item(symbol, at, _) = &mut binding.held
+                && *symbol == moved
+                && *at as usize >= from
+            {
+                *at += 1;
+            }
         }
     }
 

@@ -56,7 +56,9 @@ impl Reader<'_> {
                 let value = self.scopes.get(run.variable())?;
                 self.round(frame, run.body(), vec![self.told(run.variable(), value)?])
             }
-            Entered::While { condition, rounds } if *rounds > 1 => self.round(
+            Entered::While {
+                condition, rounds, ..
+            } if *rounds > 1 => self.round(
                 frame,
                 *condition,
                 self.names_of_condition(frame, *condition),

@@ -141,6 +141,8 @@ pub(super) struct Array {
     pub(super) sizes: Vec<usize>,
     /// The elements; `None` is not initialised.
     pub(super) items: Vec<Option<Value>>,
+    /// What all the elements are, once one has been given.
+    pub(super) holds: Option<&'static str>,
 }
 
 impl Array {
@@ -149,6 +151,7 @@ impl Array {
         Array {
             items: vec![None; sizes.iter().product()],
             sizes,
+            holds: None,
         }
     }
 }
@@ -189,6 +192,27 @@ impl Value {
         item.as_mut()?.item_mut(rest)
     }
 
+    /// Gives an item of an array a value; if the items are of another kind, that is given back and nothing changes.
+    pub(super) fn put(&mut self, path: &[usize], value: Value) -> Option<&'static str> {
+        let (&first, rest) = path.split_first()?;
+        let Value::Array(array) = self else {
+            return None;
+        };
+        let array = Rc::make_mut(array);
+        if !rest.is_empty() {
+            return array.items.get_mut(first)?.as_mut()?.put(rest, value);
+        }
+        let sort = value.sort();
+        if let (Some(sort), Some(holds)) = (sort, array.holds)
+            && sort != holds
+        {
+            return Some(holds);
+        }
+        array.holds = array.holds.or(sort);
+        *array.items.get_mut(first)? = Some(value);
+        None
+    }
+
     /// How many items [`Value::item_mut`] copies on the way.
     pub(super) fn copied_by(&self, path: &[usize]) -> usize {
         let Value::Array(array) = self else {
@@ -201,6 +225,20 @@ impl Value {
         };
         let item = path.first().and_then(|&at| array.items.get(at)?.as_ref());
         own + item.map_or(0, |item| item.copied_by(&path[1..]))
+    }
+
+    /// What it is to arrays, whose items are all the same. Nothing is known of what could not be read.
+    pub(super) fn sort(&self) -> Option<&'static str> {
+        Some(match self {
+            Value::Number(n) => n.kind(),
+            Value::Text(_) => "a string",
+            Value::Macro(_) => "a macro",
+            Value::Array(_) => "an array",
+            Value::Object(_) => "an object",
+            Value::Element(e) => e.name,
+            Value::File(_) => "an open file",
+            Value::Poison(_) => return None,
+        })
     }
 
     /// Whether it is an element of this Rust type.

@@ -21,6 +21,7 @@ use crate::color::Rgb;
 use crate::math::Step;
 use crate::math::noise::smooth;
 use crate::source::{Diagnostic, Span};
+use crate::syntax::Class;
 use glam::DVec3;
 
 /// A source of light.
@@ -108,6 +109,15 @@ impl Light {
     pub fn begin(args: &mut dyn Args) -> Parse<Light> {
         let centre = args.vector()?;
         args.comma()?;
+        let is_color = |word: Word| word.class() == Class::Color;
+        let is_over = args.at_mark('}')?
+            || args.word()?.is_some_and(|word| !is_color(word)) && !args.at_expression()?;
+        if is_over {
+            let warning =
+                Diagnostic::warning(args.last_span(), "a light without a colour is black");
+            args.warn(warning.with_hint("Write `rgb 1` behind its place."));
+            return Ok(Light::point(centre, Rgb::BLACK));
+        }
         Ok(Light::point(centre, args.color()?.rgb))
     }
 

@@ -60,10 +60,7 @@ impl Pattern for Crackle {
                 args.accept(word)?;
                 self.offset = args.float()?;
             }
-            Word::Solid => {
-                args.accept(word)?;
-                self.is_solid = args.float_or(1.0)? != 0.0;
-            }
+            Word::Solid => self.is_solid = args.accept(word)?,
             _ => return Ok(false),
         }
         Ok(true)

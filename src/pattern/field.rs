@@ -1,21 +1,28 @@
 //! `pattern { ... }`: a pattern with all that is written beside it, as a number for each point.
 
-use super::{Modifiers, PreparedPattern, Settings, Spot, read_named};
-use crate::args::{Args, Parse};
+use super::{Modifiers, Pattern, PreparedPattern, Settings, Spot};
+use crate::args::{Args, Parse, Word};
 use crate::function::Field;
 use glam::DVec3;
 
-/// Reads the block behind the word `pattern`.
+/// Reads the pattern of a word, if it is that of one.
+pub type ReadPattern = fn(Word, &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>>;
+
+/// Reads the block behind the word `pattern`, in which `named` reads the pattern.
 ///
 /// # Errors
 /// A malformed value, or a block that names no pattern.
-pub fn read_field(args: &mut dyn Args, settings: &Settings) -> Parse<PreparedPattern> {
+pub fn read_field(
+    args: &mut dyn Args,
+    settings: &Settings,
+    named: ReadPattern,
+) -> Parse<PreparedPattern> {
     const WHAT: &str = "a pattern in `pattern`";
     args.open()?;
     let Some(word) = args.word()? else {
         return Err(args.expected(WHAT));
     };
-    let Some(mut pattern) = read_named(word, args)? else {
+    let Some(mut pattern) = named(word, args)? else {
         return Err(if super::is_pattern(word) {
             crate::args::not_built(args, word)
         } else {

@@ -5,6 +5,7 @@
 use super::Stop;
 use crate::args::{Args, Parse, declared};
 use crate::color::Color;
+use crate::syntax::Class;
 use std::sync::Arc;
 
 /// Most entries of a map, as in POV-Ray.
@@ -27,6 +28,34 @@ pub enum Between<'a, T> {
     One(&'a T),
     /// Between two; the share of the second.
     Two(&'a T, &'a T, f64),
+}
+
+/// The numbers before the entries of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keys {
+    /// At which value of the pattern each entry stands.
+    Positions,
+    /// How much each entry weighs in the mean of `average`; 1 where the scene does not say it.
+    Weights,
+}
+
+impl Keys {
+    fn read(self, args: &mut dyn Args) -> Parse<f32> {
+        if self == Keys::Positions {
+            return args.single();
+        }
+        // POV-Ray takes a colour for the beginning of a weight.
+        let word = args.word()?;
+        if word.is_some_and(|word| word.class() == Class::Color) {
+            return Err(args.expected("a weight before the colour of an entry"));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "weights are single precision"
+        )]
+        let weight = args.float_or(1.0)? as f32;
+        Ok(weight)
+    }
 }
 
 /// Reads one entry of a map and appends it.
@@ -60,6 +89,7 @@ impl<T> Map<T> {
     /// A malformed entry, none, or too many.
     pub fn read(
         what: &str,
+        keys: Keys,
         args: &mut dyn Args,
         entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
     ) -> Parse<Map<T>>
@@ -67,7 +97,7 @@ impl<T> Map<T> {
         T: Send + Sync + 'static,
     {
         Map::read_entries(what, args, &mut |args, entries| {
-            let at = args.single()?;
+            let at = keys.read(args)?;
             args.comma()?;
             entries.push((at, entry(args)?));
             Ok(())

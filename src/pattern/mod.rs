@@ -53,8 +53,8 @@ mod wood;
 mod wrinkles;
 
 pub use chain::{Chain, PreparedChain};
-pub use field::read_field;
-pub use map::{Between, MOST_ENTRIES, Map};
+pub use field::{ReadPattern, read_field};
+pub use map::{Between, Keys, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
 pub use prepared::PreparedPattern;
 pub use wave::{Shape, Wave};

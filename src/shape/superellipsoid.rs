@@ -35,6 +35,9 @@ struct Along<'s> {
     ray: Ray,
 }
 
+/// How far the box of the shape goes: `max_extent` tells it, as in POV-Ray.
+const REACH: f64 = 1.0001;
+
 impl Superellipsoid {
     /// The surface with the exponents `e` and `n`, neither negative.
     #[must_use]
@@ -308,7 +311,7 @@ impl Geometry for Superellipsoid {
     }
 
     fn bounds(&self) -> Bounds {
-        Bounds::new(DVec3::NEG_ONE, DVec3::ONE)
+        Bounds::new(DVec3::splat(-REACH), DVec3::splat(REACH))
     }
 
     fn absorb(&mut self, _: &Step) -> bool {

@@ -1,10 +1,9 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
-use super::{Finish, Pigment, PigmentKind, PreparedTexture};
-use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
+use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
+use crate::args::{Args, Parse, Word, transform_step};
 use crate::math::Step;
 use crate::pattern::Settings;
-use crate::syntax::Class;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -18,24 +17,29 @@ pub struct Layer {
     pub pigment: Pigment,
     /// The answer to light.
     pub finish: Arc<Finish>,
+    /// Bumps.
+    pub normal: Option<Arc<Normal>>,
 }
 
 /// What a surface looks like: layers, the lowest first, never none.
 #[derive(Clone, Debug)]
 pub struct Texture {
     layers: SmallVec<[Layer; 1]>,
+    /// What chooses among textures; the one layer there is does not count then.
+    pub(super) pattern: Option<Box<Patterned>>,
 }
 
 impl From<Layer> for Texture {
     fn from(layer: Layer) -> Self {
         Texture {
             layers: SmallVec::from_buf([layer]),
+            pattern: None,
         }
     }
 }
 
 impl Layer {
-    /// Reads `pigment` or `finish` with its block into this layer if `word`, the next token, is one of them, and
+    /// Reads `pigment`, `normal` or `finish` with its block into this layer if `word`, the next token, is one of them, and
     /// says whether it was. What a block does not say stays as it is.
     ///
     /// # Errors
@@ -50,7 +54,10 @@ impl Layer {
                 args.accept(word)?;
                 self.finish = Arc::new(Finish::read(args, &self.finish)?);
             }
-            Word::Normal => return Err(not_built(args, word)),
+            Word::Normal => {
+                args.accept(word)?;
+                self.normal = Some(Normal::read(args, self.normal.as_ref())?);
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -59,6 +66,9 @@ impl Layer {
     /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
     pub fn transform(&mut self, step: &Step) {
         self.pigment.transform(step);
+        if let Some(normal) = &mut self.normal {
+            Arc::make_mut(normal).transform(step);
+        }
     }
 }
 
@@ -71,33 +81,51 @@ impl Texture {
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
         args.open()?;
-        let mut texture = match declared::<Texture>(args)? {
-            Some(known) => Texture::clone(&known),
-            None => Texture::from(default.clone()),
-        };
+        let mut texture = Texture::begin(args, default)?;
         while !args.accept_close()? {
-            if let Some(step) = transform_step(args)? {
-                texture.transform(&step);
-                continue;
+            if !texture.read_item(args, default)? {
+                return Err(args.expected(match texture.pattern {
+                    Some(_) => "`texture_map`, a modifier of the pattern or `}` in `texture`",
+                    None => "`pigment`, `normal`, `finish` or `}` in `texture`",
+                }));
             }
-            let Some(word) = args.word()? else {
-                return Err(args.expected("`pigment`, `finish` or `}` in `texture`"));
-            };
-            if texture.top_mut().read_part(word, args)? {
-                continue;
-            }
-            let is_missing = crate::pattern::is_pattern(word)
-                || matches!(
-                    word,
-                    Word::TextureMap | Word::MaterialMap | Word::Tiles | Word::UvMapping
-                );
-            return Err(if is_missing && word.class() != Class::Csg {
-                not_built(args, word)
-            } else {
-                args.expected("`pigment`, `finish` or `}` in `texture`")
-            });
         }
+        texture.check(args)?;
         Ok(texture)
+    }
+
+    /// Takes a transform, or a part of the top layer, or what belongs to the pattern, if one is next.
+    pub(super) fn read_item(&mut self, args: &mut dyn Args, default: &Layer) -> Parse<bool> {
+        if let Some(pattern) = &mut self.pattern {
+            return pattern.read_item(args, default);
+        }
+        if let Some(step) = transform_step(args)? {
+            self.transform(&step);
+            return Ok(true);
+        }
+        match args.word()? {
+            Some(word) => self.top_mut().read_part(word, args),
+            None => Ok(false),
+        }
+    }
+
+    /// An error if something that the texture needs has not been read.
+    pub(super) fn check(&self, args: &mut dyn Args) -> Parse<()> {
+        self.pattern
+            .as_ref()
+            .map_or(Ok(()), |pattern| pattern.check(args))
+    }
+
+    /// Whether a pattern chooses among textures here.
+    #[must_use]
+    pub fn is_patterned(&self) -> bool {
+        self.pattern.is_some()
+    }
+
+    /// What chooses among textures, if something does.
+    #[must_use]
+    pub fn pattern(&self) -> Option<&Patterned> {
+        self.pattern.as_deref()
     }
 
     /// The layers, the lowest first.
@@ -126,14 +154,18 @@ impl Texture {
         for layer in &mut self.layers {
             layer.transform(step);
         }
+        if let Some(pattern) = &mut self.pattern {
+            pattern.transform(step);
+        }
     }
 
     /// Whether a transform changes what the texture looks like.
     #[must_use]
     pub fn depends_on_place(&self) -> bool {
-        self.layers
-            .iter()
-            .any(|layer| !matches!(layer.pigment.kind, PigmentKind::Plain(_)))
+        self.pattern.is_some()
+            || self.layers.iter().any(|layer| {
+                layer.normal.is_some() || !matches!(layer.pigment.kind, PigmentKind::Plain(_))
+            })
     }
 
     /// The form for tracing, with the transforms of the object after those of the texture.
@@ -221,17 +253,5 @@ mod tests {
         let mut new = glass(0.5);
         new.lay_over(glass(0.5), 3.5);
         assert_eq!(color(&new.layers()[1]).filter, 0.5);
-    }
-
-    #[test]
-    fn what_is_missing_is_named() {
-        for (text, word) in [
-            ("{ normal { bumps 1 } }", "normal"),
-            ("{ checker texture { } texture { } }", "checker"),
-            ("{ texture_map { } }", "texture_map"),
-        ] {
-            let error = read_with(&mut TextArgs::new(text)).expect_err("it is missing");
-            assert_eq!(error.message, format!("`{word}` is not built yet"));
-        }
     }
 }

@@ -4,6 +4,7 @@ use super::{Layer, Texture};
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::interior::Interior;
 use crate::math::Step;
+use crate::source::Diagnostic;
 
 /// The parts of an object that a material brings along.
 #[derive(Clone, Debug, Default)]
@@ -32,10 +33,10 @@ impl Material {
                 material.transform(&step);
             } else if args.accept(Word::Texture)? {
                 let texture = Texture::read(args, default)?;
-                lay(&mut material.texture, texture, args);
+                lay(&mut material.texture, texture, args)?;
             } else if args.accept(Word::InteriorTexture)? {
                 let texture = Texture::read(args, default)?;
-                lay(&mut material.interior_texture, texture, args);
+                lay(&mut material.interior_texture, texture, args)?;
             } else if args.accept(Word::Interior)? {
                 material.interior = Some(Interior::read(args)?);
             } else {
@@ -54,11 +55,16 @@ impl Material {
     }
 }
 
-fn lay(slot: &mut Option<Texture>, upper: Texture, args: &dyn Args) {
+fn lay(slot: &mut Option<Texture>, upper: Texture, args: &dyn Args) -> Parse<()> {
     match slot {
+        Some(lower) if lower.is_patterned() || upper.is_patterned() => {
+            let message = "a texture that a pattern chooses is no layer of another";
+            return Err(Box::new(Diagnostic::error(args.last_span(), message)));
+        }
         Some(lower) => lower.lay_over(upper, args.version()),
         None => *slot = Some(upper),
     }
+    Ok(())
 }
 
 #[cfg(test)]

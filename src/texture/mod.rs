@@ -1,11 +1,13 @@
 //! Textures: what a surface looks like. A texture is a stack of layers, each a pigment and a finish.
 //!
-//! Built are plain and listed pigments, finishes and layers. Normals, texture maps and patterned textures are missing.
+//! Drawn are pigments, finishes and layers. Normals and textures chosen by patterns are read and kept.
 
 mod film;
 mod finish;
 mod layers;
 mod material;
+mod normal;
+mod patterned;
 mod pigment;
 mod pigment_pattern;
 mod prepared;
@@ -16,7 +18,9 @@ pub use film::{Irid, Subsurface};
 pub use finish::Finish;
 pub use layers::{Layer, Texture};
 pub use material::Material;
-pub use pigment::{Pigment, PigmentKind};
+pub use normal::{Facets, Normal, NormalKind};
+pub use patterned::{Patterned, PatternedKind};
+pub use pigment::{Family, Pigment, PigmentKind};
 pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
 pub use rare::Rare;

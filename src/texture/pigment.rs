@@ -4,8 +4,9 @@ use super::{Rare, read_pattern};
 use crate::args::{Args, Parse, Word, declared, default_of, not_built};
 use crate::bitmap;
 use crate::color::{Color, Rgb};
+use crate::interior::Density;
 use crate::math::Step;
-use crate::pattern::{self, Map, Modifiers, Pattern, Stop};
+use crate::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
 
 /// The colour of a surface as a scene describes it.
 #[derive(Clone, Debug)]
@@ -33,6 +34,38 @@ pub enum PigmentKind {
     Image(bitmap::Source),
 }
 
+/// Whose words a pigment is written in: those of a density are other ones, and the two do not mix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// `pigment`, `pigment_map`.
+    Pigment,
+    /// `density`, `density_map`.
+    Density,
+}
+
+impl Family {
+    fn word(self) -> Word {
+        match self {
+            Family::Pigment => Word::Pigment,
+            Family::Density => Word::Density,
+        }
+    }
+
+    fn map_word(self) -> Word {
+        match self {
+            Family::Pigment => Word::PigmentMap,
+            Family::Density => Word::DensityMap,
+        }
+    }
+
+    fn read_map(self, keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
+        match self {
+            Family::Pigment => Pigment::read_map(keys, args),
+            Family::Density => Ok(Density::read_map(keys, args)?.map(|entry| entry.0.clone())),
+        }
+    }
+}
+
 impl Default for Pigment {
     /// Black, as POV-Ray has it.
     fn default() -> Self {
@@ -57,28 +90,36 @@ impl Pigment {
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         args.open()?;
-        Pigment::read_known(args, base)?.read_on(args, "pigment")
+        Pigment::read_known(args, base)?.read_on(args, Family::Pigment)
     }
 
     /// This pigment, changed by all that follows up to the end of a block; `what` is the word of the block.
     ///
     /// # Errors
     /// A malformed value, or a word that is not built yet.
-    pub fn read_on(mut self, args: &mut dyn Args, what: &str) -> Parse<Pigment> {
+    pub fn read_on(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
         while !args.accept_close()? {
-            if !self.read_item(args)? {
+            if !self.read_item(args, family)? {
+                let what = family.word();
                 return Err(args.expected(&format!("a colour, a pattern or `}}` in `{what}`")));
             }
         }
-        self.checked(args)
+        self.checked(args, family)
+    }
+
+    /// The same for an entry of a map, up to what is no part of it.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_entry(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+        while self.read_item(args, family)? {}
+        self.checked(args, family)
     }
 
     /// An entry of a map: a pigment without its braces.
-    fn read_entry(args: &mut dyn Args) -> Parse<Pigment> {
+    fn entry(args: &mut dyn Args) -> Parse<Pigment> {
         let default = default_of(args);
-        let mut pigment = Pigment::read_known(args, &default)?;
-        while pigment.read_item(args)? {}
-        pigment.checked(args)
+        Pigment::read_known(args, &default)?.read_entry(args, Family::Pigment)
     }
 
     fn read_known(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
@@ -88,9 +129,11 @@ impl Pigment {
         })
     }
 
-    fn checked(self, args: &mut dyn Args) -> Parse<Pigment> {
+    fn checked(self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
         match self.kind {
-            PigmentKind::Average(None) => Err(args.expected("`pigment_map` after `average`")),
+            PigmentKind::Average(None) => {
+                Err(args.expected(&format!("`{}` after `average`", family.map_word())))
+            }
             _ => Ok(self),
         }
     }
@@ -99,12 +142,12 @@ impl Pigment {
     ///
     /// # Errors
     /// A malformed entry, none, or too many.
-    pub fn read_map(args: &mut dyn Args) -> Parse<Map<Pigment>> {
-        Map::read("pigment_map", args, &mut Pigment::read_entry)
+    pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
+        Map::read("pigment_map", keys, args, &mut Pigment::entry)
     }
 
     /// One part of a pigment; false if none begins here.
-    fn read_item(&mut self, args: &mut dyn Args) -> Parse<bool> {
+    fn read_item(&mut self, args: &mut dyn Args, family: Family) -> Parse<bool> {
         if let Some(color) = args.color_if_any()? {
             self.kind = PigmentKind::Plain(color);
             return Ok(true);
@@ -112,18 +155,18 @@ impl Pigment {
         let Some(word) = args.word()? else {
             return Ok(false);
         };
-        let is_known = self.read_own(word, args)?
+        let is_known = self.read_own(word, args, family)?
             || self
                 .modifiers
                 .change(|modifiers| modifiers.read(word, args))?
-            || self.read_pattern(word, args)?;
+            || self.read_pattern(word, args, family)?;
         if !is_known && (pattern::is_pattern(word) || word == Word::UvMapping) {
             return Err(not_built(args, word));
         }
         Ok(is_known)
     }
 
-    fn read_own(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+    fn read_own(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
         match word {
             Word::QuickColor | Word::QuickColour => {
                 args.accept(word)?;
@@ -134,16 +177,15 @@ impl Pigment {
                 args.accept(word)?;
                 self.kind = PigmentKind::Colors(pattern, Map::read_colors(args)?);
             }
-            // The map of a density is one of pigments under its own name.
-            Word::PigmentMap | Word::DensityMap => {
+            _ if word == family.map_word() => {
                 if let PigmentKind::Average(entries) = &mut self.kind {
                     args.accept(word)?;
-                    *entries = Some(Pigment::read_map(args)?);
+                    *entries = Some(family.read_map(Keys::Weights, args)?);
                     return Ok(true);
                 }
                 let pattern = self.pattern_for_map(args)?;
                 args.accept(word)?;
-                self.kind = PigmentKind::Pigments(pattern, Pigment::read_map(args)?);
+                self.kind = PigmentKind::Pigments(pattern, family.read_map(Keys::Positions, args)?);
             }
             _ => match &mut self.kind {
                 PigmentKind::Colors(pattern, _) | PigmentKind::Pigments(pattern, _) => {
@@ -167,7 +209,7 @@ impl Pigment {
         }
     }
 
-    fn read_pattern(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+    fn read_pattern(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
         if word == Word::ImageMap {
             args.accept(word)?;
             let source = bitmap::read(args, bitmap::Purpose::Colors)?;
@@ -186,8 +228,8 @@ impl Pigment {
         let defaults = pattern.default_map();
         self.kind = if !pattern.has_list() {
             PigmentKind::Colors(pattern, Map::of_stops(defaults))
-        } else if args.word()? == Some(Word::Pigment) {
-            PigmentKind::Pigments(pattern, pigment_list(defaults, args)?)
+        } else if args.word()? == Some(family.word()) {
+            PigmentKind::Pigments(pattern, pigment_list(defaults, args, family)?)
         } else {
             PigmentKind::Colors(pattern, color_list(defaults, args)?)
         };
@@ -242,18 +284,24 @@ fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
     Ok(Map::of_stops(&entries))
 }
 
-/// The pigments of a list, with or without commas between them; those left out are the default pigment.
-fn pigment_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Pigment>> {
-    let default: Pigment = default_of(args);
+/// The pigments of a list, with or without commas between them; those left out are the default one.
+fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse<Map<Pigment>> {
+    let default = match family {
+        Family::Pigment => default_of(args),
+        Family::Density => Density::default().0,
+    };
     let mut entries: Vec<_> = defaults
         .iter()
         .map(|&(at, _)| (at, default.clone()))
         .collect();
     for (_, slot) in &mut entries {
-        if !args.accept(Word::Pigment)? {
+        if !args.accept(family.word())? {
             break;
         }
-        *slot = Pigment::read(args, &default)?;
+        *slot = match family {
+            Family::Pigment => Pigment::read(args, &default)?,
+            Family::Density => Density::read(args)?.0,
+        };
         args.comma()?;
     }
     Map::new(entries).ok_or_else(|| args.expected("an entry"))

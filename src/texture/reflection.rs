@@ -46,10 +46,10 @@ impl Reflection {
         self.max = self.min;
         let has_comma = args.comma()?;
         let mut has_max = true;
-        if let Some(max) = args.color_if_any()? {
-            self.max = max.rgb;
-        } else if has_comma || args.at_expression()? {
+        if has_comma || args.at_expression()? {
             self.max = args.color()?.rgb;
+        } else if let Some(max) = args.color_if_any()? {
+            self.max = max.rgb;
         } else {
             has_max = false;
         }

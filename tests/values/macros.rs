@@ -67,3 +67,30 @@ fn macros_are_text_refused() {
         &[r#"#macro F() 1 #end #declare A=F;"#, r#"#macro F #end"#],
     );
 }
+
+/// The macro may be left only behind the `;`, or behind the directives that follow the value.
+#[test]
+fn a_value_that_ends_in_a_macro_belongs_to_the_name_outside() {
+    agree(
+        "macros/values_that_end_inside",
+        &[
+            r#"#macro In() 5; #end #macro Out() #local B = In() #debug concat("= ",str(B,0,0),"\n") #end Out()"#,
+            r#"#macro In() #local B=3; 5; #end #macro Out() #local B = In() #debug concat("= ",str(B,0,0),"\n") #end Out()"#,
+            r#"#macro In() #local A=3; 5; #end #declare A = In() #debug concat("= ",str(A,0,0),"\n")"#,
+            r#"#declare A=1; #macro In() #local A=3; 5; #end #declare A = In() #debug concat("= ",str(A,0,0),"\n")"#,
+            r#"#macro N() #declare A = In() #end #macro In() #local A=3; 5; #end
+#macro M() #local A=2; N() #debug concat("= ",str(A,0,0),"\n") #end M()"#,
+            r#"#macro In() #local A=3; A+2; #debug concat("= in ",str(A,0,0),"\n") #end #declare A = In() #debug concat("= ",str(A,0,0),"\n")"#,
+            r#"#macro In() #local A=3; #declare A=4; A+2; #debug concat("= in ",str(A,0,0),"\n") #end
+#macro Out() #local A = In() #debug concat("= ",str(A,0,0),"\n") #end Out()"#,
+            r#"#macro In() transform{translate x} #end #macro Out() #local A = In() sphere{0,1 transform A} #end Out() #debug "= ok\n""#,
+            r#"#macro Deep(P) P+1; #declare P=9; #debug concat("= P ",str(P,0,0),"\n") #end
+#macro In() #local A=3; Deep(A) #debug concat("= in ",str(A,0,0),"\n") #end
+#declare A = In() #debug concat("= ",str(A,0,0),"\n")"#,
+            r#"#macro S(T) sphere { 0, 1 texture { T } } #end
+#declare T = texture { pigment { rgb 1 } }
+S(T)
+#debug "= ok\n""#,
+        ],
+    );
+}

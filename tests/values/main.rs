@@ -13,8 +13,11 @@ mod functions;
 mod lexical;
 mod macros;
 mod probes;
+mod rows_of_facts;
+mod rows_of_language;
 mod settings;
 mod tables;
+mod textures;
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -1,8 +1,8 @@
 //! The steps that expressions are recorded in.
 
 use crate::args::Word;
+use crate::lang::builtins;
 use crate::lang::flow::EQUAL;
-use crate::lang::functions;
 use crate::syntax::Symbol;
 
 /// A step on a stack of floats, on which a vector is its components, the first one lowest.
@@ -97,8 +97,8 @@ impl Op {
             | Word::Vcross
             | Word::Vrotate
             | Word::VaxisRotate => Some(Op::Vectors(word)),
-            _ if functions::is_of_one(word) => Some(Op::One(word)),
-            _ if functions::is_of_two(word) => Some(Op::Two(word)),
+            _ if builtins::is_of_one(word) => Some(Op::One(word)),
+            _ if builtins::is_of_two(word) => Some(Op::Two(word)),
             _ => None,
         }
     }

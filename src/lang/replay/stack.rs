@@ -3,8 +3,8 @@
 use super::op::{Binary, Op};
 use crate::args::Word;
 use crate::lang::array::whole_index;
+use crate::lang::builtins;
 use crate::lang::flow::EQUAL;
-use crate::lang::functions;
 use crate::lang::scope::Scopes;
 use crate::lang::value::{Number, Value};
 use crate::syntax::Symbol;
@@ -116,15 +116,15 @@ impl Stack {
             Op::Max(count) => self.fold(count, f64::max),
             Op::One(word) => {
                 let a = self.pop();
-                if functions::is_outside(word, a) {
+                if builtins::is_outside(word, a) {
                     return None;
                 }
-                self.push(functions::one(word, a).ok()?);
+                self.push(builtins::one(word, a).ok()?);
             }
             Op::Two(word) => {
                 let b = self.pop();
                 let a = self.pop();
-                self.push(functions::two(word, a, b).ok()?);
+                self.push(builtins::two(word, a, b).ok()?);
             }
             Op::Vectors(word) => {
                 let degrees = match word {
@@ -137,18 +137,18 @@ impl Stack {
                     _ => {
                         let b = self.take(3);
                         let a = self.take(3);
-                        self.push_all(&functions::vectors(word, a.xyz(), b.xyz(), degrees));
+                        self.push_all(&builtins::vectors(word, a.xyz(), b.xyz(), degrees));
                         return Some(());
                     }
                 };
-                self.push_all(&functions::vector(word, a.xyz()));
+                self.push_all(&builtins::vector(word, a.xyz()));
             }
             Op::Rand => {
                 let handle = self.pop();
-                let stream = functions::stream(handle, streams)?;
+                let stream = builtins::stream(handle, streams)?;
                 let state = streams[stream];
                 self.drawn.push((stream, state));
-                let number = functions::draw(&mut streams[stream]);
+                let number = builtins::draw(&mut streams[stream]);
                 self.push(number);
             }
         }

@@ -5,7 +5,7 @@ use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable, unit};
 use crate::math::{Bounds, Ray, Step, Transform};
 use crate::shape::read;
-use crate::source::Diagnostic;
+use crate::source::{Code, Diagnostic};
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 
@@ -273,7 +273,8 @@ fn read_modifiers(args: &mut dyn Args) -> Parse<Vec<Step>> {
         let textures = [Word::Texture, Word::Pigment, Word::Normal, Word::Finish];
         if let Some(word) = args.word()?.filter(|word| textures.contains(word)) {
             let message = format!("`{word}` of a component of a blob is not built yet");
-            return Err(Box::new(Diagnostic::error(args.span(), message).with_hint(
+            let error = Diagnostic::error(args.span(), message).with_code(Code::NotBuilt);
+            return Err(Box::new(error.with_hint(
                 "give the whole blob one texture, behind its components",
             )));
         }

@@ -1,0 +1,194 @@
+//! Loops: `#while` and `#for`.
+
+use super::cursor::{Entered, Frame, Start, State};
+use super::flow::EQUAL;
+use super::reader::Reader;
+use super::value::{Number, Value};
+use crate::args::{Args, Parse};
+use crate::source::{Diagnostic, Span};
+use crate::syntax::Symbol;
+use std::rc::Rc;
+
+/// Whether a loop may draw from more streams of random numbers than this is not asked at each round.
+const FEW_STREAMS: usize = 16;
+
+/// A running `#for`.
+#[derive(Debug)]
+pub(super) struct For {
+    /// Where the body begins.
+    body: usize,
+    variable: Symbol,
+    start: f64,
+    value: f64,
+    end: f64,
+    step: f64,
+}
+
+impl For {
+    /// Where its body begins, behind its head.
+    pub(super) fn body(&self) -> usize {
+        self.body
+    }
+
+    /// Its variable.
+    pub(super) fn variable(&self) -> Symbol {
+        self.variable
+    }
+
+    /// Whether this is not its first round.
+    pub(super) fn has_gone_round(&self) -> bool {
+        (self.value - self.start).abs() > EQUAL
+    }
+
+    /// Counts on from what the variable holds now; gives its next value.
+    pub(super) fn count_on(&mut self, now: Option<f64>) -> f64 {
+        self.value = now.unwrap_or(self.value) + self.step;
+        self.value
+    }
+
+    /// Whether no further round follows.
+    pub(super) fn is_over(&self) -> bool {
+        if self.step > 0.0 {
+            self.value > self.end + EQUAL
+        } else {
+            self.value < self.end - EQUAL
+        }
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn run_while(&mut self, index: usize) -> Parse<()> {
+        let home = Rc::clone(&self.here.tokens);
+        let (_, end) = self.group(index);
+        self.count_round(index, end, Start::of(&home, index))?;
+        let span = home.span(index);
+        self.look_for_change(span)?;
+        if self.condition()? {
+            return Ok(());
+        }
+        self.stay_in(&home, span)?;
+        self.frames.pop();
+        let (_, end) = self.group(index);
+        self.jump(end, span)?;
+        self.pass();
+        Ok(())
+    }
+
+    /// At the condition of a `#while`: an error if the round behind it has changed nothing that the next one could read.
+    fn look_for_change(&mut self, at: Span) -> Parse<()> {
+        if self.streams.len() > FEW_STREAMS {
+            self.changes += 1;
+        }
+        let streams = self.streams.iter();
+        let state = State {
+            changes: self.changes,
+            streams: streams.fold(0, |sum, &stream| sum.rotate_left(5) ^ stream),
+        };
+        let Some(Frame {
+            kind: Entered::While { state: known, .. },
+            ..
+        }) = self.frames.last_mut()
+        else {
+            return Ok(());
+        };
+        if known.replace(state) != Some(state) {
+            return Ok(());
+        }
+        let error = Diagnostic::error(
+            at,
+            "this loop does not end: no round of it changes anything",
+        );
+        let hint = "Change what its condition asks for, or leave it by `#break`.";
+        Err(self.with_trace(error.with_hint(hint)))
+    }
+
+    pub(super) fn run_for(&mut self, index: usize, span: Span) -> Parse<()> {
+        self.expect_mark('(', "`(` after `#for`")?;
+        let variable = self.identifier("a variable after `#for (`")?;
+        self.take_mark(',')?;
+        if !self.begins_number()? {
+            return Err(self.expected_here("`,` and the start of `#for`"));
+        }
+        let start = self.float()?;
+        self.take_mark(',')?;
+        let end = self.float()?;
+        let step = if self.take_mark(',')? {
+            self.float()?
+        } else {
+            1.0
+        };
+        self.expect_mark(')', "`)` at the end of `#for`")?;
+        if step.abs() < EQUAL {
+            return Err(self.with_trace(Diagnostic::error(span, "the step of `#for` is zero")));
+        }
+        let run = For {
+            body: self.here.at,
+            variable,
+            start,
+            value: start,
+            end,
+            step,
+        };
+        // The variable is local to the macro or file, whoever else has that name.
+        self.scopes
+            .local(variable, Value::Number(Number::float(start)));
+        if run.is_over() {
+            let (_, end) = self.group(index);
+            self.jump(end, span)?;
+            self.pass();
+        } else {
+            self.enter(index, Entered::For(Box::new(run)));
+        }
+        Ok(())
+    }
+
+    /// Counts the tokens from `from` to the `#end` of a loop, which are read once more.
+    pub(super) fn count_round(&mut self, from: usize, end: u32, at: Start) -> Parse<()> {
+        let end = (end as usize).min(self.here.tokens.tokens.len());
+        self.count_again(end.saturating_sub(from), at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lang::evaluate;
+    use crate::options::ReadOptions;
+    use crate::source::{Severity, Sources};
+
+    fn errors(text: &str) -> Vec<String> {
+        let mut sources = Sources::new(Vec::new());
+        let file = sources.add_text("test.pov", format!("#version 3.7;\n{text}"));
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let is_error = |finding: &&crate::source::Diagnostic| finding.severity == Severity::Error;
+        let errors = reading.findings.iter().filter(is_error);
+        errors.map(|error| error.message.clone()).collect()
+    }
+
+    #[test]
+    fn a_loop_that_changes_nothing_is_left_after_one_round() {
+        for text in [
+            "#while (1) sphere { 0, 1 } #end",
+            "#declare I = 0; #while (I < 9) sphere { I, 1 } #end",
+            "#macro M(A) sphere { A, 1 } #end #while (1) M(2) #end",
+            "#while (1) #if (0) #break #end #end",
+            "union { #while (1) sphere { 0, 1 } #end }",
+        ] {
+            let expected = ["this loop does not end: no round of it changes anything"];
+            assert_eq!(errors(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_loop_may_draw_at_random_call_macros_and_break() {
+        for text in [
+            "#declare S = seed(1); #while (rand(S) < .9) sphere { 0, 1 } #end",
+            "#declare S = seed(1); #while (1) #if (rand(S) > .9) #break #end #end",
+            "#macro M() #declare I = I + 1; #end #declare I = 0; #while (I < 9) M() #end",
+            "#declare N = 0*x; #declare O = sphere { 0, 1 } #declare D = trace(O, -3*z, z, N);
+             #while (1) sphere { 0, 1 } #break #end",
+            "#for (I, 0, 3) #while (1) #break #end #end",
+        ] {
+            assert_eq!(errors(text), [""; 0], "{text}");
+        }
+    }
+}
