@@ -20,6 +20,8 @@ use std::sync::Arc;
 
 /// A hit is at least so many accuracies from the start of a ray and from the border of the container.
 const LEAST_WAY: f64 = 4.0;
+/// Hits nearer than this to the start of a ray count for nothing, in POV-Ray's units whatever the size of the scene.
+const LEAST_DEPTH: f64 = 1e-3;
 /// Halvings of a rectangle: more than `face` tells apart.
 const MOST_HALVINGS: u32 = 40;
 /// Hits of one ray.
@@ -196,7 +198,14 @@ impl Surface {
     /// overlap on the ray, which one is found depends on it.
     fn first(&self, ray: &Ray, from: f64, to: f64, but: Option<u32>) -> Option<Root> {
         let [enter, leave] = self.container.chord(ray)?;
-        let least = enter.0.max(from) + LEAST_WAY * self.accuracy;
+        // In POV-Ray the way through a ball begins behind a ray that starts in it, and what is met there hides the rest.
+        let is_ball = matches!(self.container, Container::Ball { .. });
+        let start = if is_ball && from < LEAST_DEPTH {
+            f64::NEG_INFINITY
+        } else {
+            from
+        };
+        let least = enter.0.max(start) + LEAST_WAY * self.accuracy;
         let mut end = leave.0.min(to);
         let mut best: Option<Root> = None;
         let mut open: SmallVec<[Patch; 64]> = SmallVec::new();
@@ -206,7 +215,7 @@ impl Surface {
             left: MOST_HALVINGS,
         });
         while let Some(patch) = open.pop() {
-            let Some(start) = self.span(ray, patch.low, patch.high, (least, end)) else {
+            let Some(at) = self.span(ray, patch.low, patch.high, (least, end)) else {
                 continue;
             };
             let size = patch.high - patch.low;
@@ -217,17 +226,17 @@ impl Surface {
                 continue;
             }
             let face = self.face(patch.low);
-            if least < start && start < end && but != Some(face) {
-                end = start;
+            if least < at && at < end && (but != Some(face) || is_ball) {
+                end = at;
                 best = Some(Root {
-                    t: start,
+                    t: at,
                     crossing: Crossing::Touch,
                     face,
                     is_visible: true,
                 });
             }
         }
-        best
+        best.filter(|root| start == from || root.t > LEAST_DEPTH)
     }
 
     #[allow(
