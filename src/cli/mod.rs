@@ -14,6 +14,7 @@ mod modern;
 mod progress;
 mod report;
 mod settings;
+mod sheet;
 mod surroundings;
 mod switches;
 mod typed;
@@ -44,7 +45,7 @@ struct Command {
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
-const COMMANDS: &[Command] = &[check::COMMAND];
+const COMMANDS: &[Command] = &[check::COMMAND, sheet::COMMAND];
 
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;

@@ -72,7 +72,7 @@ All options of POV-Ray's ini files work as Key=Value, here and in files.";
 
 /// `320x240`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size(u32, u32);
+pub(super) struct Size(pub(super) u32, pub(super) u32);
 
 impl FromStr for Size {
     type Err = String;

@@ -454,6 +454,9 @@ fn sides(roots: &[Root], before: bool) -> (bool, bool) {
 /// Hides the root that a ray has just left: of the piece of surface it stands on, the one nearest to its start that
 /// it crosses in the right sense. A flat piece has no other, and its normal need not point out.
 pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, leaf: &Leaf, dir: DVec3) {
+    if leaf.shape.knows_departures() {
+        return;
+    }
     let is_faceted = leaf.shape.is_faceted();
     let expected = match left.crossing {
         Crossing::Touch => Crossing::Touch,

@@ -5,6 +5,9 @@
 //! than `flatness`; each piece is two triangles, with the normals of the true surface at their corners. Transforms move
 //! the points, so the flatness is that in the scene. Unlike in POV-Ray 3.7, which forgets it, `clipped_by` clips. The two types, which differ in what POV-Ray keeps, are one here.
 
+mod halving;
+
+use self::halving::{Maker, Part};
 use super::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, Triangle, read};
 use crate::accel::Bvh;
@@ -181,14 +184,6 @@ fn read_steps(args: &mut dyn Args) -> Parse<u32> {
     )))
 }
 
-/// A part of the surface while it is halved.
-struct Part {
-    points: Points,
-    /// The parameters of its corners.
-    low: DVec2,
-    high: DVec2,
-}
-
 impl Net {
     fn pieces(&self) -> Pieces {
         let mut maker = Maker {
@@ -271,117 +266,6 @@ fn slopes(t: f64) -> [f64; 4] {
         3.0 * t * (2.0 * s - t),
         3.0 * t * t,
     ]
-}
-
-/// The two halves of a curve (de Casteljau).
-fn halves([a, b, c, d]: [DVec3; 4]) -> ([DVec3; 4], [DVec3; 4]) {
-    let mean = |a: DVec3, b: DVec3| 0.5 * (a + b);
-    let (ab, bc, cd) = (mean(a, b), mean(b, c), mean(c, d));
-    let (abc, bcd) = (mean(ab, bc), mean(bc, cd));
-    let middle = mean(abc, bcd);
-    ([a, ab, abc, middle], [middle, bcd, cd, d])
-}
-
-fn turned(points: &Points) -> Points {
-    std::array::from_fn(|i| std::array::from_fn(|j| points[j][i]))
-}
-
-fn halves_along_v(points: &Points) -> (Points, Points) {
-    let halved = points.map(halves);
-    (halved.map(|half| half.0), halved.map(|half| half.1))
-}
-
-impl Part {
-    fn halves_along_u(&self) -> [Part; 2] {
-        let (near, far) = halves_along_v(&turned(&self.points));
-        let middle = 0.5 * (self.low.x + self.high.x);
-        [
-            Part {
-                points: turned(&near),
-                low: self.low,
-                high: DVec2::new(middle, self.high.y),
-            },
-            Part {
-                points: turned(&far),
-                low: DVec2::new(middle, self.low.y),
-                high: self.high,
-            },
-        ]
-    }
-
-    fn halves_along_v(&self) -> [Part; 2] {
-        let (near, far) = halves_along_v(&self.points);
-        let middle = 0.5 * (self.low.y + self.high.y);
-        [
-            Part {
-                points: near,
-                low: self.low,
-                high: DVec2::new(self.high.x, middle),
-            },
-            Part {
-                points: far,
-                low: DVec2::new(self.low.x, middle),
-                high: self.high,
-            },
-        ]
-    }
-}
-
-struct Maker<'a> {
-    net: &'a Net,
-    triangles: Vec<[u32; 3]>,
-    corners: Vec<Corner>,
-    /// By the bits of the parameters.
-    known: FxHashMap<[u64; 2], u32>,
-}
-
-impl Maker<'_> {
-    fn halve(&mut self, part: &Part, depth: u32) {
-        let (by_u, by_v) = (depth < self.net.u_steps, depth < self.net.v_steps);
-        if !(by_u || by_v) || self.net.is_flat(&part.points) {
-            self.leaf(part);
-            return;
-        }
-        let parts = if by_u {
-            &part.halves_along_u()[..]
-        } else {
-            std::slice::from_ref(part)
-        };
-        for part in parts {
-            if by_v {
-                for part in &part.halves_along_v() {
-                    self.halve(part, depth + 1);
-                }
-            } else {
-                self.halve(part, depth + 1);
-            }
-        }
-    }
-
-    fn leaf(&mut self, part: &Part) {
-        let Part { points, low, high } = part;
-        let a = self.corner(points[0][0], *low);
-        let b = self.corner(points[0][3], DVec2::new(low.x, high.y));
-        let c = self.corner(points[3][3], *high);
-        let d = self.corner(points[3][0], DVec2::new(high.x, low.y));
-        for triangle in [[a, b, c], [a, c, d]] {
-            let corners = triangle.map(|corner| self.corners[corner as usize].point);
-            if !(Triangle { corners }).is_flat_line() {
-                self.triangles.push(triangle);
-            }
-        }
-    }
-
-    fn corner(&mut self, point: DVec3, at: DVec2) -> u32 {
-        let corners = &mut self.corners;
-        let net = self.net;
-        let key = at.to_array().map(f64::to_bits);
-        *self.known.entry(key).or_insert_with(|| {
-            let normal = net.normal(at);
-            corners.push(Corner { point, normal, at });
-            u32::try_from(corners.len() - 1).expect("the steps are limited")
-        })
-    }
 }
 
 impl Geometry for BicubicPatch {
@@ -490,80 +374,4 @@ fn touch(t: f64, face: u32) -> Root {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::args::text::TextArgs;
-    use crate::shape::check;
-
-    const POINTS: &str = "<0,0,2>, <1,0,0>, <2,0,0>, <3,0,-2>, <0,1,0>, <1,1,0>, <2,1,0>, <3,1,0>,
-        <0,2,0>, <1,2,0>, <2,2,0>, <3,2,0>, <0,3,2>, <1,3,0>, <2,3,0>, <3,3,-2>";
-
-    fn patch(words: &str) -> BicubicPatch {
-        let mut args = TextArgs::new(&format!("{words} {POINTS}"));
-        let mut patch = BicubicPatch::read(&mut args).unwrap();
-        assert!(args.is_done());
-        patch.prepare();
-        patch
-    }
-
-    #[test]
-    fn it_is_a_patch() {
-        check::patch(&patch("type 0 u_steps 3 v_steps 3"));
-    }
-
-    #[test]
-    fn steps_double_the_pieces_of_each_direction() {
-        let pieces = |words| patch(words).pieces().triangles.len();
-        assert_eq!(pieces("type 1"), 2);
-        assert_eq!(pieces("type 1 u_steps 3 v_steps 2"), 64);
-        assert_eq!(pieces("type 1 u_steps 3 v_steps 3 flatness 100"), 2);
-        let some = pieces("type 1 u_steps 4 v_steps 4 flatness 0.05");
-        assert!(2 < some && some < 512, "{some}");
-        assert_eq!(pieces("1, 2, 2"), 32);
-    }
-
-    #[test]
-    fn the_corners_lie_on_the_surface() {
-        let patch = patch("type 1 u_steps 2 v_steps 3");
-        for corner in &patch.pieces().corners {
-            let (u, v) = (bernstein(corner.at.x), bernstein(corner.at.y));
-            let mut point = DVec3::ZERO;
-            for (row, u) in patch.net.points.iter().zip(u) {
-                for (net, v) in row.iter().zip(v) {
-                    point += u * v * *net;
-                }
-            }
-            assert!((point - corner.point).length() < 1e-14);
-        }
-    }
-
-    #[test]
-    fn texture_coordinates_run_along_v_first() {
-        let patch = patch("type 1 u_steps 3 v_steps 3");
-        let hit = patch.nearest(&Ray::new(DVec3::new(2.0, 1.0, -9.0), DVec3::Z), 0.0, 99.0);
-        let hit = hit.unwrap();
-        let uv = patch.uv_of_face(DVec3::new(2.0, 1.0, hit.t - 9.0), hit.face);
-        assert!((uv[0] - 2.0 / 3.0).abs() < 1e-9 && (uv[1] - 1.0 / 3.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn what_is_wrong_is_said() {
-        let fault = |text: &str| {
-            BicubicPatch::read(&mut TextArgs::new(text))
-                .unwrap_err()
-                .message
-        };
-        assert_eq!(
-            fault("u_steps 3 <0,0,0>"),
-            "expected `type` 0 or 1 in `bicubic_patch`, found `<`"
-        );
-        assert_eq!(
-            fault("type 1 u_steps 12 v_steps 12 <0,0,0>"),
-            "`u_steps` and `v_steps` are 20 at most together"
-        );
-        assert_eq!(
-            fault("type 1 u_steps -1"),
-            "a bicubic patch has 0 to 20 steps, found -1"
-        );
-    }
-}
+mod tests;

@@ -17,6 +17,8 @@ pub(super) type End = (f64, u32);
 
 /// The face of a ball; those of a box are twice the axis, and one more for the upper one.
 const ROUND: u32 = 6;
+/// So far from a face a point is on it.
+const ON_FACE: f64 = 1e-10;
 
 impl Container {
     /// How many faces containers have.
@@ -76,6 +78,19 @@ impl Container {
             Container::Box { low, high } => point.cmpge(low).all() && point.cmple(high).all(),
             Container::Ball { centre, radius } => {
                 (point - centre).length_squared() <= radius * radius
+            }
+        }
+    }
+
+    /// The face on which a point lies, by POV-Ray's measure, which is the same for all sizes.
+    pub(super) fn face_at(&self, point: DVec3) -> Option<u32> {
+        match *self {
+            Container::Box { low, high } => (0..2 * 3).find(|face| {
+                let (axis, side) = ((face / 2) as usize, if face % 2 == 1 { high } else { low });
+                (point[axis] - side[axis]).abs() < ON_FACE
+            }),
+            Container::Ball { centre, radius } => {
+                ((point.distance(centre) - radius).abs() < ON_FACE).then_some(ROUND)
             }
         }
     }

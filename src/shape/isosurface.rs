@@ -141,37 +141,40 @@ impl Solid {
         self.function.eval(&point.to_array()) - self.threshold
     }
 
-    /// Gives the roots of a ray from `from` on, in order, until `emit` says to stop. With an infinite `from` those of the
-    /// whole line; otherwise the ray starts at zero, and may leave the surface there.
-    fn follow(&self, ray: &Ray, from: f64, emit: &mut dyn FnMut(Root) -> bool) {
+    /// Gives the roots of a ray from its start on, in order, until `emit` says to stop. Says whether it starts inside.
+    /// A ray that starts on the surface has left it: POV-Ray takes the function's sign a little further on.
+    fn follow(&self, ray: &Ray, emit: &mut dyn FnMut(Root) -> bool) -> Start {
         let Some([enter, leave]) = self.container.chord(ray) else {
-            return;
+            return Start::Outside;
         };
+        if leave.0 <= 0.0 {
+            return Start::Outside;
+        }
         let mut search = Search {
             solid: self,
             ray,
             speed: ray.dir.length(),
             gradient: self.gradient,
         };
-        let starts_outside = from == f64::NEG_INFINITY || enter.0 > from + self.accuracy;
         let mut is_inside = false;
-        let mut at = enter.0.max(from);
-        if at >= leave.0 {
-            return;
-        }
-        let start = search.value(at, 1.0);
+        let mut at = enter.0.max(0.0);
+        let value = search.value(at, 1.0);
+        let starts_outside = enter.0 > self.accuracy;
         if starts_outside {
-            is_inside = start < 0.0;
+            is_inside = value < 0.0;
             if is_inside && !emit(self.face(enter, Crossing::Enter)) {
-                return;
+                return Start::Outside;
             }
-        } else if start < self.gradient * self.accuracy * AT_SURFACE {
-            at = from + AFTER_ROOT * self.accuracy;
-            if at >= leave.0 {
-                return;
-            }
+        } else if value < self.gradient * self.accuracy * AT_SURFACE {
+            // This may lie beyond the container, whose end is then the root.
+            at = AFTER_ROOT * self.accuracy;
             is_inside = search.value(at, 1.0) < 0.0;
         }
+        let start = if is_inside && !starts_outside {
+            Start::Inside
+        } else {
+            Start::Outside
+        };
         for _ in 0..MOST_ROOTS {
             let Some(t) = search.root(at, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
@@ -181,16 +184,16 @@ impl Solid {
             } else {
                 Crossing::Enter
             };
+            is_inside = !is_inside;
+            at = t + AFTER_ROOT * self.accuracy;
             let goes_on = emit(Root {
                 t,
                 crossing,
                 face: SURFACE,
-                is_visible: true,
+                is_visible: t > self.accuracy,
             });
-            is_inside = !is_inside;
-            at = t + AFTER_ROOT * self.accuracy;
             if !goes_on {
-                return;
+                return start;
             }
             if at >= leave.0 {
                 break;
@@ -199,6 +202,7 @@ impl Solid {
         if is_inside {
             emit(self.face(leave, Crossing::Leave));
         }
+        start
     }
 
     /// A root on the container.
@@ -207,7 +211,7 @@ impl Solid {
             t,
             crossing,
             face,
-            is_visible: !self.is_open,
+            is_visible: !self.is_open && t > self.accuracy,
         }
     }
 }
@@ -257,17 +261,15 @@ impl Search<'_> {
 
 impl Geometry for Isosurface {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        self.0.follow(ray, f64::NEG_INFINITY, &mut |root| {
+        self.0.follow(ray, &mut |root| {
             roots.push(root);
             true
-        });
-        Start::Outside
+        })
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        let start = if from == f64::NEG_INFINITY { from } else { 0.0 };
         let mut found = None;
-        self.0.follow(ray, start, &mut |root| {
+        self.0.follow(ray, &mut |root| {
             if root.is_visible && from < root.t {
                 found = Some(root);
             }
@@ -276,25 +278,23 @@ impl Geometry for Isosurface {
         found.filter(|root| root.t < to)
     }
 
-    /// The start of a ray that leaves the surface is known by the value of the function.
-    fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
-        if face == SURFACE {
-            return self.nearest(ray, from, to);
-        }
-        let mut found = None;
-        self.0.follow(ray, 0.0, &mut |root| {
-            if root.is_visible && from < root.t && root.face != face {
-                found = Some(root);
-            }
-            found.is_none() && root.t < to
-        });
-        found.filter(|root| root.t < to)
+    fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
+        self.nearest(ray, from, to)
+    }
+
+    fn knows_departures(&self) -> bool {
+        true
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         let solid = &self.0;
-        if face != SURFACE {
-            return solid.container.normal(point, face);
+        let wall = if face == SURFACE {
+            solid.container.face_at(point)
+        } else {
+            Some(face)
+        };
+        if let Some(wall) = wall {
+            return solid.container.normal(point, wall);
         }
         let here = solid.value(point);
         let along = |axis: DVec3| solid.value(point + solid.accuracy * axis) - here;

@@ -195,6 +195,12 @@ pub trait Geometry {
         first_visible(&roots, from, to)
     }
 
+    /// Whether it tells by itself the surface that a ray has just left, so that none of its roots is to be hidden. Its
+    /// roots are then those from the start of the ray on, and [`Geometry::roots`] says whether the ray starts inside.
+    fn knows_departures(&self) -> bool {
+        false
+    }
+
     /// The box by which POV-Ray knows a shape that it holds in a space of its own, turned along some axis, and what
     /// takes that space to the shape's: for `min_extent` and `max_extent`. `None` where the box is that of the bounds.
     fn held_box(&self) -> Option<(Bounds, DAffine3)> {
@@ -292,6 +298,9 @@ macro_rules! shapes {
             }
             fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest_beside(ray, from, to, face)),+ }
+            }
+            fn knows_departures(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.knows_departures()),+ }
             }
             fn held_box(&self) -> Option<(Bounds, DAffine3)> {
                 match self { $(Shape::$name(shape) => shape.held_box()),+ }

@@ -1,9 +1,9 @@
 //! `parametric { function { x }, function { y }, function { z }, <u, v>, <u, v> [contained_by { ... }] ... }`: a surface
 //! of which each coordinate is a function of two parameters.
 //!
-//! The rectangle of the parameters is halved as long as a ray may meet the piece over it, the nearer half first. What a
-//! coordinate may be over a rectangle follows from its values at the corners and `max_gradient`, as in POV-Ray; a piece
-//! smaller than `accuracy` is a hit, and its lower corner stands for it.
+//! The rectangle of the parameters is halved as long as a ray may meet the piece over it. What a coordinate may be over a
+//! rectangle follows from its values at the corners and `max_gradient`, as in POV-Ray; a piece smaller than `accuracy` is
+//! a hit, and its lower corner stands for it. The ray meets it where its third coordinate may first be right.
 //!
 //! It is a patch. The parameters of a hit are its `face`: sixteen binary digits each, as many as halvings give them for
 //! any accuracy that a ray can be followed to.
@@ -20,6 +20,8 @@ use std::sync::Arc;
 
 /// A hit is at least so many accuracies from the start of a ray and from the border of the container.
 const LEAST_WAY: f64 = 4.0;
+/// Hits nearer than this to the start of a ray count for nothing, in POV-Ray's units whatever the size of the scene.
+const LEAST_DEPTH: f64 = 1e-3;
 /// Halvings of a rectangle: more than `face` tells apart.
 const MOST_HALVINGS: u32 = 40;
 /// Hits of one ray.
@@ -143,8 +145,7 @@ fn positive(args: &mut dyn Args, word: Word) -> Parse<f64> {
 struct Patch {
     low: DVec2,
     high: DVec2,
-    /// The part of the ray on which it may lie.
-    span: (f64, f64),
+    /// Halvings that it may still take.
     left: u32,
 }
 
@@ -154,18 +155,20 @@ impl Surface {
         function.eval(&[at.x, at.y, 0.0][..function.parameters()])
     }
 
-    /// The part of a ray on which the piece over a rectangle may lie.
-    fn span(&self, ray: &Ray, low: DVec2, high: DVec2, within: (f64, f64)) -> Option<(f64, f64)> {
+    /// The part of a ray, within limits, on which the piece over a rectangle may lie, and where by its third coordinate
+    /// it begins. The bounds lie lower than they are by `accuracy`, as in POV-Ray.
+    fn span(&self, ray: &Ray, low: DVec2, high: DVec2, within: (f64, f64)) -> Option<f64> {
         let size = high - low;
         let (mut near, mut far) = within;
+        let mut start = near;
         for axis in 0..3 {
             let corner = |u: f64, v: f64| self.coordinate(axis, DVec2::new(u, v));
             let (a, b) = (corner(low.x, low.y), corner(low.x, high.y));
             let (c, d) = (corner(high.x, low.y), corner(high.x, high.y));
             let left = self.between(a, b, size.y);
             let right = self.between(c, d, size.y);
-            let least = self.between(left.0, right.0, size.x).0;
-            let most = self.between(left.1, right.1, size.x).1;
+            let least = self.between(left.0, right.0, size.x).0 - self.accuracy;
+            let most = self.between(left.1, right.1, size.x).1 - self.accuracy;
             let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
             if dir == 0.0 {
                 let is_met = least <= origin && origin <= most;
@@ -175,10 +178,14 @@ impl Surface {
                 continue;
             }
             let (p, q) = ((least - origin) / dir, (most - origin) / dir);
-            near = near.max(p.min(q));
+            start = p.min(q);
+            near = near.max(start);
             far = far.min(p.max(q));
+            if near > far {
+                return None;
+            }
         }
-        (near <= far).then_some((near, far))
+        Some(start)
     }
 
     /// What a function may be between two places of these values.
@@ -187,56 +194,49 @@ impl Surface {
         (a.min(b) - more, a.max(b) + more)
     }
 
-    /// The first hit strictly between `from` and `to`, on any piece but `but`.
+    /// The first hit strictly between `from` and `to`, on any piece but `but`. Lower halves come first: of pieces that
+    /// overlap on the ray, which one is found depends on it.
     fn first(&self, ray: &Ray, from: f64, to: f64, but: Option<u32>) -> Option<Root> {
         let [enter, leave] = self.container.chord(ray)?;
-        let least = enter.0.max(from) + LEAST_WAY * self.accuracy;
-        let within = (least, leave.0.min(to));
-        let whole = Patch {
+        // In POV-Ray the way through a ball begins behind a ray that starts in it, and what is met there hides the rest.
+        let is_ball = matches!(self.container, Container::Ball { .. });
+        let start = if is_ball && from < LEAST_DEPTH {
+            f64::NEG_INFINITY
+        } else {
+            from
+        };
+        let least = enter.0.max(start) + LEAST_WAY * self.accuracy;
+        let mut end = leave.0.min(to);
+        let mut best: Option<Root> = None;
+        let mut open: SmallVec<[Patch; 64]> = SmallVec::new();
+        open.push(Patch {
             low: self.low,
             high: self.high,
-            span: self.span(ray, self.low, self.high, within)?,
             left: MOST_HALVINGS,
-        };
-        let mut best: Option<Root> = None;
-        let mut open: SmallVec<[Patch; 64]> = SmallVec::from_elem(whole, 1);
+        });
         while let Some(patch) = open.pop() {
-            let end = best.map_or(within.1, |best| best.t);
-            if patch.span.0 >= end {
+            let Some(at) = self.span(ray, patch.low, patch.high, (least, end)) else {
                 continue;
-            }
+            };
             let size = patch.high - patch.low;
             let is_small = size.max_element() < self.accuracy || patch.left == 0;
-            if is_small {
-                let face = self.face(patch.low);
-                let is_hit = patch.span.0 > least && but != Some(face);
-                if is_hit {
-                    best = Some(Root {
-                        t: patch.span.0,
-                        crossing: Crossing::Touch,
-                        face,
-                        is_visible: true,
-                    });
-                }
+            if !is_small {
+                let [lower, upper] = patch.halves();
+                open.extend([upper, lower]);
                 continue;
             }
-            let halves = halves(&patch);
-            let mut found: SmallVec<[Patch; 2]> = SmallVec::new();
-            for (low, high) in halves {
-                if let Some(span) = self.span(ray, low, high, (patch.span.0.max(least), end)) {
-                    found.push(Patch {
-                        low,
-                        high,
-                        span,
-                        left: patch.left - 1,
-                    });
-                }
+            let face = self.face(patch.low);
+            if least < at && at < end && (but != Some(face) || is_ball) {
+                end = at;
+                best = Some(Root {
+                    t: at,
+                    crossing: Crossing::Touch,
+                    face,
+                    is_visible: true,
+                });
             }
-            // The nearer one lies on top.
-            found.sort_by(|a, b| b.span.0.total_cmp(&a.span.0));
-            open.extend(found);
         }
-        best
+        best.filter(|root| start == from || root.t > LEAST_DEPTH)
     }
 
     #[allow(
@@ -257,15 +257,19 @@ impl Surface {
     }
 }
 
-/// The halves of a rectangle along its longer side.
-fn halves(patch: &Patch) -> [(DVec2, DVec2); 2] {
-    let Patch { low, high, .. } = *patch;
-    let middle = 0.5 * (low + high);
-    let size = high - low;
-    if size.y > size.x {
-        [(low, high.with_y(middle.y)), (low.with_y(middle.y), high)]
-    } else {
-        [(low, high.with_x(middle.x)), (low.with_x(middle.x), high)]
+impl Patch {
+    /// Its halves along its longer side, the lower one first.
+    fn halves(self) -> [Patch; 2] {
+        let Patch { low, high, .. } = self;
+        let middle = 0.5 * (low + high);
+        let size = high - low;
+        let (below, above) = if size.y > size.x {
+            (high.with_y(middle.y), low.with_y(middle.y))
+        } else {
+            (high.with_x(middle.x), low.with_x(middle.x))
+        };
+        let left = self.left - 1;
+        [(low, below), (above, high)].map(|(low, high)| Patch { low, high, left })
     }
 }
 

@@ -10,11 +10,13 @@
 //!
 //! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and not needed.
 
+mod part;
+mod way;
+
+use self::part::{B_SPLINE, CATMULL_ROM, Part};
 use super::{Geometry, Root, Start, first_visible, read, span};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
-use crate::math::conditioning::power_of_two;
-use crate::math::polynomial::{sign_changes, value};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec3, DVec4};
@@ -23,11 +25,6 @@ use std::sync::Arc;
 
 /// Spheres of one sweep.
 const MOST_SPHERES: f64 = 1e7;
-/// Newton steps towards an extreme of the way to the surface; the places found before are nearly right.
-const POLISH: usize = 2;
-
-/// A polynomial by rising power.
-type Poly = SmallVec<[f64; 12]>;
 /// Enter and leave of parts of the sweep on a ray, each with the number of the part.
 type Spans = SmallVec<[[(f64, u32); 2]; 4]>;
 
@@ -50,20 +47,6 @@ impl PartialEq for Sweep {
     }
 }
 
-/// One polynomial piece of the curve.
-#[derive(Clone, Debug, PartialEq)]
-struct Part {
-    /// Centre and radius by rising power of `-1 <= x <= 1`, about `centre` and in units of `size`.
-    curve: [DVec4; 4],
-    /// How many of them there are.
-    len: usize,
-    centre: DVec3,
-    /// A power of two.
-    size: f64,
-    /// The square of the radius of a ball around it, in units of `size`.
-    reach_sq: f64,
-}
-
 /// How the curve follows the spheres.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
@@ -73,22 +56,6 @@ enum Kind {
     /// Through all but the first and the last, which only bend it.
     Cubic,
 }
-
-/// The rows are the powers of `0 <= t <= 1`, the columns four spheres in a row.
-type Basis = [[f64; 4]; 4];
-
-const B_SPLINE: Basis = [
-    [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0],
-    [-0.5, 0.0, 0.5, 0.0],
-    [0.5, -1.0, 0.5, 0.0],
-    [-1.0 / 6.0, 0.5, -0.5, 1.0 / 6.0],
-];
-const CATMULL_ROM: Basis = [
-    [0.0, 1.0, 0.0, 0.0],
-    [-0.5, 0.0, 0.5, 0.0],
-    [1.0, -2.5, 2.0, -0.5],
-    [-0.5, 1.5, -1.5, 0.5],
-];
 
 impl SphereSweep {
     /// Reads the kind of the curve and its spheres.
@@ -194,233 +161,6 @@ impl Sweep {
     }
 }
 
-impl Part {
-    fn of(basis: &Basis, four: &[DVec4]) -> Self {
-        let power = |row: &[f64; 4]| (0..4).fold(DVec4::ZERO, |sum, i| sum + row[i] * four[i]);
-        Part::new(&basis.each_ref().map(power))
-    }
-
-    /// A piece by rising power of `0 <= t <= 1`.
-    fn new(powers: &[DVec4]) -> Self {
-        let mut c = [DVec4::ZERO; 4];
-        c[..powers.len()].copy_from_slice(powers);
-        // With t = (1 + x) / 2.
-        let curve = [
-            c[0] + 0.5 * c[1] + 0.25 * c[2] + 0.125 * c[3],
-            0.5 * c[1] + 0.5 * c[2] + 0.375 * c[3],
-            0.25 * c[2] + 0.375 * c[3],
-            0.125 * c[3],
-        ];
-        let mut part = Part {
-            curve,
-            len: powers.len(),
-            centre: DVec3::ZERO,
-            size: 1.0,
-            reach_sq: 0.0,
-        };
-        let bounds = part.bounds();
-        part.centre = bounds.centre();
-        part.size = power_of_two((bounds.max - bounds.min).max_element());
-        part.curve[0] -= part.centre.extend(0.0);
-        part.curve = part.curve.map(|c| c / part.size);
-        let reach = part.hull().iter().fold(0.0_f64, |reach, control| {
-            reach.max(control.truncate().length() + control.w.abs())
-        });
-        part.reach_sq = reach * reach;
-        part
-    }
-
-    /// Spheres in the hull of which all spheres of the piece lie (its Bézier points).
-    fn hull(&self) -> [DVec4; 4] {
-        let [a, b, c, d] = self.curve;
-        // With x = 2 t - 1, then from powers of t to Bézier points.
-        let t = [
-            a - b + c - d,
-            2.0 * b - 4.0 * c + 6.0 * d,
-            4.0 * c - 12.0 * d,
-            8.0 * d,
-        ];
-        [
-            t[0],
-            t[0] + t[1] / 3.0,
-            t[0] + 2.0 / 3.0 * t[1] + t[2] / 3.0,
-            t[0] + t[1] + t[2] + t[3],
-        ]
-    }
-
-    fn bounds(&self) -> Bounds {
-        let hull = self.hull();
-        hull.iter().fold(Bounds::EMPTY, |bounds, control| {
-            let at = self.centre + self.size * control.truncate();
-            let radius = DVec3::splat(self.size * control.w.abs());
-            bounds.with_point(at - radius).with_point(at + radius)
-        })
-    }
-
-    fn at(&self, x: f64) -> DVec4 {
-        let curve = self.curve[..self.len].iter().rev();
-        curve.fold(DVec4::ZERO, |sum, c| sum * x + *c)
-    }
-
-    /// Adds the parts of a ray that are in this piece.
-    fn spans(&self, ray: &Ray, number: u32, spans: &mut Spans) {
-        let length = ray.dir.length();
-        let dir = ray.dir / length;
-        let origin = (ray.origin - self.centre) / self.size;
-        // From the place nearest to the middle of the piece.
-        let start = -origin.dot(dir);
-        let origin = origin + start * dir;
-        let is_near = origin.length_squared() <= self.reach_sq;
-        if !is_near {
-            return;
-        }
-        let way = Way::new(&self.curve[..self.len], origin, dir);
-        let to_ray = |s: f64| (start + s) * self.size / length;
-        way.parts(|low, high| {
-            let (enter, leave) = (to_ray(low), to_ray(high));
-            if enter < leave {
-                spans.push([(enter, number), (leave, number)]);
-            }
-        });
-    }
-
-    /// The parameter of the sphere in which a point lies deepest, and the square of its distance from that sphere's
-    /// centre less the square of the radius.
-    fn deepest(&self, point: DVec3) -> (f64, f64) {
-        let local = ((point - self.centre) / self.size).extend(0.0);
-        let mut about = self.curve;
-        about[0] -= local;
-        let depth = product(&about[..self.len], |a, b| {
-            a.truncate().dot(b.truncate()) - a.w * b.w
-        });
-        let turns = sign_changes(&derivative(&depth));
-        let all = turns.into_iter().chain([-1.0, 1.0]);
-        all.map(|x| (x, value(&depth, x)))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap_or((0.0, f64::INFINITY))
-    }
-}
-
-/// A ray of unit direction along a piece: polynomials in the parameter of the curve.
-struct Way {
-    /// From the origin of the ray to the point nearest to the centre of the sphere, reversed.
-    b: Poly,
-    b_slope: Poly,
-    /// The square of half the chord.
-    d: Poly,
-    d_slope: Poly,
-}
-
-impl Way {
-    fn new(curve: &[DVec4], origin: DVec3, dir: DVec3) -> Self {
-        let mut b = Poly::new();
-        // Beside the ray, and the radius.
-        let mut beside: SmallVec<[DVec4; 4]> = SmallVec::new();
-        for (power, c) in curve.iter().enumerate() {
-            let centre = c.truncate();
-            let from_centre = if power == 0 { origin - centre } else { -centre };
-            let along = from_centre.dot(dir);
-            b.push(along);
-            beside.push((from_centre - along * dir).extend(c.w));
-        }
-        let d = product(&beside, |p, q| p.w * q.w - p.truncate().dot(q.truncate()));
-        Way {
-            b_slope: derivative(&b),
-            d_slope: derivative(&d),
-            b,
-            d,
-        }
-    }
-
-    /// Gives the parts of the ray that are in the piece.
-    fn parts(&self, mut give: impl FnMut(f64, f64)) {
-        let mut ends = sign_changes(&self.d);
-        ends.insert(0, -1.0);
-        ends.push(1.0);
-        let mut places: Option<SmallVec<[f64; 24]>> = None;
-        for pair in ends.windows(2) {
-            let (from, to) = (pair[0], pair[1]);
-            if value(&self.d, 0.5 * (from + to)) < 0.0 {
-                continue;
-            }
-            let places = places.get_or_insert_with(|| self.extremes());
-            let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-            let inner = places.iter().copied().filter(|x| from < *x && *x < to);
-            for x in inner.chain([from, to, 0.5 * (from + to)]) {
-                low = low.min(self.polished(x, (from, to), -1.0));
-                high = high.max(self.polished(x, (from, to), 1.0));
-            }
-            give(low, high);
-        }
-    }
-
-    /// Where the way into a sphere or out of it may be least or largest.
-    fn extremes(&self) -> SmallVec<[f64; 24]> {
-        let mut places: SmallVec<[f64; 24]> = SmallVec::new();
-        // Where the two extremes fall together the equation has a double root, at which its sign does not change.
-        places.extend(sign_changes(&self.d_slope));
-        let squares = product(&self.d_slope, |a, b| a * b);
-        let chords = times(&product(&self.b_slope, |a, b| a * b), &self.d);
-        let len = squares.len().max(chords.len());
-        let term = |poly: &Poly, i: usize| poly.get(i).copied().unwrap_or(0.0);
-        let difference: Poly = (0..len)
-            .map(|i| term(&squares, i) - 4.0 * term(&chords, i))
-            .collect();
-        places.extend(sign_changes(&difference));
-        places
-    }
-
-    /// The way into the sphere at a place (`side` −1) or out of it (`side` 1), or a better one nearby.
-    fn polished(&self, x: f64, (from, to): (f64, f64), side: f64) -> f64 {
-        let way = |x: f64| side * value(&self.d, x).max(0.0).sqrt() - value(&self.b, x);
-        let mut best = way(x);
-        let mut x = x;
-        for _ in 0..POLISH {
-            let half = value(&self.d, x).max(0.0).sqrt();
-            let slope = value(&self.d_slope, x);
-            let rise = side * slope / (2.0 * half) - value(&self.b_slope, x);
-            let bend = side
-                * (value(&derivative(&self.d_slope), x) / (2.0 * half)
-                    - slope * slope / (4.0 * half * half * half))
-                - value(&derivative(&self.b_slope), x);
-            let next = x - rise / bend;
-            let is_inside = from < next && next < to;
-            if !is_inside || side * way(next) <= side * best {
-                break;
-            }
-            (x, best) = (next, way(next));
-        }
-        best
-    }
-}
-
-/// The square of a polynomial under a symmetric product of its coefficients.
-fn product<T: Copy>(c: &[T], times: impl Fn(T, T) -> f64) -> Poly {
-    let mut sum = Poly::from_elem(0.0, (2 * c.len()).saturating_sub(1));
-    for (i, a) in c.iter().enumerate() {
-        for (j, b) in c.iter().enumerate() {
-            sum[i + j] += times(*a, *b);
-        }
-    }
-    sum
-}
-
-fn times(a: &[f64], b: &[f64]) -> Poly {
-    let mut sum = Poly::from_elem(0.0, (a.len() + b.len()).saturating_sub(1));
-    for (i, a) in a.iter().enumerate() {
-        for (j, b) in b.iter().enumerate() {
-            sum[i + j] += a * b;
-        }
-    }
-    sum
-}
-
-fn derivative(c: &[f64]) -> Poly {
-    let powers = c.iter().enumerate().skip(1);
-    #[allow(clippy::cast_precision_loss, reason = "powers are small")]
-    powers.map(|(power, c)| power as f64 * c).collect()
-}
-
 impl Geometry for SphereSweep {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         for [enter, leave] in self.spans(ray) {
@@ -461,76 +201,4 @@ impl Geometry for SphereSweep {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::args::text::TextArgs;
-    use crate::shape::check;
-
-    fn sweep(text: &str) -> SphereSweep {
-        let mut args = TextArgs::new(text);
-        let sweep = SphereSweep::read(&mut args).unwrap();
-        assert!(args.is_done());
-        sweep
-    }
-
-    const BENT: &str = "6, <-2,0,0>, 0.5, <-1,1,0>, 0.4, <0,-1,0.5>, 0.6, <1,1,-0.5>, 0.2, <2,0,0>, 0.5, <2,1,2>, 0.3";
-
-    #[test]
-    fn sweeps_are_solids() {
-        for kind in ["linear_spline", "b_spline", "cubic_spline"] {
-            check::solid(&sweep(&format!("{kind} {BENT}")));
-        }
-    }
-
-    #[test]
-    fn a_linear_sweep_of_equal_radii_is_a_capsule() {
-        let capsule = sweep("linear_spline 2, <-1,0,0>, 0.5, <1,0,0>, 0.5");
-        let mut rng = check::Random::new(3);
-        for _ in 0..2000 {
-            let ray = rng.ray_near(&capsule.bounds());
-            let mut roots = Vec::new();
-            capsule.roots(&ray, &mut roots);
-            for root in &roots {
-                let p = ray.at(root.t);
-                let axis = DVec3::new(p.x.clamp(-1.0, 1.0), 0.0, 0.0);
-                assert!(
-                    ((p - axis).length() - 0.5).abs() < 1e-12,
-                    "{ray:?} {root:?}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn a_sweep_in_a_plane_is_met_straight_on() {
-        // The ways in and out have their extremes at the same places.
-        let flat =
-            sweep("cubic_spline 4, <-2,0,0>, 0.5, <-1,0,0>, 0.5, <1,0,0>, 0.5, <2,0,0>, 0.5");
-        for y in [0.0, 0.3, 0.49] {
-            let ray = Ray::new(DVec3::new(0.2, y, -5.0), DVec3::Z);
-            let mut roots = Vec::new();
-            flat.roots(&ray, &mut roots);
-            let half = (0.25 - y * y).sqrt();
-            assert_eq!(roots.len(), 2);
-            assert!((roots[0].t - (5.0 - half)).abs() < 1e-12);
-            assert!((roots[1].t - (5.0 + half)).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn too_few_spheres_are_an_error() {
-        let fault = |text: &str| {
-            SphereSweep::read(&mut TextArgs::new(text))
-                .unwrap_err()
-                .message
-        };
-        assert_eq!(
-            fault("b_spline 3, <0,0,0>, 1"),
-            "a `b_spline` needs at least 4 spheres, found 3"
-        );
-        assert_eq!(
-            fault("natural_spline 3"),
-            "expected `linear_spline`, `b_spline` or `cubic_spline` in `sphere_sweep`, found `natural_spline`"
-        );
-    }
-}
+mod tests;

@@ -1,0 +1,254 @@
+//! `povr sheet`: draws a shape under all transforms, each in a scene and a picture of its own, with a contact sheet as a
+//! picture and as a page; where POV-Ray is installed every picture is compared with its own.
+//!
+//! Exit code 0: all pictures are there and agree; 1: some do not; 2: the command line is at fault.
+
+mod contact;
+mod judge;
+mod scene;
+mod shapes;
+mod transforms;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+use rayon::prelude::*;
+
+use self::judge::{Judge, Verdict};
+use self::scene::Subject;
+use self::shapes::{HEIGHTS, SHAPES};
+use self::transforms::Move;
+use super::Command;
+use super::draw::{self, Request};
+use super::error::CliError;
+use super::modern::{self, Size};
+use super::report::say;
+use super::surroundings::Surroundings;
+
+pub(super) const COMMAND: Command = Command {
+    name: "sheet",
+    about: "draw a shape under all transforms, with a contact sheet",
+    run,
+};
+
+/// Draws a shape under all transforms and makes contact sheets.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr sheet",
+    after_help = "\
+In DIR a folder for each shape gets a scene and a picture for each transform, `overview.pov` with all of them,
+`sheet.png` and `sheet.html`. x is blue, y is yellow, z is red.
+Exit code 0: all pictures agree with POV-Ray's, or it is not installed; 1: some do not; 2: the command line is at fault."
+)]
+struct Face {
+    /// A primitive or combination by its word, `all`, or a file with an object or the declaration of one
+    shape: String,
+    /// Size of each picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "320x240")]
+    size: Size,
+    /// The folder to write to; it is made if it is missing
+    #[arg(short, long, value_name = "DIR", default_value = "sheet")]
+    output: PathBuf,
+    /// The declared object in a file of one's own; without it the file is an object itself
+    #[arg(long, value_name = "NAME")]
+    object: Option<String>,
+    /// Draw only the scene that holds all transforms
+    #[arg(long)]
+    overview: bool,
+    /// Do not compare with POV-Ray
+    #[arg(long)]
+    alone: bool,
+}
+
+/// A picture of a sheet.
+struct Entry {
+    /// Of its files, without ending.
+    name: String,
+    /// The transform as a scene writes it.
+    text: String,
+    verdict: Verdict,
+}
+
+/// The scene of all transforms, which is larger than the others by this.
+const OVERVIEW: (&str, u32) = ("overview", 2);
+
+fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+    let name = std::iter::once("povr sheet".to_owned());
+    let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(face) => face,
+        Err(said) => {
+            say(modern::printed(&said)?.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    let subjects = subjects(&face)?;
+    let judge = (!face.alone).then(Judge::find).flatten();
+    if judge.is_none() && !face.alone {
+        say("povr: POV-Ray is not installed, so nothing is compared");
+    }
+    let mut sheets = Vec::new();
+    let mut wrong = 0;
+    for subject in &subjects {
+        let folder = face.output.join(&subject.name);
+        make_folder(&folder)?;
+        if let Some((name, text)) = &subject.file {
+            write(&folder.join(name), text)?;
+        }
+        let entries = sheet(&face, subject, &folder, judge.as_ref(), around)?;
+        let differing: Vec<&Entry> = entries
+            .iter()
+            .filter(|one| one.verdict.is_wrong())
+            .collect();
+        for entry in &differing {
+            say(format_args!(
+                "{}: {}: {}",
+                subject.name, entry.name, entry.verdict
+            ));
+        }
+        wrong += differing.len();
+        say(format_args!(
+            "{}: {} pictures, {} differ from POV-Ray's",
+            subject.name,
+            entries.len(),
+            differing.len()
+        ));
+        contact::write(&folder, &subject.name, &entries, face.size.0)?;
+        sheets.push(subject.name.clone());
+    }
+    if sheets.len() > 1 {
+        contact::write_index(&face.output, &sheets)?;
+    }
+    Ok(if wrong == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+/// The shapes that are asked for.
+fn subjects(face: &Face) -> Result<Vec<Subject>, CliError> {
+    let known: Vec<Subject> = SHAPES
+        .iter()
+        .filter(|sample| face.shape == "all" || face.shape == sample.name)
+        .map(|sample| Subject {
+            name: sample.name.to_owned(),
+            declaration: format!("#declare Shape = {}\n", sample.text),
+            file: sample
+                .text
+                .contains(HEIGHTS.0)
+                .then(|| (HEIGHTS.0.to_owned(), HEIGHTS.1.to_owned())),
+        })
+        .collect();
+    if known.is_empty() {
+        return Ok(vec![own(Path::new(&face.shape), face.object.as_deref())?]);
+    }
+    Ok(known)
+}
+
+/// An object of the user's own. The scenes get a copy of its file, so that their folder is whole.
+fn own(path: &Path, object: Option<&str>) -> Result<Subject, CliError> {
+    let stem = path.file_stem().filter(|_| path.is_file());
+    let Some(stem) = stem.and_then(|stem| stem.to_str()) else {
+        let names: Vec<&str> = SHAPES.iter().map(|sample| sample.name).collect();
+        return Err(CliError::new(format!(
+            "`{}` is neither a shape nor a file",
+            path.display()
+        ))
+        .with_hint(format!("shapes are {}, or `all`", names.join(", "))));
+    };
+    let text = fs::read_to_string(path).map_err(|error| failed("read", path, &error))?;
+    let (declaration, file) = match object {
+        Some(name) => {
+            let copy = format!("{stem}.inc");
+            (
+                format!("#include \"{copy}\"\n#declare Shape = object {{ {name} }}\n"),
+                Some((copy, text)),
+            )
+        }
+        None => (format!("#declare Shape = {text}\n"), None),
+    };
+    Ok(Subject {
+        name: stem.to_owned(),
+        declaration,
+        file,
+    })
+}
+
+/// Writes, draws and compares all pictures of one shape.
+fn sheet(
+    face: &Face,
+    subject: &Subject,
+    folder: &Path,
+    judge: Option<&Judge>,
+    around: &Surroundings,
+) -> Result<Vec<Entry>, CliError> {
+    let moves = transforms::all();
+    let large = Size(face.size.0 * OVERVIEW.1, face.size.1 * OVERVIEW.1);
+    let all = Move {
+        name: OVERVIEW.0.to_owned(),
+        text: "all transforms".to_owned(),
+    };
+    let mut jobs = vec![(&all, subject.overview(&moves, large), large)];
+    if !face.overview {
+        jobs.extend(
+            moves
+                .iter()
+                .map(|one| (one, subject.scene(one, face.size), face.size)),
+        );
+    }
+    for (one, text, size) in &jobs {
+        let scene = folder.join(format!("{}.pov", one.name));
+        write(&scene, text)?;
+        draw(&scene, *size, around)?;
+    }
+    jobs.par_iter()
+        .map(|(one, _, size)| {
+            let verdict = match judge {
+                Some(judge) => judge.compare(folder, &one.name, *size)?,
+                None => Verdict::NotCompared,
+            };
+            Ok(Entry {
+                name: one.name.clone(),
+                text: one.text.clone(),
+                verdict,
+            })
+        })
+        .collect()
+}
+
+/// Draws a scene beside itself.
+fn draw(scene: &Path, size: Size, around: &Surroundings) -> Result<(), CliError> {
+    let arguments = [
+        format!("+I{}", scene.display()),
+        format!("+O{}", scene.with_extension("png").display()),
+        format!("+W{}", size.0),
+        format!("+H{}", size.1),
+        "-A".to_owned(),
+        "-D".to_owned(),
+        "--quiet".to_owned(),
+    ];
+    if let Request::Draw(settings) = draw::request(&arguments, around)?
+        && draw::carry_out(&settings, &crate::draw)? != ExitCode::SUCCESS
+    {
+        return Err(CliError::new(format!("cannot draw `{}`", scene.display()))
+            .with_hint("the file of one's own must be one object, or name one with `--object`"));
+    }
+    Ok(())
+}
+
+fn make_folder(folder: &Path) -> Result<(), CliError> {
+    fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error))
+}
+
+fn write(path: &Path, text: &str) -> Result<(), CliError> {
+    fs::write(path, text).map_err(|error| failed("write", path, &error))
+}
+
+fn failed(what: &str, path: &Path, error: &dyn std::fmt::Display) -> CliError {
+    CliError::new(format!("cannot {what} `{}`: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests;
