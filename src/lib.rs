@@ -79,7 +79,7 @@ pub fn draw(
         Ok(prepared(&scene, render))
     })?;
     let progress = |pixels| listen(Event::Drawn(pixels));
-    let film = match render.threads {
+    let drawn = match render.threads {
         None => render::render(&world, render, &progress),
         Some(threads) => match rayon::ThreadPoolBuilder::new()
             .num_threads(threads.max(1))
@@ -90,8 +90,9 @@ pub fn draw(
         },
     };
     Ok(Picture {
-        film,
+        film: drawn.film,
         working,
+        reached: drawn.reached,
         statistics: String::new(),
     })
 }

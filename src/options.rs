@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use crate::color::Gamma;
 use crate::film::Film;
@@ -95,11 +96,55 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
-    /// How pixels are sampled; `None` for one ray through the centre of each.
-    pub antialias: Option<Antialias>,
+    /// How pixels are sampled.
+    pub sampling: Sampling,
 }
 
-/// How pixels are sampled more than once.
+/// How pixels are sampled.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sampling {
+    /// By one ray through the centre of each.
+    #[default]
+    Centres,
+    /// As POV-Ray antialiases.
+    PovRay(Antialias),
+    /// Until an estimate of the error holds.
+    Converging(Converging),
+}
+
+/// Sampling until the estimated error of every pixel is small (`+AM4`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Converging {
+    /// The largest estimated error of a channel of a pixel, in steps of 1/255 in the working space of the scene.
+    pub error: f64,
+    /// When to stop whatever the error is. The picture then depends on the speed of the machine.
+    pub time: Option<Duration>,
+}
+
+impl Default for Converging {
+    /// A step of a picture with 8 bits.
+    fn default() -> Self {
+        Converging {
+            error: 1.0,
+            time: None,
+        }
+    }
+}
+
+/// What sampling until the error is small came to. Errors are in steps of 1/255 in the working space of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// The error asked for.
+    pub target: f64,
+    /// The largest estimated error of a pixel.
+    pub largest: f64,
+    /// The root of the mean of the squared estimated errors of all pixels.
+    pub rms: f64,
+    /// How many camera rays it took.
+    pub samples: u64,
+}
+
+/// How POV-Ray samples pixels more than once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Antialias {
     /// Which of POV-Ray's methods.
@@ -154,6 +199,8 @@ pub struct Picture {
     pub film: Film,
     /// The working space they are in; `None` for a scene without gamma handling, whose values are stored as they are.
     pub working: Option<Gamma>,
+    /// What was reached, of a picture that was sampled until its error is small.
+    pub reached: Option<Reached>,
     /// What `--stats` prints; may be empty.
     pub statistics: String,
 }
@@ -210,7 +257,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
-            antialias: None,
+            sampling: Sampling::Centres,
         }
     }
 }

@@ -20,6 +20,7 @@ pub(crate) mod quartic;
 pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
+pub(crate) mod sobol;
 mod spline;
 mod transform;
 pub(crate) mod watertight;

@@ -1,10 +1,11 @@
 //! From a world to a film: tiles over all cores.
 
 mod antialias;
+mod converge;
 
 use crate::compile::{Scratch, World};
 use crate::film::{Film, Pixel};
-use crate::options::RenderOptions;
+use crate::options::{Reached, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;
@@ -19,14 +20,37 @@ struct Tile {
     rows: Range<u32>,
 }
 
+/// A drawn world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// The pixels.
+    pub film: Film,
+    /// What was reached, of a picture that was sampled until its error is small.
+    pub reached: Option<Reached>,
+}
+
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
-/// The picture is the same for any number of threads.
+/// The picture is the same for any number of threads, unless it is to be stopped at some time.
 #[must_use]
-pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Film {
+pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Drawn {
     let tracer = Tracer::new(world, options.quality);
+    if let Sampling::Converging(how) = &options.sampling {
+        let (film, reached) = converge::draw(&tracer, options, how, progress);
+        return Drawn {
+            film,
+            reached: Some(reached),
+        };
+    }
+    Drawn {
+        film: by_tiles(&tracer, options, progress),
+        reached: None,
+    }
+}
+
+fn by_tiles(tracer: &Tracer<'_>, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Film {
     let tiles = tiles(options);
     let draw = |tile: &Tile| {
-        let drawn = draw_tile(&tracer, tile, options);
+        let drawn = draw_tile(tracer, tile, options);
         progress(drawn.1.len() as u64);
         drawn
     };
@@ -75,9 +99,9 @@ fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile
         columns: shared(&tile.columns, &options.columns),
         rows: shared(&tile.rows, &options.rows),
     };
-    let pixels = match &options.antialias {
-        None => draw_blocks(tracer, &wanted, options),
-        Some(how) => {
+    let pixels = match &options.sampling {
+        Sampling::Centres | Sampling::Converging(_) => draw_blocks(tracer, &wanted, options),
+        Sampling::PovRay(how) => {
             let mut scratch = Scratch::default();
             let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
             let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());

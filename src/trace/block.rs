@@ -19,7 +19,7 @@ const LIT_TOGETHER: usize = 64;
 #[derive(Debug, Default)]
 pub struct BlockScratch {
     single: Scratch,
-    places: Vec<(u32, u32)>,
+    whole: Vec<(f64, f64)>,
     /// From the camera, one for each place.
     queries: Vec<Query>,
     /// To a light, for the places in `asked`.
@@ -42,59 +42,78 @@ impl Tracer<'_> {
         scratch: &mut BlockScratch,
         mut take: impl FnMut(u32, u32, Sample),
     ) {
-        scratch.places.clear();
+        let mut whole = std::mem::take(&mut scratch.whole);
+        whole.clear();
         for top in rows.clone().step_by(GROUP.1 as usize) {
             for left in columns.clone().step_by(GROUP.0 as usize) {
                 for y in top..(top + GROUP.1).min(rows.end) {
                     let right = (left + GROUP.0).min(columns.end);
-                    scratch.places.extend((left..right).map(|x| (x, y)));
+                    whole.extend((left..right).map(|x| (f64::from(x), f64::from(y))));
                 }
             }
         }
-        if !self.search(size, scratch) {
-            for &(x, y) in &scratch.places {
-                let sample = self.pixel(
-                    f64::from(x),
-                    f64::from(y),
-                    size.0,
-                    size.1,
-                    &mut scratch.single,
-                );
-                take(x, y, sample);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "they were made of such numbers"
+        )]
+        self.places(&whole, size, scratch, |number, sample, _| {
+            let (x, y) = whole[number];
+            take(x as u32, y as u32, sample);
+        });
+        scratch.whole = whole;
+    }
+
+    /// What the camera sees at places of a picture of `size`, no more than a block has pixels and such that neighbours
+    /// in the list lie near each other; whole numbers are centres of pixels. `take` gets the number of the place, what is
+    /// seen, and what was met first if that is known, in any order. To the bit what [`Tracer::pixel`] gives.
+    pub fn places(
+        &self,
+        places: &[(f64, f64)],
+        size: (u32, u32),
+        scratch: &mut BlockScratch,
+        mut take: impl FnMut(usize, Sample, Option<&Hit>),
+    ) {
+        if !self.search(places, size, scratch) {
+            for (number, &(x, y)) in places.iter().enumerate() {
+                let sample = self.pixel(x, y, size.0, size.1, &mut scratch.single);
+                take(number, sample, None);
             }
             return;
         }
         let lights = self.world.lights.len();
         scratch.ways.clear();
-        scratch.ways.resize(lights * scratch.places.len(), None);
+        scratch.ways.resize(lights * places.len(), None);
         if self.quality.has_shadows && self.quality.has_light {
             for light in (0u32..).take(lights) {
                 self.light_block(light, scratch);
             }
         }
-        for (number, &(x, y)) in scratch.places.iter().enumerate() {
-            begin_sample(f64::from(x), f64::from(y), &mut scratch.single);
+        for (number, &(x, y)) in places.iter().enumerate() {
+            begin_sample(x, y, &mut scratch.single);
             let path = self.camera_path(scratch.queries[number].ray);
             let ways = &scratch.ways[number * lights..][..lights];
-            let sample = self.trace(
-                path,
-                Some((scratch.hits[number], ways)),
-                &mut scratch.single,
-            );
-            take(x, y, sample);
+            let hit = scratch.hits[number];
+            let sample = self.trace(path, Some((hit, ways)), &mut scratch.single);
+            take(number, sample, hit.as_ref());
         }
     }
 
     /// Searches for what the camera sees; false if its rays do not start in one
     /// point.
-    fn search(&self, (width, height): (u32, u32), scratch: &mut BlockScratch) -> bool {
+    fn search(
+        &self,
+        places: &[(f64, f64)],
+        (width, height): (u32, u32),
+        scratch: &mut BlockScratch,
+    ) -> bool {
         let camera = &self.world.camera;
         if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
         }
         scratch.queries.clear();
-        for &(x, y) in &scratch.places {
-            let Some(ray) = camera.primary_ray(f64::from(x), f64::from(y), width, height) else {
+        for &(x, y) in places {
+            let Some(ray) = camera.primary_ray(x, y, width, height) else {
                 return false;
             };
             scratch.queries.push(Query {

@@ -1,0 +1,352 @@
+//! A band of the picture: every pixel is sampled a little, those at edges more, until the estimate holds.
+//!
+//! 1. Each pixel gets its first samples.
+//! 2. A pixel is broken if its samples, or those of it and its neighbours, met different surfaces or sides of them, or if
+//!    its error is too large. A broken pixel and all around it get four times as many samples; those that turn out to be
+//!    broken too pass that on. So a wire that only some pixels saw is followed along its length, for [`ROUNDS`] pixels.
+//! 3. Those pixels get more samples until their error is small. It is never taken for smaller than what a feature
+//!    between the samples would do whose contrast is that of the surroundings.
+//!
+//! A pixel depends on those within [`MARGIN`] of it and on no others, so that a part of a picture is drawn as it is in the
+//! whole.
+
+use super::estimate::{Estimate, Reach, estimate};
+use super::look::{Eye, EyeScratch, Look, TOGETHER, pixel};
+use crate::film::Pixel;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::time::Instant;
+
+/// How far being broken is passed on, in pixels.
+const ROUNDS: u32 = 8;
+/// How far away a pixel may lie that decides about another.
+pub(super) const MARGIN: u32 = ROUNDS + 2;
+/// How many times as many samples there are at edges.
+const FINER: u32 = 4;
+/// The share of `contrast / samples` that a feature may make which no sample saw. A half plane that a (0, 2)-sequence of
+/// `n` points does not see covers up to about `1/n` of the pixel, and most do far less.
+const UNSEEN: f64 = 1.0 / 16.0;
+/// No pixel gets more samples.
+const MOST_SAMPLES: u32 = 1 << 14;
+/// The side of the squares of pixels that are sampled first together.
+const SQUARE: u32 = 8;
+
+/// What to reach.
+#[derive(Clone, Copy)]
+pub(super) struct Target {
+    /// The largest estimated error of a pixel.
+    pub(super) error: f64,
+    /// How many samples a pixel gets first: a power of two.
+    pub(super) first: u32,
+    /// When to stop with what there is.
+    pub(super) deadline: Option<Instant>,
+}
+
+impl Target {
+    /// The smaller the error, the smaller what may stay unseen where nothing is to be seen.
+    pub(super) fn new(error: f64, deadline: Option<Instant>) -> Target {
+        const FIRST: [(f64, u32); 3] = [(0.4 / 255.0, 4), (0.2 / 255.0, 8), (0.1 / 255.0, 16)];
+        let first = FIRST.iter().find(|(least, _)| error >= *least);
+        Target {
+            error,
+            first: first.map_or(32, |&(_, first)| first),
+            deadline,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.deadline.is_some_and(|end| Instant::now() >= end)
+    }
+}
+
+/// A finished pixel.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Done {
+    pub(super) value: Pixel,
+    pub(super) error: f64,
+}
+
+/// The samples of a rectangle of pixels.
+pub(super) struct Band<'a> {
+    eye: &'a Eye<'a>,
+    target: Target,
+    columns: Range<u32>,
+    rows: Range<u32>,
+    /// The first samples, pixel by pixel.
+    first: Vec<Look>,
+    /// More of them for some pixels, the first included.
+    finer: Vec<Look>,
+    /// For each pixel where its samples in `finer` begin, if it has some there.
+    finer_at: Vec<Option<u32>>,
+    reach: Vec<Reach>,
+    is_broken: Vec<bool>,
+    /// How many samples were taken.
+    pub(super) samples: u64,
+}
+
+impl<'a> Band<'a> {
+    /// Samples a band as far as step 2.
+    pub(super) fn new(
+        eye: &'a Eye<'a>,
+        target: Target,
+        columns: Range<u32>,
+        rows: Range<u32>,
+    ) -> Self {
+        let count = columns.len() * rows.len();
+        let mut band = Band {
+            eye,
+            target,
+            columns,
+            rows,
+            first: Vec::new(),
+            finer: Vec::new(),
+            finer_at: vec![None; count],
+            reach: Vec::new(),
+            is_broken: Vec::new(),
+            samples: 0,
+        };
+        band.sample_first();
+        band.find_broken();
+        let mut broken: Vec<usize> = (0..count).filter(|&at| band.is_broken[at]).collect();
+        for _ in 0..ROUNDS {
+            if broken.is_empty() || target.is_over() {
+                break;
+            }
+            broken = band.sample_around(&broken);
+        }
+        band
+    }
+
+    /// The finished pixels of a rectangle in it, row by row, `progress` told of each row.
+    pub(super) fn finish(
+        &mut self,
+        columns: &Range<u32>,
+        rows: &Range<u32>,
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Vec<Done> {
+        let width = columns.len();
+        let mut done = vec![Done::default(); width * rows.len()];
+        let samples: u64 = done
+            .par_chunks_mut(width.max(1))
+            .zip(rows.clone().into_par_iter())
+            .map_init(Finishing::default, |scratch, (row, y)| {
+                let mut samples = 0;
+                for (done, x) in row.iter_mut().zip(columns.clone()) {
+                    let (finished, more) = self.finished(x, y, scratch);
+                    *done = finished;
+                    samples += u64::from(more);
+                }
+                progress(width as u64);
+                samples
+            })
+            .sum();
+        self.samples += samples;
+        done
+    }
+
+    fn at(&self, x: u32, y: u32) -> usize {
+        (y - self.rows.start) as usize * self.columns.len() + (x - self.columns.start) as usize
+    }
+
+    /// The pixels around one, itself included.
+    fn around(&self, x: u32, y: u32) -> impl Iterator<Item = (u32, u32)> + use<> {
+        let near = |v: u32, range: &Range<u32>| {
+            v.saturating_sub(1).max(range.start)..(v + 2).min(range.end)
+        };
+        let columns = near(x, &self.columns);
+        near(y, &self.rows).flat_map(move |y| columns.clone().map(move |x| (x, y)))
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a band has far fewer pixels than 2^32"
+    )]
+    fn pixel_at(&self, at: usize) -> (u32, u32) {
+        let width = self.columns.len();
+        (
+            self.columns.start + (at % width) as u32,
+            self.rows.start + (at / width) as u32,
+        )
+    }
+
+    fn first_of(&self, at: usize) -> &[Look] {
+        let n = self.target.first as usize;
+        &self.first[at * n..(at + 1) * n]
+    }
+
+    fn looks_of(&self, at: usize) -> &[Look] {
+        match self.finer_at[at] {
+            Some(start) => &self.finer[start as usize..][..(self.target.first * FINER) as usize],
+            None => self.first_of(at),
+        }
+    }
+
+    fn sample_first(&mut self) {
+        let n = self.target.first as usize;
+        let mut squares = Vec::new();
+        for top in self.rows.clone().step_by(SQUARE as usize) {
+            for left in self.columns.clone().step_by(SQUARE as usize) {
+                let (right, bottom) = (left + SQUARE, top + SQUARE);
+                squares.push((
+                    left..right.min(self.columns.end),
+                    top..bottom.min(self.rows.end),
+                ));
+            }
+        }
+        let eye = self.eye;
+        let seen: Vec<Vec<Look>> = squares
+            .par_iter()
+            .map_init(EyeScratch::default, |scratch, (columns, rows)| {
+                let mut looks = Vec::with_capacity(columns.len() * rows.len() * n);
+                let pixels = rows
+                    .clone()
+                    .flat_map(|y| columns.clone().map(move |x| (x, y)));
+                eye.looks(pixels, 0..self.target.first, scratch, &mut looks);
+                looks
+            })
+            .collect();
+        let count = self.columns.len() * self.rows.len();
+        self.first = vec![Look::NONE; count * n];
+        for ((columns, rows), looks) in squares.iter().zip(seen) {
+            let wide = columns.len() * n;
+            for (row, y) in looks.chunks(wide.max(1)).zip(rows.clone()) {
+                let start = self.at(columns.start, y) * n;
+                self.first[start..start + wide].copy_from_slice(row);
+            }
+        }
+        self.samples += self.first.len() as u64;
+        self.reach = self.first.chunks(n).map(Reach::of).collect();
+    }
+
+    /// Finds the pixels at edges and those whose error is too large.
+    fn find_broken(&mut self) {
+        let n = self.target.first as usize;
+        let channels = self.eye.channels;
+        self.is_broken = self
+            .first
+            .par_chunks(n)
+            .map_init(Vec::new, |cells, looks| {
+                is_torn(looks) || estimate(looks, channels, cells).error > self.target.error
+            })
+            .collect();
+        let width = self.columns.len();
+        for at in 0..self.is_broken.len() {
+            let (x, y) = self.pixel_at(at);
+            let right = (x + 1 < self.columns.end).then_some(at + 1);
+            let below = (y + 1 < self.rows.end).then_some(at + width);
+            for other in [right, below].into_iter().flatten() {
+                if !self.first[at * n].is_same_side(&self.first[other * n]) {
+                    self.is_broken[at] = true;
+                    self.is_broken[other] = true;
+                }
+            }
+        }
+    }
+
+    /// Samples around broken pixels what has not been so yet, and gives what of it turns out to be broken too.
+    fn sample_around(&mut self, broken: &[usize]) -> Vec<usize> {
+        let mut found: Vec<usize> = Vec::new();
+        let all = self.target.first * FINER;
+        let mut next = u32::try_from(self.finer.len()).unwrap_or(u32::MAX);
+        for &at in broken {
+            let (x, y) = self.pixel_at(at);
+            for (x, y) in self.around(x, y) {
+                let at = self.at(x, y);
+                if self.finer_at[at].is_none() {
+                    self.finer_at[at] = Some(next);
+                    next += all;
+                    found.push(at);
+                }
+            }
+        }
+        let more = self.target.first..all;
+        let together = (TOGETHER / more.len()).max(1);
+        let (eye, channels) = (self.eye, self.eye.channels);
+        let seen: Vec<(Vec<Look>, Vec<bool>)> = found
+            .par_chunks(together)
+            .map_init(
+                || (EyeScratch::default(), Vec::new(), Vec::new()),
+                |(scratch, new, cells), places| {
+                    new.clear();
+                    let pixels = places.iter().map(|&at| self.pixel_at(at));
+                    eye.looks(pixels, more.clone(), scratch, new);
+                    let mut looks = Vec::with_capacity(places.len() * all as usize);
+                    for (&at, new) in places.iter().zip(new.chunks(more.len())) {
+                        looks.extend_from_slice(self.first_of(at));
+                        looks.extend_from_slice(new);
+                    }
+                    let are_broken = looks.chunks(all as usize).map(|looks| {
+                        is_torn(looks) || estimate(looks, channels, cells).error > self.target.error
+                    });
+                    let are_broken = are_broken.collect();
+                    (looks, are_broken)
+                },
+            )
+            .collect();
+        let mut newly = Vec::new();
+        let mut places = found.iter();
+        for (looks, are_broken) in seen {
+            for (looks, is_broken) in looks.chunks(all as usize).zip(are_broken) {
+                let Some(&at) = places.next() else { break };
+                self.reach[at] = Reach::of(looks);
+                if is_broken && !self.is_broken[at] {
+                    self.is_broken[at] = true;
+                    newly.push(at);
+                }
+            }
+            self.finer.extend(looks);
+        }
+        self.samples += found.len() as u64 * more.len() as u64;
+        newly
+    }
+
+    /// A finished pixel, and how many more samples it took.
+    fn finished(&self, x: u32, y: u32, scratch: &mut Finishing) -> (Done, u32) {
+        let at = self.at(x, y);
+        let channels = self.eye.channels;
+        let looks = &mut scratch.looks;
+        looks.clear();
+        looks.extend_from_slice(self.looks_of(at));
+        let mut found = estimate(looks, channels, &mut scratch.cells);
+        if self.finer_at[at].is_none() {
+            return (done(&found, found.error), 0);
+        }
+        let around = self.around(x, y).fold(Reach::NOTHING, |all, (x, y)| {
+            all.with(&self.reach[self.at(x, y)])
+        });
+        let unseen = around.contrast(channels) * UNSEEN;
+        let mut count = self.target.first * FINER;
+        let taken = count;
+        loop {
+            let error = found.error.max(unseen / f64::from(count));
+            if error <= self.target.error || count >= MOST_SAMPLES || self.target.is_over() {
+                return (done(&found, error), count - taken);
+            }
+            let pixel = std::iter::once((x, y));
+            self.eye
+                .looks(pixel, count..2 * count, &mut scratch.eye, looks);
+            count *= 2;
+            found = estimate(looks, channels, &mut scratch.cells);
+        }
+    }
+}
+
+/// Buffers of a thread that finishes pixels.
+#[derive(Default)]
+struct Finishing {
+    eye: EyeScratch,
+    looks: Vec<Look>,
+    cells: Vec<u32>,
+}
+
+/// Whether an edge of a surface runs through samples.
+fn is_torn(looks: &[Look]) -> bool {
+    looks.iter().any(|look| !look.is_same_side(&looks[0]))
+}
+
+fn done(found: &Estimate, error: f64) -> Done {
+    Done {
+        value: pixel(found.mean),
+        error,
+    }
+}
