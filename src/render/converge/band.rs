@@ -10,7 +10,8 @@
 //! A pixel depends on those within [`MARGIN`] of it and on no others, so that a part of a picture is drawn as it is in the
 //! whole.
 
-use super::estimate::{Estimate, Reach, estimate};
+use super::edge::{Division, Kinds, Told};
+use super::estimate::{Estimate, Reach, estimate, of_all};
 use super::look::{Eye, EyeScratch, Look, TOGETHER, pixel};
 use crate::film::Pixel;
 use rayon::prelude::*;
@@ -28,6 +29,11 @@ const FINER: u32 = 4;
 const UNSEEN: f64 = 1.0 / 16.0;
 /// No pixel gets more samples.
 const MOST_SAMPLES: u32 = 1 << 14;
+/// With more samples than this a pixel is no longer taken for one that a straight edge divides: it has failed to be.
+const MOST_AT_EDGES: u32 = 1 << 8;
+/// So many samples are put on an edge at most, and so many at once.
+const MOST_ON_AN_EDGE: u32 = 18;
+const ON_AN_EDGE_TOGETHER: u32 = 3;
 /// The side of the squares of pixels that are sampled first together.
 const SQUARE: u32 = 8;
 
@@ -304,10 +310,9 @@ impl<'a> Band<'a> {
     fn finished(&self, x: u32, y: u32, scratch: &mut Finishing) -> (Done, u32) {
         let at = self.at(x, y);
         let channels = self.eye.channels;
-        let looks = &mut scratch.looks;
-        looks.clear();
-        looks.extend_from_slice(self.looks_of(at));
-        let mut found = estimate(looks, channels, &mut scratch.cells);
+        scratch.looks.clear();
+        scratch.looks.extend_from_slice(self.looks_of(at));
+        let mut found = estimate(&scratch.looks, channels, &mut scratch.cells);
         if self.finer_at[at].is_none() {
             return (done(&found, found.error), 0);
         }
@@ -316,18 +321,104 @@ impl<'a> Band<'a> {
         });
         let unseen = around.contrast(channels) * UNSEEN;
         let mut count = self.target.first * FINER;
-        let taken = count;
+        let mut taken = 0;
         loop {
-            let error = found.error.max(unseen / f64::from(count));
-            if error <= self.target.error || count >= MOST_SAMPLES || self.target.is_over() {
-                return (done(&found, error), count - taken);
+            let unseen = unseen / f64::from(count);
+            let is_last = count >= MOST_SAMPLES || self.target.is_over();
+            if found.error.max(unseen) <= self.target.error || is_last {
+                return (done(&found, found.error.max(unseen)), taken);
+            }
+            if unseen <= self.target.error && count <= MOST_AT_EDGES {
+                let (divided, more) = self.divided((x, y), scratch);
+                taken += more;
+                if let Some(divided) = divided {
+                    return (done(&divided, divided.error.max(unseen)), taken);
+                }
             }
             let pixel = std::iter::once((x, y));
-            self.eye
-                .looks(pixel, count..2 * count, &mut scratch.eye, looks);
+            self.eye.looks(
+                pixel,
+                count..2 * count,
+                &mut scratch.eye,
+                &mut scratch.looks,
+            );
+            taken += count;
             count *= 2;
-            found = estimate(looks, channels, &mut scratch.cells);
+            found = estimate(&scratch.looks, channels, &mut scratch.cells);
         }
+    }
+
+    /// What is found if the pixel is divided by a straight edge, and if that is good enough; and how many more samples
+    /// it took.
+    fn divided(&self, pixel: (u32, u32), scratch: &mut Finishing) -> (Option<Estimate>, u32) {
+        let channels = self.eye.channels;
+        let Some(kinds) = Kinds::of(&scratch.looks, channels, &mut scratch.values) else {
+            return (None, 0);
+        };
+        scratch.told.clear();
+        let told = scratch.looks.iter().map(|look| {
+            let is_bright = kinds.is_bright(look).unwrap_or(false);
+            (look.share(), is_bright)
+        });
+        scratch.told.extend(told);
+        let (sides, rest) = self.sides(&kinds, scratch);
+        if rest > self.target.error {
+            return (None, 0);
+        }
+        let contrast = (0..channels)
+            .map(|c| (sides[0][c].min(1.0) - sides[1][c].min(1.0)).abs())
+            .fold(0.0, f64::max);
+        let mut taken = 0;
+        loop {
+            let Some(division) = Division::of(&scratch.told) else {
+                return (None, taken);
+            };
+            let error = rest.hypot(contrast * division.error);
+            if error <= self.target.error {
+                let dark = division.dark;
+                let mean = [0, 1, 2, 3].map(|c| sides[1][c] + dark * (sides[0][c] - sides[1][c]));
+                return (Some(Estimate { mean, error }), taken);
+            }
+            if taken >= MOST_ON_AN_EDGE {
+                return (None, taken);
+            }
+            scratch.on_edge.clear();
+            let numbers = taken..taken + ON_AN_EDGE_TOGETHER;
+            let places = numbers.map(|number| division.place(number));
+            let start = scratch.told.len();
+            scratch.told.extend(places.map(|place| (place, false)));
+            let shares = scratch.told[start..].iter().map(|(place, _)| *place);
+            self.eye
+                .looks_at(pixel, shares, &mut scratch.eye, &mut scratch.on_edge);
+            taken += ON_AN_EDGE_TOGETHER;
+            for (told, look) in scratch.told[start..].iter_mut().zip(&scratch.on_edge) {
+                let Some(is_bright) = kinds.is_bright(look) else {
+                    return (None, taken);
+                };
+                told.1 = is_bright;
+            }
+        }
+    }
+
+    /// The mean colours of both kinds, the darker first, and the error of the mean that is not due to the edge.
+    fn sides(&self, kinds: &Kinds, scratch: &mut Finishing) -> ([[f64; 4]; 2], f64) {
+        let mut sums = [[0.0; 4]; 2];
+        let mut counts = [0.0; 2];
+        for (look, (_, is_bright)) in scratch.looks.iter().zip(&scratch.told) {
+            let side = usize::from(*is_bright);
+            counts[side] += 1.0;
+            for (sum, c) in sums[side].iter_mut().zip(look.channels) {
+                *sum += f64::from(c);
+            }
+        }
+        let means = [0, 1].map(|side| sums[side].map(|sum: f64| sum / counts[side]));
+        let rest = of_all(
+            &scratch.looks,
+            self.eye.channels,
+            &mut scratch.cells,
+            |a, b| kinds.is_bright(a) == kinds.is_bright(b),
+        );
+        (means, rest.error)
     }
 }
 
@@ -337,6 +428,9 @@ struct Finishing {
     eye: EyeScratch,
     looks: Vec<Look>,
     cells: Vec<u32>,
+    values: Vec<f32>,
+    told: Vec<Told>,
+    on_edge: Vec<Look>,
 }
 
 /// Whether an edge of a surface runs through samples.

@@ -64,8 +64,8 @@ impl Reach {
 
 /// What the first samples of a pixel tell, a power of two of them and at least two. `cells` is a buffer.
 pub(super) fn estimate(looks: &[Look], channels: usize, cells: &mut Vec<u32>) -> Estimate {
-    let whole = of_all(looks, channels, cells);
-    let half = of_all(&looks[..looks.len() / 2], channels, cells);
+    let whole = of_all(looks, channels, cells, |_, _| true);
+    let half = of_all(&looks[..looks.len() / 2], channels, cells, |_, _| true);
     let moved = (0..channels)
         .map(|c| (whole.mean[c].min(1.0) - half.mean[c].min(1.0)).abs())
         .fold(0.0, f64::max);
@@ -78,8 +78,13 @@ pub(super) fn estimate(looks: &[Look], channels: usize, cells: &mut Vec<u32>) ->
     }
 }
 
-/// The same from these samples alone.
-fn of_all(looks: &[Look], channels: usize, cells: &mut Vec<u32>) -> Estimate {
+/// The same from these samples alone, the difference of two of them left out where it does not count.
+pub(super) fn of_all(
+    looks: &[Look],
+    channels: usize,
+    cells: &mut Vec<u32>,
+    counts: impl Fn(&Look, &Look) -> bool,
+) -> Estimate {
     let bits = looks.len().ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
     cells.clear();
@@ -96,9 +101,12 @@ fn of_all(looks: &[Look], channels: usize, cells: &mut Vec<u32>) -> Estimate {
     let (width, height) = (1usize << across, 1usize << down);
     let mut apart = [0.0; 4];
     let mut compare = |a: usize, b: usize| {
-        let [a, b] = [a, b].map(|cell| &looks[cells[cell] as usize].channels);
+        let [a, b] = [a, b].map(|cell| &looks[cells[cell] as usize]);
+        if !counts(a, b) {
+            return;
+        }
         for c in 0..channels {
-            let d = f64::from(a[c]) - f64::from(b[c]);
+            let d = f64::from(a.channels[c]) - f64::from(b.channels[c]);
             apart[c] += d * d;
         }
     };

@@ -40,6 +40,12 @@ impl Look {
         self.leaf == other.leaf && (self.leaf == NO_SURFACE || product >= SAME_SIDE)
     }
 
+    /// Where in the pixel it lies, as shares of its side.
+    pub(super) fn share(&self) -> [f64; 2] {
+        let (x, y) = self.place;
+        [x, y].map(|v| (f64::from(v) + 0.5) / 65536.0)
+    }
+
     #[cfg(test)]
     pub(super) fn of(number: u32, value: f32, leaf: u32) -> Look {
         Look {
@@ -82,6 +88,25 @@ pub(super) struct EyeScratch {
 }
 
 impl Eye<'_> {
+    /// Samples at places of one pixel, given as shares of its side.
+    pub(super) fn looks_at(
+        &self,
+        (x, y): (u32, u32),
+        shares: impl Iterator<Item = [f64; 2]>,
+        scratch: &mut EyeScratch,
+        looks: &mut Vec<Look>,
+    ) {
+        scratch.places.clear();
+        scratch.cells.clear();
+        for [dx, dy] in shares {
+            scratch
+                .places
+                .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
+            scratch.cells.push((0, 0));
+        }
+        self.look(scratch, looks);
+    }
+
     /// Samples of these numbers of each of these pixels, pixel by pixel.
     pub(super) fn looks(
         &self,
@@ -102,6 +127,11 @@ impl Eye<'_> {
                 scratch.cells.push(place(point));
             }
         }
+        self.look(scratch, looks);
+    }
+
+    /// Looks at the places that have been noted.
+    fn look(&self, scratch: &mut EyeScratch, looks: &mut Vec<Look>) {
         let start = looks.len();
         looks.resize(start + scratch.places.len(), Look::NONE);
         let chunks = scratch.places.chunks(TOGETHER);

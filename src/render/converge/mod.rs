@@ -9,6 +9,7 @@
 //! keeps the best that it had when the time is over.
 
 mod band;
+mod edge;
 mod estimate;
 mod look;
 
