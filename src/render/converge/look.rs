@@ -47,12 +47,11 @@ impl Look {
     }
 
     #[cfg(test)]
-    pub(super) fn of(number: u32, value: f32, leaf: u32) -> Look {
+    pub(super) fn of(sobol: Sobol, number: u32, value: f32) -> Look {
         Look {
             channels: [value; 4],
-            place: place(Sobol::of_pixel(0, 0).point(number)),
-            leaf,
-            normal: [0.0, 0.0, 1.0],
+            place: place(sobol.point(number)),
+            ..Look::NONE
         }
     }
 }

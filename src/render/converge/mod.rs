@@ -12,6 +12,8 @@ mod band;
 mod edge;
 mod estimate;
 mod look;
+#[cfg(test)]
+mod tests;
 
 use crate::film::Film;
 use crate::options::{Converging, Reached, RenderOptions};
