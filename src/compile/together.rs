@@ -18,6 +18,7 @@ impl World {
             return;
         };
         let origin = first.ray.origin;
+        queries.iter().for_each(|query| scratch.rays.count(query));
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
         bests.clear();
@@ -73,6 +74,7 @@ impl World {
         ways: &mut Vec<Way>,
     ) {
         ways.clear();
+        scratch.rays.shadow += queries.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
         with_widest(
             #[inline(always)]

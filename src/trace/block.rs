@@ -4,7 +4,7 @@
 use super::light::{faces, shadow_query};
 use super::surface::facing_normal;
 use super::{Sample, Tracer, begin_sample};
-use crate::compile::{Hit, Query, Scratch, Seen, Way};
+use crate::compile::{Hit, Query, Rays, Scratch, Seen, Way};
 use crate::math::Ray;
 use std::ops::Range;
 
@@ -29,6 +29,14 @@ pub struct BlockScratch {
     ways: Vec<Option<Way>>,
     asked: Vec<usize>,
     answers: Vec<Way>,
+}
+
+impl BlockScratch {
+    /// How many rays were followed with it.
+    #[must_use]
+    pub fn rays(&self) -> Rays {
+        self.single.rays
+    }
 }
 
 impl Tracer<'_> {
