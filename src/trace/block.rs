@@ -6,20 +6,30 @@ use super::surface::facing_normal;
 use super::{Sample, Tracer, begin_sample};
 use crate::compile::{Hit, Query, Rays, Scratch, Seen, Way};
 use crate::math::Ray;
+use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// The side of a block in pixels.
-pub const BLOCK: u32 = 16;
+pub const BLOCK: u32 = 32;
+/// The side of the parts of a block that are searched together.
+const SEARCHED: u32 = 16;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
 /// So many points are lit together.
 const LIT_TOGETHER: usize = 64;
+/// Points that change from object to object more often than each time after so many are lit in the order in which the
+/// light sees them.
+const SORTED_BELOW: usize = 12;
+/// After points that had nothing in common so many times as many are lit one by one.
+const LIT_SINGLY: usize = 3;
 
 /// Buffers that a thread keeps between blocks.
 #[derive(Debug, Default)]
 pub struct BlockScratch {
     single: Scratch,
     places: Vec<(u32, u32)>,
+    /// Where each part of the block ends in `places`.
+    parts: Vec<usize>,
     /// From the camera, one for each place.
     queries: Vec<Query>,
     /// To a light, for the places in `asked`.
@@ -28,10 +38,30 @@ pub struct BlockScratch {
     /// By pixel and light, what is known to lie between.
     ways: Vec<Option<Way>>,
     asked: Vec<usize>,
+    /// The order in which a light sees points.
+    keys: Vec<u32>,
+    sorted: Vec<Query>,
     answers: Vec<Way>,
 }
 
 impl BlockScratch {
+    /// Lists the places of a block: part by part, and there group by group.
+    fn lay_out(&mut self, columns: &Range<u32>, rows: &Range<u32>) {
+        self.places.clear();
+        self.parts.clear();
+        for rows in split(rows, SEARCHED) {
+            for columns in split(columns, SEARCHED) {
+                for rows in split(&rows, GROUP.1) {
+                    for columns in split(&columns, GROUP.0) {
+                        let row = |y| columns.clone().map(move |x| (x, y));
+                        self.places.extend(rows.clone().flat_map(row));
+                    }
+                }
+                self.parts.push(self.places.len());
+            }
+        }
+    }
+
     /// How many rays were followed with it.
     #[must_use]
     pub fn rays(&self) -> Rays {
@@ -50,15 +80,7 @@ impl Tracer<'_> {
         scratch: &mut BlockScratch,
         mut take: impl FnMut(u32, u32, Sample),
     ) {
-        scratch.places.clear();
-        for top in rows.clone().step_by(GROUP.1 as usize) {
-            for left in columns.clone().step_by(GROUP.0 as usize) {
-                for y in top..(top + GROUP.1).min(rows.end) {
-                    let right = (left + GROUP.0).min(columns.end);
-                    scratch.places.extend((left..right).map(|x| (x, y)));
-                }
-            }
-        }
+        scratch.lay_out(columns, rows);
         if !self.search(size, scratch) {
             for &(x, y) in &scratch.places {
                 let sample = self.pixel(
@@ -112,8 +134,14 @@ impl Tracer<'_> {
                 seen: Seen::Image,
             });
         }
-        self.world
-            .nearest_of(&scratch.queries, &mut scratch.single, &mut scratch.hits);
+        scratch.hits.clear();
+        let mut first = 0;
+        for &end in &scratch.parts {
+            let queries = &scratch.queries[first..end];
+            self.world
+                .nearest_of(queries, &mut scratch.single, &mut scratch.hits);
+            first = end;
+        }
         true
     }
 
@@ -142,14 +170,87 @@ impl Tracer<'_> {
                 scratch.asked.push(place);
             }
         }
-        let asked = scratch.asked.chunks(LIT_TOGETHER);
-        for (queries, asked) in scratch.shadows.chunks(LIT_TOGETHER).zip(asked) {
-            let (single, answers) = (&mut scratch.single, &mut scratch.answers);
-            self.world
-                .ways_of(queries, light.centre, number, single, answers);
-            for (place, way) in asked.iter().zip(&scratch.answers) {
-                scratch.ways[place * lights.len() + number as usize] = Some(*way);
+        scratch.sort_for_light();
+        let (single, answers) = (&mut scratch.single, &mut scratch.answers);
+        answers.clear();
+        let mut singly = 0;
+        for queries in scratch.sorted.chunks(LIT_TOGETHER) {
+            if singly > 0 {
+                singly -= 1;
+                let ways = queries.iter();
+                answers.extend(ways.map(|query| self.world.way(query, number, single)));
+                continue;
+            }
+            let centre = light.centre;
+            if !self.world.ways_of(queries, centre, number, single, answers) {
+                singly = LIT_SINGLY;
             }
         }
+        for (key, way) in scratch.keys.iter().zip(&scratch.answers) {
+            let place = scratch.asked[(key & PLACE_OF_KEY) as usize];
+            scratch.ways[place * lights.len() + number as usize] = Some(*way);
+        }
     }
+}
+
+/// The part of a key that is the place in the list before sorting; above it stands the order.
+const PLACE_OF_KEY: u32 = BLOCK * BLOCK - 1;
+/// The steps on each axis in which a light tells points apart.
+const STEPS: f64 = 2047.0;
+
+impl BlockScratch {
+    /// Brings the shadow rays into the order in which the light sees where they start, if they jump about.
+    fn sort_for_light(&mut self) {
+        self.keys.clear();
+        self.sorted.clear();
+        self.keys.extend((0u32..).take(self.shadows.len()));
+        let leaf = |query: &Query| query.from.map(|left| left.leaf);
+        let changes = self
+            .shadows
+            .windows(2)
+            .filter(|pair| leaf(&pair[0]) != leaf(&pair[1]));
+        if changes.count() * SORTED_BELOW < self.shadows.len() {
+            self.sorted.extend_from_slice(&self.shadows);
+            return;
+        }
+        let sum: DVec3 = self.shadows.iter().map(|query| query.ray.dir).sum();
+        let Some(axis) = sum.try_normalize() else {
+            self.sorted.extend_from_slice(&self.shadows);
+            return;
+        };
+        let (across, up) = axis.any_orthonormal_pair();
+        let seen = |query: &Query| DVec2::new(query.ray.dir.dot(across), query.ray.dir.dot(up));
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for query in &self.shadows {
+            let seen = seen(query);
+            (low, high) = (low.min(seen), high.max(seen));
+        }
+        let scale = STEPS / (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
+        for (key, query) in self.keys.iter_mut().zip(&self.shadows) {
+            let step = ((seen(query) - low) * scale).as_uvec2();
+            *key |= interleaved(step.x, step.y) * (BLOCK * BLOCK);
+        }
+        self.keys.sort_unstable();
+        let place = |key: &u32| (key & PLACE_OF_KEY) as usize;
+        let sorted = self.keys.iter().map(|key| self.shadows[place(key)]);
+        self.sorted.extend(sorted);
+    }
+}
+
+/// The bits of two numbers of eleven bits in turn.
+fn interleaved(x: u32, y: u32) -> u32 {
+    let spread = |x: u32| {
+        let x = (x | x << 8) & 0x00ff_00ff;
+        let x = (x | x << 4) & 0x0f0f_0f0f;
+        let x = (x | x << 2) & 0x3333_3333;
+        (x | x << 1) & 0x5555_5555
+    };
+    spread(x) | spread(y) << 1
+}
+
+/// A range in pieces of this length; the last may be shorter.
+fn split(range: &Range<u32>, length: u32) -> impl Iterator<Item = Range<u32>> + use<> {
+    let end = range.end;
+    let starts = range.clone().step_by(length as usize);
+    starts.map(move |start| start..(start + length).min(end))
 }
