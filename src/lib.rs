@@ -45,6 +45,7 @@ pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod source;
+pub mod statistics;
 pub mod syntax;
 pub mod texture;
 pub mod trace;
@@ -55,6 +56,7 @@ use lang::Heard;
 use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
 use scene::{Object, Scene};
 use source::{Diagnostic, Message, Severity, Sources};
+use statistics::Watch;
 use std::sync::Arc;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
@@ -74,10 +76,15 @@ pub fn draw(
     render: &RenderOptions,
     listen: &Listen<'_>,
 ) -> Result<Picture, Failure> {
+    let mut watch = Watch::start();
     let (world, working) = with_deep_stack(listen, || {
         let scene = read_scene(input, read, render.quality, listen)?;
-        Ok(prepared(&scene, render))
+        watch.lap("read");
+        let prepared = prepared(&scene, render);
+        watch.lap("compile");
+        Ok(prepared)
     })?;
+    watch.lap("forget");
     let progress = |pixels| listen(Event::Drawn(pixels));
     let drawn = match render.threads {
         None => render::render(&world, render, &progress),
@@ -89,11 +96,12 @@ pub fn draw(
             Err(error) => return Err(failure(format!("no threads to draw with: {error}"), listen)),
         },
     };
+    watch.lap("trace");
     Ok(Picture {
         film: drawn.film,
         working,
         reached: drawn.reached,
-        statistics: String::new(),
+        statistics: statistics::text(&watch, &drawn.rays, &world.plan()),
     })
 }
 

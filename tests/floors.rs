@@ -25,6 +25,7 @@ const FLOORS: &[&[&str]] = &[
     &["lang", "compile"],
     &["trace"],
     &["render"],
+    &["statistics"],
     &["cli"],
 ];
 

@@ -22,6 +22,12 @@ const LEAST_COSINE: f32 = 0.2;
 /// From farther away, in sizes of the tree, single precision cannot tell its items apart.
 const FARTHEST: f64 = 256.0;
 
+/// How many nodes and items may be visited for each ray of a bundle. A ray by itself visits some twenty, each of which
+/// costs about as much.
+const PATIENCE: usize = 6;
+/// How many more may be visited by any bundle.
+const LEAST_PATIENCE: usize = 32;
+
 /// A number of rays from one point.
 #[derive(Debug, Default)]
 pub struct Bundle {
@@ -462,14 +468,25 @@ impl Kernel for PyramidAndNode<'_> {
 impl Bvh {
     /// Visits, roughly front to back, the pairs of an item and a ray of the bundle that may meet before the end of the
     /// ray. `visit` gives the new end of the ray, if that changes: the distance of a hit, or a negative number for a ray
-    /// that is done.
+    /// that is done. False if the rays have so little in common that the walk was given up: not all pairs have been
+    /// visited then, and each ray is better asked for by itself.
     #[inline(always)]
-    pub fn together(&self, bundle: &mut Bundle, mut visit: impl FnMut(u32, u32) -> Option<f64>) {
+    #[must_use]
+    pub fn together(
+        &self,
+        bundle: &mut Bundle,
+        mut visit: impl FnMut(u32, u32) -> Option<f64>,
+    ) -> bool {
+        let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending> = Stack::new();
         let mut next = self.root();
         while let Some(child) = next {
             next = None;
+            patience -= 1;
+            if patience == 0 {
+                return false;
+            }
             if let Some(node) = child.node() {
                 let node = &self.nodes[node as usize];
                 let (near_sq, met) = eight(&PyramidAndNode {
@@ -493,6 +510,7 @@ impl Bvh {
                 next = is_reached.then_some(place.child);
             }
         }
+        true
     }
 }
 

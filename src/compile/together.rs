@@ -6,18 +6,18 @@ use glam::DVec3;
 
 impl World {
     /// The nearest visible surface on each of these rays, which start at the same point and lie in an order in which
-    /// neighbours differ little.
+    /// neighbours differ little, added to `hits`.
     pub fn nearest_of(
         &self,
         queries: &[Query],
         scratch: &mut Scratch,
         hits: &mut Vec<Option<Hit>>,
     ) {
-        hits.clear();
         let Some(first) = queries.first() else {
             return;
         };
         let origin = first.ray.origin;
+        queries.iter().for_each(|query| scratch.rays.count(query));
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
         bests.clear();
@@ -43,7 +43,7 @@ impl World {
                     }
                     return;
                 }
-                self.finder().tree.together(
+                let is_done = self.finder().tree.together(
                     &mut bundle,
                     #[inline(always)]
                     |number, ray| {
@@ -54,6 +54,11 @@ impl World {
                         (new < old).then_some(new)
                     },
                 );
+                if !is_done {
+                    for (query, best) in queries.iter().zip(&mut bests) {
+                        self.nearest_bounded(query, best, scratch);
+                    }
+                }
             },
         );
         let found = queries.iter().zip(&bests);
@@ -63,7 +68,7 @@ impl World {
     }
 
     /// What lies on each of these rays to the light of this number at `centre`, in an order in which neighbours differ
-    /// little.
+    /// little, added to `ways`. Says whether it was of use to ask together.
     pub fn ways_of(
         &self,
         queries: &[Query],
@@ -71,10 +76,11 @@ impl World {
         light: u32,
         scratch: &mut Scratch,
         ways: &mut Vec<Way>,
-    ) {
-        ways.clear();
+    ) -> bool {
+        let first = ways.len();
+        scratch.rays.shadow += queries.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
-        with_widest(
+        let was_of_use = with_widest(
             #[inline(always)]
             || {
                 for query in queries {
@@ -85,6 +91,7 @@ impl World {
                     }
                     ways.push(way);
                 }
+                let ways = &mut ways[first..];
                 let rays = queries.iter().zip(ways.iter()).map(|(query, way)| {
                     let end = if *way == Way::Blocked {
                         f64::NEG_INFINITY
@@ -94,12 +101,10 @@ impl World {
                     (-query.ray.dir, end)
                 });
                 if !bundle.fill(&self.finder().tree, centre, rays) {
-                    for (query, way) in queries.iter().zip(ways.iter_mut()) {
-                        *way = self.way_found(query, light, scratch);
-                    }
-                    return;
+                    self.find_ways(queries, light, scratch, ways);
+                    return false;
                 }
-                self.finder().tree.together(
+                let is_done = self.finder().tree.together(
                     &mut bundle,
                     #[inline(always)]
                     |number, ray| {
@@ -112,8 +117,23 @@ impl World {
                         })
                     },
                 );
+                if !is_done {
+                    self.find_ways(queries, light, scratch, ways);
+                }
+                is_done
             },
         );
         scratch.bundle = bundle;
+        was_of_use
+    }
+
+    /// What lies on each ray that is not known to be blocked, one ray at a time.
+    #[inline(always)]
+    fn find_ways(&self, queries: &[Query], light: u32, scratch: &mut Scratch, ways: &mut [Way]) {
+        for (query, way) in queries.iter().zip(ways) {
+            if *way != Way::Blocked {
+                *way = self.way_found(query, light, scratch);
+            }
+        }
     }
 }

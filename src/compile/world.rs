@@ -6,6 +6,7 @@ use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use super::order::{Finder, Numbered};
+use super::rays::Rays;
 use crate::accel::Bundle;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
@@ -144,6 +145,8 @@ pub struct Query {
 pub struct Scratch {
     /// The light that came from each lamp of the area light at hand, as far as it is known.
     pub lamps: Vec<Option<Rgb>>,
+    /// How many rays were followed.
+    pub rays: Rays,
     /// The random numbers of the sample at hand.
     pub stream: Stream,
     /// The state of the generator that `crand` draws from.
@@ -295,6 +298,7 @@ impl World {
     /// The nearest visible surface on a ray.
     #[must_use]
     pub fn nearest(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
+        scratch.rays.count(query);
         let best = with_widest(
             #[inline(always)]
             || self.nearest_found(query, scratch),
@@ -359,6 +363,7 @@ impl World {
     /// What lies on a ray to the light of this number.
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        scratch.rays.shadow += 1;
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -497,6 +502,16 @@ impl World {
     pub fn shares(&self, hit: &Hit) -> Shares {
         let Departure { leaf, face, .. } = hit.departure;
         self.leaves[leaf as usize].shares(hit.point, face)
+    }
+
+    /// What the tree holds.
+    pub(super) fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// Whether some surface cannot be seen by some rays.
+    pub(super) fn hides_some(&self) -> bool {
+        self.hides_some
     }
 
     /// The primitives of the world.

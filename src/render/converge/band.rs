@@ -13,6 +13,7 @@
 use super::edge::{Division, Kinds, Told};
 use super::estimate::{Estimate, Reach, estimate, of_all};
 use super::look::{Eye, EyeScratch, Look, TOGETHER, pixel};
+use crate::compile::Rays;
 use crate::film::Pixel;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -88,6 +89,8 @@ pub(super) struct Band<'a> {
     is_broken: Vec<bool>,
     /// How many samples were taken.
     pub(super) samples: u64,
+    /// The rays that they took.
+    pub(super) rays: Rays,
 }
 
 impl<'a> Band<'a> {
@@ -110,6 +113,7 @@ impl<'a> Band<'a> {
             reach: Vec::new(),
             is_broken: Vec::new(),
             samples: 0,
+            rays: Rays::default(),
         };
         band.sample_first();
         band.find_broken();
@@ -132,21 +136,28 @@ impl<'a> Band<'a> {
     ) -> Vec<Done> {
         let width = columns.len();
         let mut done = vec![Done::default(); width * rows.len()];
-        let samples: u64 = done
+        let (samples, rays) = done
             .par_chunks_mut(width.max(1))
             .zip(rows.clone().into_par_iter())
             .map_init(Finishing::default, |scratch, (row, y)| {
-                let mut samples = 0;
+                let mut samples = 0u64;
                 for (done, x) in row.iter_mut().zip(columns.clone()) {
                     let (finished, more) = self.finished(x, y, scratch);
                     *done = finished;
                     samples += u64::from(more);
                 }
                 progress(width as u64);
-                samples
+                (samples, scratch.eye.take_rays())
             })
-            .sum();
+            .reduce(
+                || (0, Rays::default()),
+                |(samples, mut rays), (more, others)| {
+                    rays += others;
+                    (samples + more, rays)
+                },
+            );
         self.samples += samples;
+        self.rays += rays;
         done
     }
 
@@ -200,7 +211,7 @@ impl<'a> Band<'a> {
             }
         }
         let eye = self.eye;
-        let seen: Vec<Vec<Look>> = squares
+        let seen: Vec<(Vec<Look>, Rays)> = squares
             .par_iter()
             .map_init(EyeScratch::default, |scratch, (columns, rows)| {
                 let mut looks = Vec::with_capacity(columns.len() * rows.len() * n);
@@ -208,12 +219,13 @@ impl<'a> Band<'a> {
                     .clone()
                     .flat_map(|y| columns.clone().map(move |x| (x, y)));
                 eye.looks(pixels, 0..self.target.first, scratch, &mut looks);
-                looks
+                (looks, scratch.take_rays())
             })
             .collect();
         let count = self.columns.len() * self.rows.len();
         self.first = vec![Look::NONE; count * n];
-        for ((columns, rows), looks) in squares.iter().zip(seen) {
+        for ((columns, rows), (looks, rays)) in squares.iter().zip(seen) {
+            self.rays += rays;
             let wide = columns.len() * n;
             for (row, y) in looks.chunks(wide.max(1)).zip(rows.clone()) {
                 let start = self.at(columns.start, y) * n;
@@ -268,7 +280,7 @@ impl<'a> Band<'a> {
         let more = self.target.first..all;
         let together = (TOGETHER / more.len()).max(1);
         let (eye, channels) = (self.eye, self.eye.channels);
-        let seen: Vec<(Vec<Look>, Vec<bool>)> = found
+        let seen: Vec<(Vec<Look>, Vec<bool>, Rays)> = found
             .par_chunks(together)
             .map_init(
                 || (EyeScratch::default(), Vec::new(), Vec::new()),
@@ -285,13 +297,14 @@ impl<'a> Band<'a> {
                         is_torn(looks) || estimate(looks, channels, cells).error > self.target.error
                     });
                     let are_broken = are_broken.collect();
-                    (looks, are_broken)
+                    (looks, are_broken, scratch.take_rays())
                 },
             )
             .collect();
         let mut newly = Vec::new();
         let mut places = found.iter();
-        for (looks, are_broken) in seen {
+        for (looks, are_broken, rays) in seen {
+            self.rays += rays;
             for (looks, is_broken) in looks.chunks(all as usize).zip(are_broken) {
                 let Some(&at) = places.next() else { break };
                 self.reach[at] = Reach::of(looks);

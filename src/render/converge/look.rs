@@ -1,5 +1,6 @@
 //! What samples of a pixel saw.
 
+use crate::compile::Rays;
 use crate::film::Pixel;
 use crate::math::sobol::Sobol;
 use crate::trace::{BLOCK, BlockScratch, Tracer};
@@ -84,6 +85,13 @@ pub(super) struct EyeScratch {
     block: BlockScratch,
     places: Vec<(f64, f64)>,
     cells: Vec<(u16, u16)>,
+}
+
+impl EyeScratch {
+    /// How many rays were followed with it since this was last asked.
+    pub(super) fn take_rays(&mut self) -> Rays {
+        self.block.take_rays()
+    }
 }
 
 impl Eye<'_> {

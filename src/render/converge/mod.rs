@@ -15,6 +15,8 @@ mod look;
 #[cfg(test)]
 mod tests;
 
+use super::Drawn;
+use crate::compile::Rays;
 use crate::film::Film;
 use crate::options::{Converging, Reached, RenderOptions};
 use crate::trace::Tracer;
@@ -40,7 +42,7 @@ pub(super) fn draw(
     options: &RenderOptions,
     how: &Converging,
     progress: &(dyn Fn(u64) + Sync),
-) -> (Film, Reached) {
+) -> Drawn {
     let deadline = how.time.and_then(|time| Instant::now().checked_add(time));
     let eye = Eye {
         tracer,
@@ -59,6 +61,7 @@ pub(super) fn draw(
         ),
         errors: vec![f64::INFINITY; options.columns.len() * options.rows.len()],
         samples: 0,
+        rays: Rays::default(),
     };
     let error = how.error.max(LEAST_ERROR);
     match deadline {
@@ -70,8 +73,12 @@ pub(super) fn draw(
         }
         Some(deadline) => drawing.draw_in_time(error, deadline, progress),
     }
-    let reached = drawing.reached(how.error);
-    (drawing.film, reached)
+    let reached = Some(drawing.reached(how.error));
+    Drawn {
+        film: drawing.film,
+        rays: drawing.rays,
+        reached,
+    }
 }
 
 /// A picture that is being drawn.
@@ -83,6 +90,7 @@ struct Drawing<'a> {
     /// The estimated errors of the pixels drawn, row by row.
     errors: Vec<f64>,
     samples: u64,
+    rays: Rays,
 }
 
 impl Drawing<'_> {
@@ -139,6 +147,7 @@ impl Drawing<'_> {
         let mut band = Band::new(&self.eye, target, columns, with_margin(rows, height));
         let done: Vec<Done> = band.finish(&self.columns, rows, progress);
         self.samples += band.samples;
+        self.rays += band.rays;
         let wide = self.columns.len();
         for (row, y) in done.chunks(wide.max(1)).zip(rows.clone()) {
             let errors = (y - self.rows.start) as usize * wide;
