@@ -97,11 +97,12 @@ pub fn draw(
         },
     };
     watch.lap("trace");
+    let pixels = render.columns.len() as u64 * render.rows.len() as u64;
+    let statistics = statistics::gather(watch, &drawn, world.plan(), pixels);
     Ok(Picture {
         film: drawn.film,
         working,
-        reached: drawn.reached,
-        statistics: statistics::text(&watch, &drawn.rays, &world.plan()),
+        statistics,
     })
 }
 

@@ -8,7 +8,7 @@ use super::error::CliError;
 use super::ini::Reader;
 use super::modern::{self, Modern};
 use super::progress::{Progress, ProgressKind};
-use super::report::{MessageFormat, Reporter, Stream, say};
+use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
 use super::surroundings::Surroundings;
 use super::words;
@@ -107,7 +107,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, Cl
     let Ok(picture) = drawn else {
         return Ok(ExitCode::FAILURE);
     };
-    if let Some(reached) = picture.reached.filter(|_| !talk.quiet) {
+    if let Some(reached) = picture.statistics.reached.filter(|_| !talk.quiet) {
         say(told(&reached, pixels(&settings.render)));
     }
     if let Some((target, options)) = &settings.output {
@@ -123,8 +123,11 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, Cl
             }
         })?;
     }
-    if talk.stats && !picture.statistics.is_empty() {
-        say(picture.statistics.trim_end());
+    if talk.stats {
+        say(picture.statistics.to_string().trim_end());
+    }
+    if talk.json {
+        reporter.json(&Line::Statistics(&picture.statistics));
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -45,6 +45,9 @@ pub(super) struct Modern {
     /// Print what was done and how long it took
     #[arg(long)]
     stats: bool,
+    /// The same as one line of JSON
+    #[arg(long)]
+    json: bool,
     /// Sample until the estimated error of every pixel is at most E/255 (as +AM4 does with 1)
     #[arg(long, value_name = "E", value_parser = |text: &str| error(text, "--error"))]
     error: Option<f64>,
@@ -160,6 +163,7 @@ impl Modern {
         }
         typed.quiet |= self.quiet;
         typed.stats |= self.stats;
+        typed.json |= self.json;
         if self.error.is_some() || self.time.is_some() {
             typed.error = self.error.or(typed.error);
             typed.time = self.time.or(typed.time);

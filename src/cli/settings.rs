@@ -57,6 +57,8 @@ pub struct Talk {
     pub quiet: bool,
     /// Statistics.
     pub stats: bool,
+    /// The same as an object in a line.
+    pub json: bool,
 }
 
 /// Decides.
@@ -88,6 +90,7 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             verbose: typed.verbose,
             quiet: typed.quiet,
             stats: typed.stats,
+            json: typed.json,
         },
         warnings: warnings
             .iter()

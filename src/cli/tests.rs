@@ -526,8 +526,7 @@ fn white(read: &ReadOptions, alpha: bool) -> Picture {
     Picture {
         film,
         working: Some(Gamma::LINEAR),
-        reached: None,
-        statistics: String::new(),
+        statistics: crate::options::Statistics::default(),
     }
 }
 

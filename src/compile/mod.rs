@@ -16,7 +16,6 @@ mod world;
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
-pub use plan::Plan;
 pub use probe::Probed;
 pub use rays::Rays;
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};

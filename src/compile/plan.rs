@@ -3,29 +3,8 @@
 
 use super::flatten::Item;
 use super::world::World;
+use crate::options::Plan;
 use std::collections::BTreeMap;
-use std::fmt;
-
-/// What a scene needs.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Plan {
-    /// How many primitives there are of each kind, those of combinations included.
-    pub primitives: BTreeMap<&'static str, usize>,
-    /// How many combinations there are.
-    pub combinations: usize,
-    /// Objects that no box holds; every ray tries them.
-    pub unbounded: usize,
-    /// Primitives that stand behind a matrix; the others are in the world's own coordinates.
-    pub behind_matrix: usize,
-    /// The looks that are told apart.
-    pub surfaces: usize,
-    /// The lights.
-    pub lights: usize,
-    /// The memory of the tree in bytes.
-    pub tree_bytes: usize,
-    /// What no ray needs.
-    pub left_out: Vec<&'static str>,
-}
 
 impl World {
     /// What this scene needs and what it was spared.
@@ -94,29 +73,5 @@ impl World {
         .into_iter()
         .flatten()
         .collect()
-    }
-}
-
-impl fmt::Display for Plan {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kinds: Vec<String> = self
-            .primitives
-            .iter()
-            .map(|(kind, count)| format!("{count} {kind}"))
-            .collect();
-        writeln!(
-            f,
-            "primitives  {} ({} behind a matrix), in {} combinations; {} unbounded",
-            kinds.join(", "),
-            self.behind_matrix,
-            self.combinations,
-            self.unbounded
-        )?;
-        writeln!(
-            f,
-            "looks       {}, lights {}, tree {} bytes",
-            self.surfaces, self.lights, self.tree_bytes
-        )?;
-        writeln!(f, "left out    {}", self.left_out.join(", "))
     }
 }
