@@ -32,6 +32,7 @@ pub mod cli;
 pub mod color;
 pub mod compare;
 pub mod compile;
+pub mod curve;
 pub mod film;
 pub mod function;
 pub mod interior;

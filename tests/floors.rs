@@ -26,6 +26,7 @@ const FLOORS: &[&[&str]] = &[
     &["trace"],
     &["render"],
     &["statistics"],
+    &["curve"],
     &["cli"],
 ];
 
