@@ -39,7 +39,7 @@ struct Face {
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// Settings to measure, switches each, divided by semicolons: "--error 1; +A0.1 +AM1 +R3"
-    #[arg(long, value_name = "LIST")]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     settings: Option<String>,
     /// Measure POV-Ray itself too, with those of the settings that it knows
     #[arg(long)]
