@@ -54,7 +54,7 @@ pub(super) struct Modern {
     /// Stop after this time with the best picture so far: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
     time: Option<Duration>,
-    /// Lose what is thinner than POV-Ray's least distances, as it does: tells whether pictures differ by more
+    /// Lose what is thinner than POV-Ray's least distances, as it does
     #[arg(long)]
     pov_distances: bool,
     // Without a short form: `-V` is POV-Ray's.
@@ -72,8 +72,7 @@ POV-Ray's switches, upper or lower case; later ones win:
                         +FE EXR, +FH HDR, -F no file
   +UA                   keep the transparency of the background
   +Q9                   quality, 0 to 11
-  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method, depth, jitter; -A off
-  +AM4                  antialiasing until the error is small, see --error
+  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method (4: see --error), depth, jitter; -A off
   +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock

@@ -77,8 +77,8 @@ fn draw<'a>(
         .x_desc("processor seconds of tracing")
         .label_style((FONT, 13))
         .axis_desc_style((FONT, 14))
-        .x_label_formatter(&|v| short(*v))
-        .y_label_formatter(&|v| short(*v))
+        .x_label_formatter(&|v| label(*v))
+        .y_label_formatter(&|v| label(*v))
         .bold_line_style(BLACK.mix(0.18))
         .light_line_style(BLACK.mix(0.06))
         .draw()?;
@@ -129,6 +129,15 @@ fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     kept
 }
 
+/// What stands at a line of the grid: the number, if it begins with 1, 2 or 5; there is no room for all.
+fn label(v: f64) -> String {
+    let leading = v / 10f64.powf((v.log10() + 1e-9).floor());
+    let is_told = [1.0, 2.0, 5.0]
+        .iter()
+        .any(|told| (leading - told).abs() < 1e-6);
+    if is_told { short(v) } else { String::new() }
+}
+
 /// A number with no more digits than it needs.
 fn short(v: f64) -> String {
     if (0.001..1000.0).contains(&v) {
@@ -176,6 +185,7 @@ mod tests {
             (0.0025, "0.0025"),
         ] {
             assert_eq!(short(v), expected);
+            assert_eq!(label(v).is_empty(), v == 0.0025);
         }
     }
 }

@@ -90,12 +90,15 @@ pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRa
             .map(|pixel| pixel.0.map(|c| f32::from(c) / 65535.0))
             .collect(),
     };
+    // It has been read; the pictures that are kept lie in a folder of their own.
+    let _ = std::fs::remove_file(&file);
+    let pixels = f64::from(task.size.0) * f64::from(task.size.1);
     let (processor, wall) = times(&said).ok_or_else(|| unread(&"it tells no times"))?;
     Ok(ByPovRay {
         picture,
         processor,
         wall,
-        samples_a_pixel: samples(&said).unwrap_or(1.0),
+        samples_a_pixel: samples(&said).unwrap_or(0.0) / pixels.max(1.0),
     })
 }
 
@@ -107,12 +110,17 @@ fn times(said: &str) -> Option<(f64, f64)> {
     Some((processor.trim().parse().ok()?, wall.trim().parse().ok()?))
 }
 
-/// The camera rays for each pixel: `Pixels: 76800   Samples: 341234   Smpls/Pxl: 4.44`, and one more for each pixel
-/// drawn without antialiasing, where there is no such line or it tells none.
+/// The camera rays: `Pixels: 76800   Samples: 341234   Smpls/Pxl: 4.44` counts those of the first look at the pixels
+/// and those of antialiasing apart.
 fn samples(said: &str) -> Option<f64> {
-    let at = said.rfind("Smpls/Pxl:")?;
-    let text = said[at..].split(':').nth(1)?.split_whitespace().next()?;
-    text.parse().ok()
+    let line = &said[said
+        .rfind("Smpls/Pxl:")
+        .and_then(|end| said[..end].rfind("Pixels:"))?..];
+    let number = |name: &str| -> Option<f64> {
+        let behind = &line[line.find(name)? + name.len()..];
+        behind.split_whitespace().next()?.parse().ok()
+    };
+    Some(number("Pixels:")? + number("Samples:")?)
 }
 
 #[cfg(test)]
@@ -127,7 +135,7 @@ mod tests {
              Trace Time:       0 hours  0 minutes  0 seconds (0.164 seconds)\n\
              using 1 thread(s) with 0.129 CPU-seconds total\n";
         assert_eq!(times(said), Some((0.129, 0.164)));
-        assert_eq!(samples(said), Some(4.44));
+        assert_eq!(samples(said), Some(418_034.0));
         assert_eq!(times("nothing"), None);
     }
 }
