@@ -1,8 +1,8 @@
 //! Sampling until the error is small: the true error is what was asked for, or less, on scenes that hide things from
 //! samples: wires thinner than a pixel, chequers to the horizon, tiny highlights, glass, specks.
 //!
-//! The truth is a grid of 16 by 16 samples in each pixel that knows nothing of estimates: the scene drawn sixteen times
-//! as large, one ray a pixel.
+//! The truth is a grid of 24 by 24 samples in each pixel that knows nothing of estimates: the scene drawn 24 times as
+//! large, one ray a pixel.
 
 mod support;
 
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (64, 48);
 /// Samples on a side of a pixel of the truth.
-const GRID: u32 = 16;
+const GRID: u32 = 24;
 /// What is asked for, in steps of 1/255.
 const TARGETS: [f64; 2] = [3.0, 1.0];
 /// The share of pictures that may miss it.
