@@ -2,6 +2,7 @@
 
 mod csg;
 mod flatten;
+mod four;
 mod interiors;
 mod leaf;
 mod lights;

@@ -37,12 +37,15 @@ type Pixels = (Vec<Pixel>, Rays);
 pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Drawn {
     let tracer = Tracer::new(world, options.quality);
     let tiles = tiles(options);
-    let draw = |tile: &Tile| {
-        let drawn = draw_tile(&tracer, tile, options);
+    let draw = |scratch: &mut BlockScratch, tile: &Tile| {
+        let drawn = draw_tile(&tracer, tile, options, scratch);
         progress(drawn.1.0.len() as u64);
         drawn
     };
-    let drawn: Vec<(Tile, Pixels)> = tiles.par_iter().map(draw).collect();
+    let drawn: Vec<(Tile, Pixels)> = tiles
+        .par_iter()
+        .map_init(BlockScratch::default, draw)
+        .collect();
     let mut film = Film::new(
         options.width,
         options.height,
@@ -84,13 +87,18 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
 }
 
 /// The pixels of a tile that are to be drawn, row by row.
-fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile, Pixels) {
+fn draw_tile(
+    tracer: &Tracer<'_>,
+    tile: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> (Tile, Pixels) {
     let wanted = Tile {
         columns: shared(&tile.columns, &options.columns),
         rows: shared(&tile.rows, &options.rows),
     };
     let pixels = match &options.antialias {
-        None => draw_blocks(tracer, &wanted, options),
+        None => draw_blocks(tracer, &wanted, options, scratch),
         Some(how) => {
             let mut scratch = Scratch::default();
             let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
@@ -108,8 +116,12 @@ fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile
 }
 
 /// The pixels of a rectangle, row by row, without antialiasing.
-fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> Pixels {
-    let mut scratch = BlockScratch::default();
+fn draw_blocks(
+    tracer: &Tracer<'_>,
+    wanted: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> Pixels {
     let blocks = |range: &Range<u32>| {
         let end = range.end;
         range
@@ -122,7 +134,7 @@ fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> P
     for rows in blocks(&wanted.rows) {
         for columns in blocks(&wanted.columns) {
             let size = (options.width, options.height);
-            tracer.block(&columns, &rows, size, &mut scratch, |x, y, sample| {
+            tracer.block(&columns, &rows, size, scratch, |x, y, sample| {
                 let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
                 pixels[y as usize * width + x as usize] = Pixel {
                     rgb: sample.rgb,
@@ -131,7 +143,7 @@ fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> P
             });
         }
     }
-    (pixels, scratch.rays())
+    (pixels, scratch.take_rays())
 }
 
 fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {

@@ -62,10 +62,9 @@ impl BlockScratch {
         }
     }
 
-    /// How many rays were followed with it.
-    #[must_use]
-    pub fn rays(&self) -> Rays {
-        self.single.rays
+    /// How many rays were followed with it since this was last asked.
+    pub fn take_rays(&mut self) -> Rays {
+        std::mem::take(&mut self.single.rays)
     }
 }
 

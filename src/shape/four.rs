@@ -1,0 +1,167 @@
+//! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
+
+use super::Shape;
+use crate::math::chord::MARGIN;
+use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
+use crate::math::lanes::Four;
+use glam::{DAffine3, DVec3};
+
+/// Vectors of four rays.
+pub(crate) type Three<F> = [F; 3];
+
+/// Four rays.
+#[derive(Clone, Copy)]
+pub(crate) struct FourRays<F> {
+    pub(crate) origin: Three<F>,
+    pub(crate) dir: Three<F>,
+}
+
+/// Where four lines are inside of a solid that each enters and leaves once, or not at all.
+pub(crate) struct FourSpans<F: Four> {
+    pub(crate) enter: F,
+    pub(crate) leave: F,
+    /// Which lines meet it.
+    pub(crate) is_met: F::Mask,
+    /// The lines, one bit each, of which no more is known than that they must be asked for singly.
+    pub(crate) unknown: u32,
+}
+
+impl<F: Four> FourSpans<F> {
+    /// Spans of lines of which those with `is_known` need no care by this shape's own reckoning.
+    #[inline(always)]
+    pub(super) fn new((enter, leave): (F, F), is_met: F::Mask, is_known: F::Mask) -> Self {
+        let endless = F::all(f64::INFINITY);
+        let is_finite = F::both(enter.size().below(endless), leave.size().below(endless));
+        // A span without length is left to the rules of single rays, too.
+        let is_plain = F::both(is_finite, F::either(enter.below(leave), leave.below(enter)));
+        FourSpans {
+            enter,
+            leave,
+            is_met: F::both(is_met, enter.below(leave)),
+            unknown: 0b1111 & (!F::bits(is_known) | (F::bits(is_met) & !F::bits(is_plain))),
+        }
+    }
+}
+
+impl<F: Four> FourRays<F> {
+    /// The same rays in an object space.
+    #[inline(always)]
+    pub(crate) fn to_object(self, matrix: &DAffine3) -> Self {
+        let turned = turned(self.origin, matrix);
+        FourRays {
+            origin: plus(turned, same(matrix.translation)),
+            dir: self::turned(self.dir, matrix),
+        }
+    }
+}
+
+/// The part of a matrix that turns and scales, applied to four vectors.
+#[inline(always)]
+fn turned<F: Four>(v: Three<F>, matrix: &DAffine3) -> Three<F> {
+    let (x, y, z) = (
+        matrix.matrix3.x_axis,
+        matrix.matrix3.y_axis,
+        matrix.matrix3.z_axis,
+    );
+    let [x, y, z] = [
+        scaled(same(x), v[0]),
+        scaled(same(y), v[1]),
+        scaled(same(z), v[2]),
+    ];
+    plus(plus(x, y), z)
+}
+
+impl Shape {
+    /// Whether it has spans for four rays at once.
+    pub(crate) fn has_four(&self) -> bool {
+        match self {
+            Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
+            Shape::Cuboid(_) => true,
+            Shape::Cylinder(cylinder) => cylinder.has_four(),
+            _ => false,
+        }
+    }
+
+    /// The spans of four rays; all unknown for a shape that has none.
+    #[inline(always)]
+    pub(crate) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        match self {
+            Shape::Sphere(sphere) => sphere.four(rays),
+            Shape::Cuboid(cuboid) => cuboid.four(rays),
+            Shape::Cylinder(cylinder) => cylinder.four(rays),
+            _ => {
+                let nothing = F::all(0.0);
+                FourSpans::new((nothing, nothing), F::mask(0), F::mask(0))
+            }
+        }
+    }
+}
+
+/// The sums stand in the order of those of `glam`.
+#[inline(always)]
+pub(super) fn dot<F: Four>(a: Three<F>, b: Three<F>) -> F {
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
+}
+
+/// The same vector four times.
+#[inline(always)]
+pub(super) fn same<F: Four>(v: DVec3) -> Three<F> {
+    [F::all(v.x), F::all(v.y), F::all(v.z)]
+}
+
+#[inline(always)]
+pub(super) fn plus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
+    [a[0].plus(b[0]), a[1].plus(b[1]), a[2].plus(b[2])]
+}
+
+#[inline(always)]
+pub(super) fn minus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
+    [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
+}
+
+#[inline(always)]
+pub(super) fn scaled<F: Four>(v: Three<F>, by: F) -> Three<F> {
+    [v[0].times(by), v[1].times(by), v[2].times(by)]
+}
+
+/// Whether four rays can be worked on without rescaling, besides the size of the body.
+#[inline(always)]
+pub(super) fn is_comfortable<F: Four>(dir_sq: F, origin_sq: F) -> F::Mask {
+    let least = F::all(1.0 / COMFORTABLE_SQUARE);
+    let is_way = F::both(
+        least.not_above(dir_sq),
+        dir_sq.below(F::all(COMFORTABLE_SQUARE)),
+    );
+    F::both(is_way, origin_sq.below(F::all(FAR_SQUARE)))
+}
+
+/// Four chords of a ball about the origin, as [`crate::math::chord::ball_chord`] finds each: enter, leave, and which
+/// lines meet it.
+#[inline(always)]
+pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F, F::Mask) {
+    let a = dot(dir, dir);
+    let b = dot(p, dir);
+    let from_centre_sq = dot(p, p);
+    let (r, r_sq) = (F::all(radius), F::all(radius * radius));
+    let size = from_centre_sq.times(a);
+    let off = size.minus(size.times(F::all(MARGIN))).minus(b.times(b));
+    let is_far = r_sq.times(a).below(off);
+    if F::bits(is_far) == 0b1111 {
+        return (a, a, F::mask(0));
+    }
+    let along = b.negated().over(a);
+    let nearest = plus(p, scaled(dir, along));
+    let nearest_sq = dot(nearest, nearest);
+    let distance = nearest_sq.root();
+    let half_sq = r.minus(distance).times(r.plus(distance));
+    let from_centre = from_centre_sq.root();
+    let c = from_centre.minus(r).times(from_centre.plus(r));
+    let root = a.times(half_sq).root();
+    let is_ahead = b.below(F::all(0.0));
+    let q = F::pick(is_ahead, root.minus(b), root.plus(b).negated());
+    let (t, other) = (q.over(a), c.over(q));
+    let is_met = F::both(nearest_sq.below(r_sq), F::all(0.0).below(half_sq));
+    (t.smaller(other), t.larger(other), is_met)
+}
