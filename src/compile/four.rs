@@ -9,7 +9,7 @@ use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
 use super::world::{Query, Scratch, World};
 use crate::math::lanes::{Four, FourKernel, four};
-use crate::shape::{FourRays, FourSpans};
+use crate::shape::{Crossing, FourRays, FourSpans, Root};
 
 /// Combinations of up to so many operands are tried end by end; the work grows with the square.
 const MOST_OPERANDS: usize = 8;
@@ -154,6 +154,46 @@ impl FourKernel for Passing<'_> {
     }
 }
 
+/// Four rays on their way to a primitive.
+struct FourOfLeaf<'a> {
+    leaf: &'a Leaf,
+    origin: [[f64; 4]; 3],
+    dir: [[f64; 4]; 3],
+    from: [f64; 4],
+    to: [f64; 4],
+}
+
+/// The first roots of four rays.
+struct NearestOfFour {
+    t: [f64; 4],
+    leaves: u32,
+    met: u32,
+    unknown: u32,
+}
+
+impl FourKernel for FourOfLeaf<'_> {
+    type Answer = NearestOfFour;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> NearestOfFour {
+        let mut rays = FourRays {
+            origin: load(&self.origin),
+            dir: load(&self.dir),
+        };
+        if let Some(matrix) = &self.leaf.object_from_world {
+            rays = rays.to_object(matrix);
+        }
+        let (from, to) = (F::load(&self.from), F::load(&self.to));
+        let nearest = self.leaf.shape.nearest_four(&rays, from, to);
+        NearestOfFour {
+            t: nearest.t.store(),
+            leaves: nearest.leaves,
+            met: nearest.met,
+            unknown: nearest.unknown,
+        }
+    }
+}
+
 #[inline(always)]
 fn load<F: Four>(from: &[[f64; 4]; 3]) -> [F; 3] {
     [F::load(&from[0]), F::load(&from[1]), F::load(&from[2])]
@@ -221,6 +261,57 @@ impl World {
             }
         }
         found.unknown
+    }
+
+    /// What some of four rays find of a primitive up to and including `far`: calls `take` with the number of each ray
+    /// that meets it. Gives those that must be asked for singly, one bit each.
+    #[inline(always)]
+    pub(super) fn ask_four_of_leaf(
+        &self,
+        number: u32,
+        (queries, lanes): (&[Query], u32),
+        far: impl Fn(usize) -> f64,
+        mut take: impl FnMut(usize, Found),
+    ) -> u32 {
+        let leaf = &self.leaves[number as usize];
+        let mut left = 0;
+        let mut rays = FourOfLeaf {
+            leaf,
+            origin: [[0.0; 4]; 3],
+            dir: [[0.0; 4]; 3],
+            from: [0.0; 4],
+            to: [0.0; 4],
+        };
+        for lane in 0..4 {
+            let place = lane.min(queries.len() - 1);
+            let query = &queries[place];
+            for axis in 0..3 {
+                rays.origin[axis][lane] = query.ray.origin[axis];
+                rays.dir[axis][lane] = query.ray.dir[axis];
+            }
+            rays.from[lane] = self.least_distance(query);
+            rays.to[lane] = far(place).next_up();
+            left |= u32::from(query.from.is_some_and(|left| left.leaf == number)) << lane;
+        }
+        let found = four(&rays);
+        let unknown = (found.unknown | left) & lanes;
+        let mut met = found.met & lanes & !unknown;
+        while met != 0 {
+            let lane = met.trailing_zeros() as usize % 4;
+            met &= met - 1;
+            let root = Root {
+                t: found.t[lane],
+                crossing: if found.leaves >> lane & 1 == 1 {
+                    Crossing::Leave
+                } else {
+                    Crossing::Enter
+                },
+                face: 0,
+                is_visible: true,
+            };
+            take(lane, Found { root, leaf: number });
+        }
+        unknown
     }
 
     /// Where a ray has just left a part of a combination; not a number if it has not.

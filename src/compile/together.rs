@@ -1,6 +1,7 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::csg::Found;
+use super::flatten::Item;
 use super::order::Numbered;
 use super::world::{Best, Hit, Query, Scratch, Way, World};
 use crate::math::lanes::with_widest;
@@ -190,27 +191,25 @@ impl World {
         found: &mut FoundOfFours,
     ) -> u32 {
         found.clear();
-        let Some(program) = self.program_for_four(item.item, queries[first].seen) else {
+        if lanes.is_power_of_two() || !self.suits_four(item.item, queries[first].seen) {
             return lanes;
-        };
+        }
         let mut left = 0;
         for half in [0, 4] {
             let some = lanes >> half & 0b1111;
-            if some == 0 {
+            if some == 0 || some.is_power_of_two() {
+                left |= some << half;
                 continue;
             }
             let start = first + half;
             let end = (start + 4).min(queries.len());
             let asked = (&queries[start..end], some);
-            let unknown = self.ask_four(
-                program,
-                asked,
-                #[inline(always)]
-                |lane| far(start + lane),
-                scratch,
-                #[inline(always)]
-                |lane, of_lane| found.push((start + lane, of_lane)),
-            );
+            let far = |lane| far(start + lane);
+            let take = |lane, of_lane| found.push((start + lane, of_lane));
+            let unknown = match item.item {
+                Item::Program(program) => self.ask_four(program, asked, far, scratch, take),
+                Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, far, take),
+            };
             left |= unknown << half;
         }
         left

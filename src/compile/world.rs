@@ -414,14 +414,15 @@ impl World {
         if is_blocked { Way::Blocked } else { way }
     }
 
-    /// The program that an item is, if four rays that see all surfaces can be asked about it at once.
+    /// Whether four rays can be asked about an item at once: they see all surfaces alike, and its form is a simple one.
     #[inline(always)]
-    pub(super) fn program_for_four(&self, item: Item, seen: Seen) -> Option<u32> {
-        let Item::Program(program) = item else {
-            return None;
-        };
+    pub(super) fn suits_four(&self, item: Item, seen: Seen) -> bool {
         let sees_all = !self.hides_some && (seen != Seen::Shadow || self.is_opaque);
-        (sees_all && self.suits_four[program as usize]).then_some(program)
+        sees_all
+            && match item {
+                Item::Program(program) => self.suits_four[program as usize],
+                Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_nearest_four(),
+            }
     }
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.

@@ -43,6 +43,38 @@ impl<F: Four> FourSpans<F> {
     }
 }
 
+/// The first roots of four rays, all visible and of face 0.
+pub(crate) struct FourNearest<F: Four> {
+    pub(crate) t: F,
+    /// Which of the roots that were found leave the solid, one bit each; the others enter.
+    pub(crate) leaves: u32,
+    /// Which rays have one.
+    pub(crate) met: u32,
+    /// Which rays must be asked for singly.
+    pub(crate) unknown: u32,
+}
+
+impl<F: Four> FourNearest<F> {
+    #[inline(always)]
+    pub(super) fn nothing(unknown: u32) -> Self {
+        FourNearest {
+            t: F::all(f64::INFINITY),
+            leaves: 0,
+            met: 0,
+            unknown,
+        }
+    }
+
+    /// Takes the next root of some rays, where none came before it and it lies before `to`. `leaves` tells which leave.
+    #[inline(always)]
+    pub(super) fn take(&mut self, some: F::Mask, t: F, to: F, leaves: u32) {
+        let new = F::bits(F::both(some, t.below(to))) & !self.met;
+        self.t = F::pick(F::mask(new), t, self.t);
+        self.leaves |= new & leaves;
+        self.met |= new;
+    }
+}
+
 impl<F: Four> FourRays<F> {
     /// The same rays in an object space.
     #[inline(always)]
@@ -79,6 +111,38 @@ impl Shape {
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.has_four(),
             _ => false,
+        }
+    }
+
+    /// Whether the first roots of four rays can be asked for at once.
+    pub(crate) fn has_nearest_four(&self) -> bool {
+        match self {
+            Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
+            Shape::Torus(torus) => torus.has_four(),
+            _ => false,
+        }
+    }
+
+    /// The first roots of four rays with `from < t < to`; all unknown for a shape that has none.
+    #[inline(always)]
+    pub(crate) fn nearest_four<F: Four>(
+        &self,
+        rays: &FourRays<F>,
+        from: F,
+        to: F,
+    ) -> FourNearest<F> {
+        match self {
+            Shape::Sphere(sphere) => {
+                let spans = sphere.four(rays);
+                let mut nearest = FourNearest::nothing(spans.unknown);
+                let enters = F::both(spans.is_met, from.below(spans.enter));
+                let leaves = F::both(spans.is_met, from.below(spans.leave));
+                nearest.take(enters, spans.enter, to, 0);
+                nearest.take(leaves, spans.leave, to, 0b1111);
+                nearest
+            }
+            Shape::Torus(torus) => torus.nearest_four(rays, from, to),
+            _ => FourNearest::nothing(0b1111),
         }
     }
 

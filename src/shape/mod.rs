@@ -44,6 +44,7 @@ mod spline;
 mod superellipsoid;
 mod text;
 mod torus;
+mod torus_of_four;
 mod triangle;
 
 pub use bicubic_patch::BicubicPatch;
