@@ -161,6 +161,8 @@ struct FourOfLeaf<'a> {
     dir: [[f64; 4]; 3],
     from: [f64; 4],
     to: [f64; 4],
+    /// Which have just left a root of it that enters, and which one that leaves, one bit each.
+    left: [u32; 2],
 }
 
 /// The first roots of four rays.
@@ -184,7 +186,8 @@ impl FourKernel for FourOfLeaf<'_> {
             rays = rays.to_object(matrix);
         }
         let (from, to) = (F::load(&self.from), F::load(&self.to));
-        let nearest = self.leaf.shape.nearest_four(&rays, from, to);
+        let roots = self.leaf.shape.roots_of_four(&rays);
+        let nearest = roots.nearest(from, to, self.left);
         NearestOfFour {
             t: nearest.t.store(),
             leaves: nearest.leaves,
@@ -274,13 +277,14 @@ impl World {
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
         let leaf = &self.leaves[number as usize];
-        let mut left = 0;
+        let mut unclear = 0;
         let mut rays = FourOfLeaf {
             leaf,
             origin: [[0.0; 4]; 3],
             dir: [[0.0; 4]; 3],
             from: [0.0; 4],
             to: [0.0; 4],
+            left: [0, 0],
         };
         for lane in 0..4 {
             let place = lane.min(queries.len() - 1);
@@ -291,10 +295,15 @@ impl World {
             }
             rays.from[lane] = self.least_distance(query);
             rays.to[lane] = far(place).next_up();
-            left |= u32::from(query.from.is_some_and(|left| left.leaf == number)) << lane;
+            if let Some(left) = query.from.filter(|left| left.leaf == number) {
+                let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
+                let leaves = left.normal.dot(query.ray.dir) > 0.0;
+                rays.left[usize::from(leaves)] |= 1 << lane;
+                unclear |= u32::from(!is_plain) << lane;
+            }
         }
         let found = four(&rays);
-        let unknown = (found.unknown | left) & lanes;
+        let unknown = (found.unknown | unclear) & lanes;
         let mut met = found.met & lanes & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;

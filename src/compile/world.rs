@@ -421,7 +421,7 @@ impl World {
         sees_all
             && match item {
                 Item::Program(program) => self.suits_four[program as usize],
-                Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_nearest_four(),
+                Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
             }
     }
 

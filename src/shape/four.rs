@@ -43,7 +43,17 @@ impl<F: Four> FourSpans<F> {
     }
 }
 
-/// The first roots of four rays, all visible and of face 0.
+/// All roots of four lines with a shape of which no line meets more than four, all visible and of face 0, in order:
+/// they enter and leave in turn.
+pub(crate) struct FourRoots<F: Four> {
+    pub(super) t: [F; 4],
+    /// For each place, which lines have a root there, one bit each.
+    pub(super) met: [u32; 4],
+    /// Which lines must be asked for singly.
+    pub(super) unknown: u32,
+}
+
+/// The first roots of four rays.
 pub(crate) struct FourNearest<F: Four> {
     pub(crate) t: F,
     /// Which of the roots that were found leave the solid, one bit each; the others enter.
@@ -54,24 +64,50 @@ pub(crate) struct FourNearest<F: Four> {
     pub(crate) unknown: u32,
 }
 
-impl<F: Four> FourNearest<F> {
+impl<F: Four> FourRoots<F> {
     #[inline(always)]
-    pub(super) fn nothing(unknown: u32) -> Self {
-        FourNearest {
-            t: F::all(f64::INFINITY),
-            leaves: 0,
-            met: 0,
+    pub(super) fn none(unknown: u32) -> Self {
+        FourRoots {
+            t: [F::all(f64::INFINITY); 4],
+            met: [0; 4],
             unknown,
         }
     }
 
-    /// Takes the next root of some rays, where none came before it and it lies before `to`. `leaves` tells which leave.
+    /// The first with `from < t < to`, without the root that a ray has just left: of the roots of that crossing the one
+    /// nearest to its start. `left` tells which rays have left a root that enters, and which one that leaves.
     #[inline(always)]
-    pub(super) fn take(&mut self, some: F::Mask, t: F, to: F, leaves: u32) {
-        let new = F::bits(F::both(some, t.below(to))) & !self.met;
-        self.t = F::pick(F::mask(new), t, self.t);
-        self.leaves |= new & leaves;
-        self.met |= new;
+    pub(crate) fn nearest(&self, from: F, to: F, left: [u32; 2]) -> FourNearest<F> {
+        let mut nearest = FourNearest {
+            t: F::all(f64::INFINITY),
+            leaves: 0,
+            met: 0,
+            unknown: self.unknown,
+        };
+        let mut hidden = F::all(f64::NAN);
+        if left != [0, 0] {
+            let mut size = F::all(f64::INFINITY);
+            for place in 0..4 {
+                let own = F::mask(self.met[place] & left[place % 2]);
+                let is_nearer = F::both(own, self.t[place].size().below(size));
+                size = F::pick(is_nearer, self.t[place].size(), size);
+                hidden = F::pick(is_nearer, self.t[place], hidden);
+            }
+        }
+        let mut passed = 0;
+        for place in 0..4 {
+            let is_hidden = F::bits(self.t[place].equals(hidden)) & self.met[place];
+            nearest.unknown |= is_hidden & passed;
+            passed |= is_hidden;
+            let is_within = F::both(from.below(self.t[place]), self.t[place].below(to));
+            let new = F::bits(is_within) & self.met[place] & !is_hidden & !nearest.met;
+            nearest.t = F::pick(F::mask(new), self.t[place], nearest.t);
+            if place % 2 == 1 {
+                nearest.leaves |= new;
+            }
+            nearest.met |= new;
+        }
+        nearest
     }
 }
 
@@ -115,7 +151,7 @@ impl Shape {
     }
 
     /// Whether the first roots of four rays can be asked for at once.
-    pub(crate) fn has_nearest_four(&self) -> bool {
+    pub(crate) fn has_roots_of_four(&self) -> bool {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
@@ -123,26 +159,20 @@ impl Shape {
         }
     }
 
-    /// The first roots of four rays with `from < t < to`; all unknown for a shape that has none.
+    /// The roots of four rays; all unknown for a shape that is not asked for four.
     #[inline(always)]
-    pub(crate) fn nearest_four<F: Four>(
-        &self,
-        rays: &FourRays<F>,
-        from: F,
-        to: F,
-    ) -> FourNearest<F> {
+    pub(crate) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
         match self {
             Shape::Sphere(sphere) => {
                 let spans = sphere.four(rays);
-                let mut nearest = FourNearest::nothing(spans.unknown);
-                let enters = F::both(spans.is_met, from.below(spans.enter));
-                let leaves = F::both(spans.is_met, from.below(spans.leave));
-                nearest.take(enters, spans.enter, to, 0);
-                nearest.take(leaves, spans.leave, to, 0b1111);
-                nearest
+                let mut roots = FourRoots::none(spans.unknown);
+                (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
+                roots.met[0] = F::bits(spans.is_met);
+                roots.met[1] = roots.met[0];
+                roots
             }
-            Shape::Torus(torus) => torus.nearest_four(rays, from, to),
-            _ => FourNearest::nothing(0b1111),
+            Shape::Torus(torus) => torus.roots_of_four(rays),
+            _ => FourRoots::none(0b1111),
         }
     }
 
@@ -228,4 +258,88 @@ pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F,
     let (t, other) = (q.over(a), c.over(q));
     let is_met = F::both(nearest_sq.below(r_sq), F::all(0.0).below(half_sq));
     (t.smaller(other), t.larger(other), is_met)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+    use crate::math::lanes::{FourKernel, four, four_anywhere};
+    use crate::math::random::Random;
+    use crate::math::{Bounds, Ray};
+    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
+
+    /// What is known of the roots of four rays, as single rays know it.
+    struct Asked<'a> {
+        shape: &'a Shape,
+        rays: [Ray; 4],
+    }
+
+    impl FourKernel for Asked<'_> {
+        type Answer = [Option<Vec<(f64, Crossing)>>; 4];
+
+        fn run<F: Four>(&self) -> Self::Answer {
+            let axis = |of: fn(&Ray) -> DVec3, axis: usize| {
+                F::load(&[0, 1, 2, 3].map(|lane| of(&self.rays[lane])[axis]))
+            };
+            let rays = FourRays {
+                origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
+                dir: [0, 1, 2].map(|i| axis(|ray| ray.dir, i)),
+            };
+            let roots = if self.shape.has_four() {
+                let spans = self.shape.four(&rays);
+                let met = F::bits(spans.is_met);
+                FourRoots {
+                    t: [spans.enter, spans.leave, spans.enter, spans.enter],
+                    met: [met, met, 0, 0],
+                    unknown: spans.unknown,
+                }
+            } else {
+                self.shape.roots_of_four(&rays)
+            };
+            [0, 1, 2, 3].map(|lane| {
+                let has = |bits: u32| bits >> lane & 1 == 1;
+                let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
+                let there = (0..4).filter(|&place| has(roots.met[place]));
+                let known = there.map(|place| (roots.t[place].store()[lane], crossing(place)));
+                (!has(roots.unknown)).then(|| known.collect())
+            })
+        }
+    }
+
+    #[test]
+    fn four_rays_find_what_each_finds() {
+        let read = |text: &str| TextArgs::new(text);
+        let shapes = [
+            Shape::Sphere(Sphere::read(&mut read("<1, 2, 3>, 1.5")).unwrap()),
+            Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(2.0, 0.5, 3.0))),
+            Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0))),
+            Shape::Cylinder(Cylinder::read(&mut read("<-1, 0.5, 0>, <1, 1, 2>, 0.7")).unwrap()),
+            Shape::Cylinder(Cylinder::read(&mut read("-2*x, 2*x, 0.6")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
+        ];
+        let mut rng = Random::new(31);
+        for shape in &shapes {
+            let bounds: Bounds = shape.bounds();
+            let (mut known, mut met) = (0, 0);
+            for _ in 0..4000 {
+                let rays = [(); 4].map(|()| rng.ray_near(&bounds));
+                let asked = Asked { shape, rays };
+                let (wide, narrow) = (four(&asked), four_anywhere(&asked));
+                assert_eq!(wide, narrow);
+                for (ray, found) in rays.iter().zip(wide) {
+                    let Some(found) = found else { continue };
+                    let mut roots: Vec<Root> = Vec::new();
+                    shape.roots(ray, &mut roots);
+                    let alone: Vec<_> = roots.iter().map(|root| (root.t, root.crossing)).collect();
+                    assert_eq!(found, alone, "{shape:?} {ray:?}");
+                    known += 1;
+                    met += usize::from(!alone.is_empty());
+                }
+            }
+            assert!(known > 5000, "{shape:?} {known} {met}");
+        }
+    }
 }

@@ -2,7 +2,7 @@
 //! turns there are left to it.
 
 use super::four::{
-    FourNearest, FourRays, Three, chords, dot, is_comfortable, minus, plus, same, scaled,
+    FourRays, FourRoots, Three, chords, dot, is_comfortable, minus, plus, same, scaled,
 };
 use super::torus::{CLIP, REFINEMENT, SPHERE, Torus};
 use crate::math::conditioning::is_comfortable_size;
@@ -39,21 +39,16 @@ struct FromEnd<F> {
 }
 
 impl Torus {
-    /// Whether [`Torus::nearest_four`] knows anything.
+    /// Whether [`Torus::roots_of_four`] knows anything.
     pub(super) fn has_four(&self) -> bool {
         self.minor > 0.0
             && self.major >= SPHERE * self.minor
             && is_comfortable_size(self.major + self.minor)
     }
 
-    /// The first roots of four rays with `from < t < to`.
+    /// The roots of four rays.
     #[inline(always)]
-    pub(super) fn nearest_four<F: Four>(
-        &self,
-        rays: &FourRays<F>,
-        from: F,
-        to: F,
-    ) -> FourNearest<F> {
+    pub(super) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
         let origin = minus(rays.origin, same(self.centre));
         let rays = FourRays {
             origin,
@@ -74,9 +69,9 @@ impl Torus {
         let last = down.larger(up).smaller(rim_leave);
         let is_finite = last.minus(first).below(F::all(f64::INFINITY));
         let is_near = F::both(in_rim, F::both(first.below(last), is_finite));
-        let mut nearest = FourNearest::nothing(unknown);
+        let mut found = FourRoots::none(unknown);
         if F::bits(is_near) == 0 {
-            return nearest;
+            return found;
         }
         // The hole parts the stretch in two.
         let (mut part_end, mut part_start) = (last, last);
@@ -86,7 +81,8 @@ impl Torus {
             part_end = F::pick(in_hole, enter.smaller(last), last);
             part_start = F::pick(in_hole, leave.larger(first), last);
         }
-        for (start, end) in [(first, part_end), (part_start, last)] {
+        for place in 0..2 {
+            let (start, end) = [(first, part_end), (part_start, last)][place];
             let asked = F::both(is_near, start.below(end));
             if F::bits(asked) == 0 {
                 continue;
@@ -94,17 +90,12 @@ impl Torus {
             let roots = self.solve_four(&rays, start, end);
             let asked = F::bits(asked);
             unknown |= roots.unknown & asked;
-            let met = F::mask(roots.met & asked);
-            nearest.take(F::both(met, from.below(roots.enter)), roots.enter, to, 0);
-            nearest.take(
-                F::both(met, from.below(roots.leave)),
-                roots.leave,
-                to,
-                0b1111,
-            );
+            (found.t[2 * place], found.t[2 * place + 1]) = (roots.enter, roots.leave);
+            found.met[2 * place] = roots.met & asked;
+            found.met[2 * place + 1] = roots.met & asked;
         }
-        nearest.unknown = unknown;
-        nearest
+        found.unknown = unknown;
+        found
     }
 
     #[inline(always)]
