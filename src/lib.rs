@@ -81,11 +81,10 @@ pub fn draw(
     let (world, working) = with_deep_stack(listen, || {
         let scene = read_scene(input, read, render.quality, listen)?;
         watch.lap("read");
-        let prepared = prepared(&scene, render);
+        let prepared = prepared(scene, render);
         watch.lap("compile");
         Ok(prepared)
     })?;
-    watch.lap("forget");
     let progress = |pixels| listen(Event::Drawn(pixels));
     let drawn = match render.threads {
         None => render::render(&world, render, &progress),
@@ -162,8 +161,9 @@ impl lang::Probe for OwnObjects {
     }
 }
 
-fn prepared(scene: &Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
-    (compile::compile(scene, render), scene.working_gamma())
+fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
+    let working = scene.working_gamma();
+    (compile::compile(scene, render), working)
 }
 
 /// Reads a scene; what drawing cannot do yet is an error if it would be seen at this quality.

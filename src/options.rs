@@ -229,7 +229,7 @@ pub struct Statistics {
 /// How long a stage took, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Stage {
-    /// `read`, `compile`, `forget` (giving back what reading held) or `trace`.
+    /// `read`, `compile` or `trace`.
     pub name: &'static str,
     /// By the clock.
     pub wall: f64,

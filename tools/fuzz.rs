@@ -161,7 +161,7 @@ fn read(text: &[u8], draws: bool) -> bool {
             rows: 0..6,
             ..RenderOptions::default()
         };
-        let world = compile(&scene, &options);
+        let world = compile(scene, &options);
         if draws {
             let film = render(&world, &options, &|_| {}).film;
             assert_eq!(film.pixels.len(), 48);

@@ -43,12 +43,15 @@ pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + 
         return converge::draw(&tracer, options, how, progress);
     }
     let tiles = tiles(options);
-    let draw = |tile: &Tile| {
-        let drawn = draw_tile(&tracer, tile, options);
+    let draw = |scratch: &mut BlockScratch, tile: &Tile| {
+        let drawn = draw_tile(&tracer, tile, options, scratch);
         progress(drawn.1.0.len() as u64);
         drawn
     };
-    let drawn: Vec<(Tile, Pixels)> = tiles.par_iter().map(draw).collect();
+    let drawn: Vec<(Tile, Pixels)> = tiles
+        .par_iter()
+        .map_init(BlockScratch::default, draw)
+        .collect();
     let mut film = Film::new(
         options.width,
         options.height,
@@ -94,13 +97,20 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
 }
 
 /// The pixels of a tile that are to be drawn, row by row.
-fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile, Pixels) {
+fn draw_tile(
+    tracer: &Tracer<'_>,
+    tile: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> (Tile, Pixels) {
     let wanted = Tile {
         columns: shared(&tile.columns, &options.columns),
         rows: shared(&tile.rows, &options.rows),
     };
     let pixels = match &options.sampling {
-        Sampling::Centres | Sampling::Converging(_) => draw_blocks(tracer, &wanted, options),
+        Sampling::Centres | Sampling::Converging(_) => {
+            draw_blocks(tracer, &wanted, options, scratch)
+        }
         Sampling::PovRay(how) => {
             let mut scratch = Scratch::default();
             let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
@@ -118,8 +128,12 @@ fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile
 }
 
 /// The pixels of a rectangle, row by row, without antialiasing.
-fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> Pixels {
-    let mut scratch = BlockScratch::default();
+fn draw_blocks(
+    tracer: &Tracer<'_>,
+    wanted: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> Pixels {
     let blocks = |range: &Range<u32>| {
         let end = range.end;
         range
@@ -132,7 +146,7 @@ fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> P
     for rows in blocks(&wanted.rows) {
         for columns in blocks(&wanted.columns) {
             let size = (options.width, options.height);
-            tracer.block(&columns, &rows, size, &mut scratch, |x, y, sample| {
+            tracer.block(&columns, &rows, size, scratch, |x, y, sample| {
                 let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
                 pixels[y as usize * width + x as usize] = Pixel {
                     rgb: sample.rgb,

@@ -243,12 +243,12 @@ impl BlockScratch {
             .windows(2)
             .filter(|pair| leaf(&pair[0]) != leaf(&pair[1]));
         if changes.count() * SORTED_BELOW < self.shadows.len() {
-            self.sorted.extend_from_slice(&self.shadows);
+            std::mem::swap(&mut self.sorted, &mut self.shadows);
             return;
         }
         let sum: DVec3 = self.shadows.iter().map(|query| query.ray.dir).sum();
         let Some(axis) = sum.try_normalize() else {
-            self.sorted.extend_from_slice(&self.shadows);
+            std::mem::swap(&mut self.sorted, &mut self.shadows);
             return;
         };
         let (across, up) = axis.any_orthonormal_pair();
