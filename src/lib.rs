@@ -32,6 +32,7 @@ pub mod cli;
 pub mod color;
 pub mod compare;
 pub mod compile;
+pub mod curve;
 pub mod film;
 pub mod function;
 pub mod interior;
@@ -45,6 +46,7 @@ pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod source;
+pub mod statistics;
 pub mod syntax;
 pub mod texture;
 pub mod trace;
@@ -55,6 +57,7 @@ use lang::Heard;
 use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
 use scene::{Object, Scene};
 use source::{Diagnostic, Message, Severity, Sources};
+use statistics::Watch;
 use std::sync::Arc;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
@@ -74,12 +77,16 @@ pub fn draw(
     render: &RenderOptions,
     listen: &Listen<'_>,
 ) -> Result<Picture, Failure> {
+    let mut watch = Watch::start();
     let (world, working) = with_deep_stack(listen, || {
         let scene = read_scene(input, read, render.quality, listen)?;
-        Ok(prepared(&scene, render))
+        watch.lap("read");
+        let prepared = prepared(scene, render);
+        watch.lap("compile");
+        Ok(prepared)
     })?;
     let progress = |pixels| listen(Event::Drawn(pixels));
-    let film = match render.threads {
+    let drawn = match render.threads {
         None => render::render(&world, render, &progress),
         Some(threads) => match rayon::ThreadPoolBuilder::new()
             .num_threads(threads.max(1))
@@ -89,10 +96,13 @@ pub fn draw(
             Err(error) => return Err(failure(format!("no threads to draw with: {error}"), listen)),
         },
     };
+    watch.lap("trace");
+    let pixels = render.columns.len() as u64 * render.rows.len() as u64;
+    let statistics = statistics::gather(watch, &drawn, world.plan(), pixels);
     Ok(Picture {
-        film,
+        film: drawn.film,
         working,
-        statistics: String::new(),
+        statistics,
     })
 }
 
@@ -151,8 +161,9 @@ impl lang::Probe for OwnObjects {
     }
 }
 
-fn prepared(scene: &Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
-    (compile::compile(scene, render), scene.working_gamma())
+fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
+    let working = scene.working_gamma();
+    (compile::compile(scene, render), working)
 }
 
 /// Reads a scene; what drawing cannot do yet is an error if it would be seen at this quality.

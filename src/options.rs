@@ -1,8 +1,12 @@
 //! What a drawing starts from and what comes of it: plain types between the command line and the stages.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::time::Duration;
+
+use serde::Serialize;
 
 use crate::color::Gamma;
 use crate::film::Film;
@@ -95,11 +99,55 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
-    /// How pixels are sampled; `None` for one ray through the centre of each.
-    pub antialias: Option<Antialias>,
+    /// How pixels are sampled.
+    pub sampling: Sampling,
 }
 
-/// How pixels are sampled more than once.
+/// How pixels are sampled.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Sampling {
+    /// By one ray through the centre of each.
+    #[default]
+    Centres,
+    /// As POV-Ray antialiases.
+    PovRay(Antialias),
+    /// Until an estimate of the error holds.
+    Converging(Converging),
+}
+
+/// Sampling until the estimated error of every pixel is small (`+AM4`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Converging {
+    /// The largest estimated error of a channel of a pixel, in steps of 1/255 in the working space of the scene.
+    pub error: f64,
+    /// When to stop whatever the error is. The picture then depends on the speed of the machine.
+    pub time: Option<Duration>,
+}
+
+impl Default for Converging {
+    /// A step of a picture with 8 bits.
+    fn default() -> Self {
+        Converging {
+            error: 1.0,
+            time: None,
+        }
+    }
+}
+
+/// What sampling until the error is small came to. Errors are in steps of 1/255 in the working space of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Reached {
+    /// The error asked for.
+    pub target: f64,
+    /// The largest estimated error of a pixel.
+    pub largest: f64,
+    /// The root of the mean of the squared estimated errors of all pixels.
+    pub rms: f64,
+    /// How many camera rays it took.
+    pub samples: u64,
+}
+
+/// How POV-Ray samples pixels more than once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Antialias {
     /// Which of POV-Ray's methods.
@@ -154,8 +202,60 @@ pub struct Picture {
     pub film: Film,
     /// The working space they are in; `None` for a scene without gamma handling, whose values are stored as they are.
     pub working: Option<Gamma>,
-    /// What `--stats` prints; may be empty.
-    pub statistics: String,
+    /// What it took.
+    pub statistics: Statistics,
+}
+
+/// What a drawing took, and what its scene was spared. It displays as `--stats` prints it, and serialises as `--json`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Statistics {
+    /// How long each stage took, in their order.
+    pub stages: Vec<Stage>,
+    /// How many rays were followed, by kind: `camera`, `onward` (straight on or bent through surfaces), `reflected`,
+    /// `shadow`, `filtered` (through surfaces to a light).
+    pub rays: BTreeMap<&'static str, u64>,
+    /// The pixels drawn.
+    pub pixels: u64,
+    /// Camera rays for each of them.
+    pub samples_a_pixel: f64,
+    /// What was reached, of a picture that was sampled until its error is small.
+    pub reached: Option<Reached>,
+    /// The most memory that the process ever held, if the system tells.
+    pub peak_bytes: Option<u64>,
+    /// What the scene needs.
+    pub plan: Plan,
+}
+
+/// How long a stage took, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Stage {
+    /// `read`, `compile` or `trace`.
+    pub name: &'static str,
+    /// By the clock.
+    pub wall: f64,
+    /// Of all processors together; 0 where that is not known.
+    pub processor: f64,
+}
+
+/// What a scene needs of all that a tracer can do.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Plan {
+    /// How many primitives there are of each kind, those of combinations included.
+    pub primitives: BTreeMap<&'static str, usize>,
+    /// How many combinations there are.
+    pub combinations: usize,
+    /// Objects that no box holds; every ray tries them.
+    pub unbounded: usize,
+    /// Primitives that stand behind a matrix; the others are in the world's own coordinates.
+    pub behind_matrix: usize,
+    /// The looks that are told apart.
+    pub surfaces: usize,
+    /// The lights.
+    pub lights: usize,
+    /// The memory of the tree in bytes.
+    pub tree_bytes: usize,
+    /// What no ray needs.
+    pub left_out: Vec<&'static str>,
 }
 
 /// Why a scene was not drawn.
@@ -210,7 +310,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
-            antialias: None,
+            sampling: Sampling::Centres,
         }
     }
 }

@@ -25,6 +25,8 @@ const FLOORS: &[&[&str]] = &[
     &["lang", "compile"],
     &["trace"],
     &["render"],
+    &["statistics"],
+    &["curve"],
     &["cli"],
 ];
 

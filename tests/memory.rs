@@ -16,7 +16,7 @@ fn leaves(scene: &str) -> Vec<Leaf> {
     let scene = reading
         .scene
         .unwrap_or_else(|| panic!("{:?}", reading.findings));
-    compile(&scene, &RenderOptions::default()).leaves().to_vec()
+    compile(scene, &RenderOptions::default()).leaves().to_vec()
 }
 
 /// The one primitive of a scene.

@@ -1,8 +1,8 @@
 //! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures are to be the same.
 //!
 //! A scene's first line is a comment that says what it shows. Further comments may state `// size: 320x240`, switches
-//! for both renderers, `// switches: +A0.3 +AM2`, and limits
-//! with their reason, `// compare: channel<=2 pixels<=0.5% because "..."`; without them `Limits::DEFAULT` holds, and
+//! for both renderers, `// switches: +A0.3 +AM2` (several such lines: the scene is drawn with each), and limits with their
+//! reason, `// compare: channel<=2 pixels<=0.5% because "..."`; without them `Limits::DEFAULT` holds, and
 //! single pixels (never more than `Limits::DEFAULT` allows) may be off by more if they are explained: POV-Ray loses
 //! surfaces nearer than a fixed distance to the one a ray leaves, and with `--pov-distances` povr does so too and must
 //! then be within `Limits::DEFAULT`.
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
     let trials = match support::scenes(Path::new(support::SCENES)) {
         Ok(scenes) => scenes
             .into_iter()
-            .map(|path| trial(path, &remarks))
+            .flat_map(|path| trials(&path, &remarks))
             .collect(),
         Err(error) => vec![Trial::test("pov_scenes", move || Err(error.into()))],
     };
@@ -83,20 +83,41 @@ fn scene_name(path: &Path) -> String {
     parts.join("/").trim_end_matches(".pov").to_owned()
 }
 
-fn trial(path: PathBuf, remarks: &Remarks) -> Trial {
-    let remarks = Arc::clone(remarks);
-    Trial::test(scene_name(&path), move || {
-        let case = Case::read(path)?;
-        let remark = case.check()?;
-        if let (Some(remark), Ok(mut list)) = (remark, remarks.lock()) {
-            list.push(format!("{}: {remark}", case.name));
+/// A test for each line of switches of a scene, or one without any.
+fn trials(path: &Path, remarks: &Remarks) -> Vec<Trial> {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    let comments = text
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("//"));
+    let lines = comments.filter_map(|comment| comment.trim().strip_prefix("switches:"));
+    let mut variants: Vec<Vec<String>> = lines
+        .map(|line| line.split_whitespace().map(str::to_owned).collect())
+        .collect();
+    let is_one = variants.len() < 2;
+    if variants.is_empty() {
+        variants.push(Vec::new());
+    }
+    let trial = |switches: Vec<String>| {
+        let (path, remarks) = (path.to_owned(), Arc::clone(remarks));
+        let mut name = scene_name(&path);
+        if !is_one {
+            name = format!("{name} {}", switches.join(" "));
         }
-        Ok(())
-    })
+        let kept = name.clone();
+        Trial::test(name, move || {
+            let case = Case::read(path, kept, switches)?;
+            let remark = case.check()?;
+            if let (Some(remark), Ok(mut list)) = (remark, remarks.lock()) {
+                list.push(format!("{}: {remark}", case.name));
+            }
+            Ok(())
+        })
+    };
+    variants.into_iter().map(trial).collect()
 }
 
 impl Case {
-    fn read(path: PathBuf) -> Result<Case, Failed> {
+    fn read(path: PathBuf, name: String, own_switches: Vec<String>) -> Result<Case, Failed> {
         let text = String::from_utf8_lossy(&fs::read(&path)?).into_owned();
         let first = text.lines().next().unwrap_or_default();
         if first
@@ -106,11 +127,11 @@ impl Case {
             return Err("the first line is to be a comment that says what the scene shows".into());
         }
         let mut case = Case {
-            name: scene_name(&path),
+            name,
             path,
             size: (160, 120),
             limits: None,
-            own_switches: Vec::new(),
+            own_switches,
             text: String::new(),
         };
         let comments = text
@@ -124,8 +145,6 @@ impl Case {
                 }
             } else if let Some(size) = comment.strip_prefix("size:") {
                 case.size = read_size(size)?;
-            } else if let Some(switches) = comment.strip_prefix("switches:") {
-                case.own_switches = switches.split_whitespace().map(str::to_owned).collect();
             }
         }
         case.text = text;
@@ -195,7 +214,7 @@ impl Case {
     }
 
     fn file_name(&self, extension: &str) -> String {
-        format!("{}.{extension}", self.name.replace('/', "-"))
+        format!("{}.{extension}", self.name.replace(['/', ' '], "-"))
     }
 
     fn switches(&self) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! The same picture, bit for bit, for any number of threads and for any part of it.
 
 use povr::film::Film;
-use povr::options::{Antialias, Input, Method, ReadOptions, RenderOptions};
+use povr::options::{Antialias, Converging, Input, Method, ReadOptions, RenderOptions, Sampling};
 
 /// A scene with mirrors, glass, shadows, patterns and solids.
 const SCENE: &str = "#version 3.7;
@@ -18,6 +18,11 @@ difference {
   rotate <20, 30, 0> translate 1.2*x
   pigment { rgb <0.8, 0.5, 0.2> } finish { phong 0.8 reflection 0.1 }
 }";
+
+const CONVERGING: Sampling = Sampling::Converging(Converging {
+    error: 2.0,
+    time: None,
+});
 
 const WIDTH: u32 = 101;
 const HEIGHT: u32 = 75;
@@ -50,39 +55,49 @@ fn drawn(scene: &str, options: &RenderOptions) -> Film {
 
 #[test]
 fn any_number_of_threads_draws_the_same_picture() {
-    let with = |threads| {
-        drawn(
-            SCENE,
-            &RenderOptions {
-                threads: Some(threads),
-                ..options()
-            },
-        )
-    };
-    let one = with(1);
-    assert_eq!(one, with(2));
-    assert_eq!(one, with(7));
+    for sampling in [Sampling::Centres, CONVERGING] {
+        let with = |threads| {
+            drawn(
+                SCENE,
+                &RenderOptions {
+                    threads: Some(threads),
+                    sampling,
+                    ..options()
+                },
+            )
+        };
+        let one = with(1);
+        assert_eq!(one, with(2), "{sampling:?}");
+        assert_eq!(one, with(7), "{sampling:?}");
+    }
 }
 
 #[test]
 fn a_part_is_drawn_as_it_is_in_the_whole() {
-    for method in [None, Some(Method::One), Some(Method::Two)] {
-        let antialias = method.map(|method| Antialias {
+    let povray = |method| {
+        Sampling::PovRay(Antialias {
             method,
             threshold: 0.1,
             ..Antialias::default()
-        });
+        })
+    };
+    for sampling in [
+        Sampling::Centres,
+        povray(Method::One),
+        povray(Method::Two),
+        CONVERGING,
+    ] {
         let whole = drawn(
             SCENE,
             &RenderOptions {
-                antialias,
+                sampling,
                 ..options()
             },
         );
         let part = RenderOptions {
             columns: 13..70,
             rows: 5..64,
-            antialias,
+            sampling,
             ..options()
         };
         let film = drawn(SCENE, &part);
@@ -91,7 +106,7 @@ fn a_part_is_drawn_as_it_is_in_the_whole() {
                 let at = (y * WIDTH + x) as usize;
                 assert_eq!(
                     film.pixels[at], whole.pixels[at],
-                    "at {x}, {y} with {method:?}"
+                    "at {x}, {y} with {sampling:?}"
                 );
             }
         }

@@ -161,9 +161,9 @@ fn read(text: &[u8], draws: bool) -> bool {
             rows: 0..6,
             ..RenderOptions::default()
         };
-        let world = compile(&scene, &options);
+        let world = compile(scene, &options);
         if draws {
-            let film = render(&world, &options, &|_| {});
+            let film = render(&world, &options, &|_| {}).film;
             assert_eq!(film.pixels.len(), 48);
         }
     }

@@ -190,19 +190,24 @@ impl Split {
 /// The split with the least sum of surface times number, `None` if all middles are the same.
 fn cheapest(entries: &[Entry]) -> Option<Split> {
     let middles = middles(entries);
+    let splits = [0, 1, 2].map(|axis| Split::on(axis, &middles));
+    let mut cells = [[Cell::EMPTY; BINS]; 3];
+    let mut counts = [[0_u32; BINS]; 3];
+    for entry in entries {
+        for (axis, split) in splits.iter().enumerate() {
+            if let Some(split) = split {
+                let bin = split.bin_of(entry) % BINS;
+                cells[axis][bin] = cells[axis][bin].union(&entry.cell);
+                counts[axis][bin] += 1;
+            }
+        }
+    }
     let mut best: Option<(f32, Split)> = None;
-    for axis in 0..3 {
-        let Some(mut split) = Split::on(axis, &middles) else {
+    for (axis, split) in splits.into_iter().enumerate() {
+        let Some(mut split) = split else {
             continue;
         };
-        let mut cells = [Cell::EMPTY; BINS];
-        let mut counts = [0_u32; BINS];
-        for entry in entries {
-            let bin = split.bin_of(entry);
-            cells[bin] = cells[bin].union(&entry.cell);
-            counts[bin] += 1;
-        }
-        let (cost, bin) = cheapest_border(&cells, &counts);
+        let (cost, bin) = cheapest_border(&cells[axis], &counts[axis]);
         split.bin = bin;
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, split));

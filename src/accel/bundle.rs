@@ -22,6 +22,12 @@ const LEAST_COSINE: f32 = 0.2;
 /// From farther away, in sizes of the tree, single precision cannot tell its items apart.
 const FARTHEST: f64 = 256.0;
 
+/// How many nodes and items may be visited for each ray of a bundle. A ray by itself visits some twenty, each of which
+/// costs about as much.
+const PATIENCE: usize = 6;
+/// How many more may be visited by any bundle.
+const LEAST_PATIENCE: usize = 32;
+
 /// A number of rays from one point.
 #[derive(Debug, Default)]
 pub struct Bundle {
@@ -198,13 +204,13 @@ impl Bundle {
         farthest.into_iter().fold(f32::NEG_INFINITY, larger)
     }
 
-    /// Tries an item against all rays; `visit` gets the number of each ray that may meet it.
+    /// Tries an item against all rays; `visit` gets eight rays at a time, some of which may meet it.
     #[inline(always)]
     fn try_item(
         &mut self,
         ball: &Ball,
         cell: Option<&Cell>,
-        mut visit: impl FnMut(u32) -> Option<f64>,
+        mut visit: impl FnMut(usize, u32, &mut Ended),
     ) -> bool {
         let to_centre = DVec3::from(ball.centre.map(f64::from)) - self.origin;
         let centre = to_centre.as_vec3();
@@ -235,23 +241,39 @@ impl Bundle {
                 {
                     rays &= eight(&GroupAndBox { group, slab });
                 }
-                while rays != 0 {
-                    let lane = rays.trailing_zeros() as usize;
-                    rays &= rays - 1;
-                    // Sizes without end meet what has none as well: the empty places behind the last ray.
-                    if place * LANES + lane >= self.count {
-                        break;
-                    }
-                    #[allow(clippy::cast_possible_truncation, reason = "a bundle has few rays")]
-                    if let Some(end) = visit((place * LANES + lane) as u32) {
-                        let end = frame_end(end, self.scale);
-                        self.groups[place].end[lane % LANES] = end;
-                        is_shortened = true;
-                    }
+                // Sizes without end meet what has none as well: the empty places behind the last ray.
+                let there = (self.count - place * LANES).min(LANES);
+                rays &= 0xff >> (LANES - there);
+                if rays == 0 {
+                    continue;
+                }
+                let mut ended = Ended::default();
+                visit(place * LANES, rays, &mut ended);
+                is_shortened |= ended.lanes != 0;
+                while ended.lanes != 0 {
+                    let lane = ended.lanes.trailing_zeros() as usize % LANES;
+                    ended.lanes &= ended.lanes - 1;
+                    self.groups[place].end[lane] = frame_end(ended.ends[lane], self.scale);
                 }
             }
         }
         is_shortened
+    }
+}
+
+/// The new ends of some of eight rays.
+#[derive(Debug, Default)]
+pub struct Ended {
+    lanes: u32,
+    ends: [f64; LANES],
+}
+
+impl Ended {
+    /// Notes the new end of a ray: the distance of a hit, or a negative number for a ray that is done.
+    #[inline(always)]
+    pub fn note(&mut self, lane: usize, end: f64) {
+        self.lanes |= 1 << lane;
+        self.ends[lane % LANES] = end;
     }
 }
 
@@ -460,16 +482,27 @@ impl Kernel for PyramidAndNode<'_> {
 }
 
 impl Bvh {
-    /// Visits, roughly front to back, the pairs of an item and a ray of the bundle that may meet before the end of the
-    /// ray. `visit` gives the new end of the ray, if that changes: the distance of a hit, or a negative number for a ray
-    /// that is done.
+    /// Visits, roughly front to back, items with the rays of the bundle that may meet them before the ends of the rays.
+    /// `visit` gets the item, the number of the first of eight rays, and which of them are asked, one bit each; it notes
+    /// new ends. False if the rays have so little in common that the walk was given up: not all pairs have been
+    /// visited then, and each ray is better asked for by itself.
     #[inline(always)]
-    pub fn together(&self, bundle: &mut Bundle, mut visit: impl FnMut(u32, u32) -> Option<f64>) {
+    #[must_use]
+    pub fn together(
+        &self,
+        bundle: &mut Bundle,
+        mut visit: impl FnMut(u32, usize, u32, &mut Ended),
+    ) -> bool {
+        let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending> = Stack::new();
         let mut next = self.root();
         while let Some(child) = next {
             next = None;
+            patience -= 1;
+            if patience == 0 {
+                return false;
+            }
             if let Some(node) = child.node() {
                 let node = &self.nodes[node as usize];
                 let (near_sq, met) = eight(&PyramidAndNode {
@@ -481,7 +514,13 @@ impl Bvh {
             } else {
                 let item = child.item();
                 let (ball, cell) = (&self.balls[item as usize], self.cells.get(item as usize));
-                if bundle.try_item(ball, cell, |ray| visit(item, ray)) {
+                let is_shortened = bundle.try_item(
+                    ball,
+                    cell,
+                    #[inline(always)]
+                    |first, lanes, ended| visit(item, first, lanes, ended),
+                );
+                if is_shortened {
                     end = bundle.farthest();
                 }
             }
@@ -493,6 +532,7 @@ impl Bvh {
                 next = is_reached.then_some(place.child);
             }
         }
+        true
     }
 }
 

@@ -10,7 +10,7 @@ mod build;
 mod bundle;
 mod node;
 
-pub use bundle::Bundle;
+pub use bundle::{Bundle, Ended};
 
 use crate::math::{Bounds, Ray};
 use build::Entry;

@@ -295,14 +295,23 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
             if !bundle.fill(&tree, origin, dirs) {
                 continue;
             }
-            together += 1;
             let mut best = vec![None; rays.len()];
-            tree.together(&mut bundle, |place, ray| {
-                let t = spheres[order[place as usize] as usize].hit(&rays[ray as usize])?;
-                let slot: &mut Option<f64> = &mut best[ray as usize];
-                let is_better = t < far(ray as usize) && slot.is_none_or(|least| t < least);
-                is_better.then(|| *slot.insert(t))
+            let is_done = tree.together(&mut bundle, |place, first, lanes, ended| {
+                for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
+                    let ray = first + lane;
+                    let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray]) else {
+                        continue;
+                    };
+                    let slot: &mut Option<f64> = &mut best[ray];
+                    if t < far(ray) && slot.is_none_or(|least| t < least) {
+                        ended.note(lane, *slot.insert(t));
+                    }
+                }
             });
+            if !is_done {
+                continue;
+            }
+            together += 1;
             for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
                 let alone = nearest_of_all(&spheres, ray)
                     .map(|(_, t)| t)

@@ -8,11 +8,11 @@ use super::error::CliError;
 use super::ini::Reader;
 use super::modern::{self, Modern};
 use super::progress::{Progress, ProgressKind};
-use super::report::{MessageFormat, Reporter, Stream, say};
+use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
 use super::surroundings::Surroundings;
 use super::words;
-use crate::options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
+use crate::options::{Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions};
 use crate::output;
 use crate::source::MAX_FILE_BYTES;
 
@@ -107,6 +107,9 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, Cl
     let Ok(picture) = drawn else {
         return Ok(ExitCode::FAILURE);
     };
+    if let Some(reached) = picture.statistics.reached.filter(|_| !talk.quiet) {
+        say(told(&reached, pixels(&settings.render)));
+    }
     if let Some((target, options)) = &settings.output {
         let options = output::EncodeOptions {
             working: picture.working,
@@ -120,8 +123,11 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, Cl
             }
         })?;
     }
-    if talk.stats && !picture.statistics.is_empty() {
-        say(picture.statistics.trim_end());
+    if talk.stats {
+        say(picture.statistics.to_string().trim_end());
+    }
+    if talk.json {
+        reporter.json(&Line::Statistics(&picture.statistics));
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -146,6 +152,29 @@ impl Scene {
         };
         Ok(Input::File(path.clone()))
     }
+}
+
+/// What a picture that was sampled until its error is small came to.
+fn told(reached: &Reached, pixels: u64) -> String {
+    #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
+    let samples = reached.samples as f64 / pixels.max(1) as f64;
+    let Reached {
+        target,
+        largest,
+        rms,
+        ..
+    } = reached;
+    let aim = if *target > 0.0 && largest <= target {
+        format!("held the error of {target}")
+    } else if *target > 0.0 {
+        format!("did not hold the error of {target}")
+    } else {
+        "stopped".to_owned()
+    };
+    format!(
+        "povr: {aim}: estimated {largest:.3} at most and {rms:.3} on the average (steps of 1/255), \
+         {samples:.2} samples a pixel"
+    )
 }
 
 fn progress_kind(talk: Talk) -> ProgressKind {

@@ -5,7 +5,9 @@
 
 use super::error::CliError;
 use super::typed::{Output, Typed, Unbuilt};
-use super::values::{file_gamma, file_type, flag, name, number, path, size, whole};
+use super::values::{
+    duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
+};
 use crate::options::Method;
 
 /// What an option does with its value. The third text is what was typed, for messages.
@@ -43,8 +45,10 @@ const KEYS: &[(&str, Set)] = &[
     ("All_File", IDLE),
     ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
     ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
+    ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
     ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
     ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.max(0.0); Ok(()) }),
+    ("Antialias_Time", |t, v, s| { t.time = Some(duration(v, s)?); t.converge(); Ok(()) }),
     ("Append_File", IDLE),
     ("Bits_Per_Color", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
     ("Bits_Per_Colour", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
@@ -122,7 +126,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Render_Console", IDLE),
     ("Render_File", IDLE),
     ("Render_Pattern", IDLE),
-    ("Sampling_Method", |t, v, s| { t.antialias.method = method(v, s)?; Ok(()) }),
+    ("Sampling_Method", method),
     ("Split_Unions", IDLE),
     ("Start_Column", |t, v, s| { t.start_column = Some(edge(v, s)?); Ok(()) }),
     ("Start_Row", |t, v, s| { t.start_row = Some(edge(v, s)?); Ok(()) }),
@@ -145,7 +149,6 @@ const KEYS: &[(&str, Set)] = &[
     ("Work_Threads", |t, v, s| { t.threads = Some(whole(v, s)? as usize).filter(|&n| n > 0); Ok(()) }),
 ];
 
-/// A value of a small scale; POV-Ray takes what is beyond it for its end.
 /// POV-Ray's largest `+R`; larger ones count as this.
 const MOST_DEPTH: u8 = 9;
 
@@ -158,17 +161,24 @@ fn above_zero(value: &str, said: &str) -> Result<f64, CliError> {
     }
 }
 
-/// Method 3 is a second name of method 2, as in POV-Ray.
-fn method(value: &str, said: &str) -> Result<Method, CliError> {
+/// Method 3 is a second name of method 2, as in POV-Ray; method 4 is one of this program and turns antialiasing on.
+fn method(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
+    typed.converges = false;
     match whole(value, said)? {
-        1 => Ok(Method::One),
-        2 | 3 => Ok(Method::Two),
-        other => Err(CliError::new(format!(
-            "`{said}`: there is no sampling method {other}; there are 1 and 2"
-        ))),
+        1 => typed.antialias.method = Method::One,
+        2 | 3 => typed.antialias.method = Method::Two,
+        4 => typed.converge(),
+        other => {
+            return Err(CliError::new(format!(
+                "`{said}`: there is no sampling method {other}; there are 1, 2 and 4"
+            ))
+            .with_hint("4 samples until the error is small, see `--error`"));
+        }
     }
+    Ok(())
 }
 
+/// A value of a small scale; POV-Ray takes what is beyond it for its end.
 fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
     let value = number(value, said)?.clamp(0.0, f64::from(most));
     #[allow(

@@ -1,6 +1,7 @@
 //! The face this program has beside POV-Ray's: long options, and `-o`.
 
 use std::str::FromStr;
+use std::time::Duration;
 
 use clap::{CommandFactory, Parser};
 
@@ -8,6 +9,7 @@ use super::COMMANDS;
 use super::error::CliError;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
+use super::values::{duration, error};
 use crate::options::LeastDistance;
 
 /// Draws POV-Ray scenes.
@@ -43,7 +45,16 @@ pub(super) struct Modern {
     /// Print what was done and how long it took
     #[arg(long)]
     stats: bool,
-    /// Lose what is thinner than POV-Ray's least distances, as it does: tells whether pictures differ by more
+    /// The same as one line of JSON
+    #[arg(long)]
+    json: bool,
+    /// Sample until the estimated error of every pixel is at most E/255 (as +AM4 does with 1)
+    #[arg(long, value_name = "E", value_parser = |text: &str| error(text, "--error"))]
+    error: Option<f64>,
+    /// Stop after this time with the best picture so far: 10s, 500ms, 2m
+    #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
+    time: Option<Duration>,
+    /// Lose what is thinner than POV-Ray's least distances, as it does
     #[arg(long)]
     pov_distances: bool,
     // Without a short form: `-V` is POV-Ray's.
@@ -61,7 +72,7 @@ POV-Ray's switches, upper or lower case; later ones win:
                         +FE EXR, +FH HDR, -F no file
   +UA                   keep the transparency of the background
   +Q9                   quality, 0 to 11
-  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method, depth, jitter; -A off
+  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method (4: see --error), depth, jitter; -A off
   +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock
@@ -151,6 +162,12 @@ impl Modern {
         }
         typed.quiet |= self.quiet;
         typed.stats |= self.stats;
+        typed.json |= self.json;
+        if self.error.is_some() || self.time.is_some() {
+            typed.error = self.error.or(typed.error);
+            typed.time = self.time.or(typed.time);
+            typed.converge();
+        }
         if self.pov_distances {
             typed.least_distance = LeastDistance::PovRay;
         }

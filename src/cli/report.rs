@@ -8,6 +8,7 @@
 //! * `{"type":"said","text":...}`: what the scene writes by `#debug`.
 //! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,"errors":N,
 //!   "warnings":N}`: the counts of `povr check`.
+//! * `{"type":"statistics", ...}`: what a drawing took, if `--json` asks for it, as `options::Statistics` has it.
 //!
 //! Lines and columns count from 1, columns in characters. Lines of standard error that do not begin with `{` are about
 //! the command line.
@@ -19,7 +20,7 @@ use std::sync::Mutex;
 use clap::ValueEnum;
 use serde::Serialize;
 
-use crate::options::Event;
+use crate::options::{Event, Statistics};
 use crate::source::{Message, Severity};
 
 /// The form of findings.
@@ -85,6 +86,7 @@ pub(super) enum Line<'a> {
         errors: usize,
         warnings: usize,
     },
+    Statistics(&'a Statistics),
 }
 
 impl Reporter {

@@ -8,7 +8,7 @@ use super::error::CliError;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
-use crate::options::{Antialias, ReadOptions, RenderOptions};
+use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The most pixels of a picture: a film of 8 GiB.
@@ -57,6 +57,8 @@ pub struct Talk {
     pub quiet: bool,
     /// Statistics.
     pub stats: bool,
+    /// The same as an object in a line.
+    pub json: bool,
 }
 
 /// Decides.
@@ -88,6 +90,7 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             verbose: typed.verbose,
             quiet: typed.quiet,
             stats: typed.stats,
+            json: typed.json,
         },
         warnings: warnings
             .iter()
@@ -134,15 +137,32 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
-        antialias: typed.is_antialiased.then_some(Antialias {
-            jitter: if typed.is_jittered {
-                typed.antialias.jitter
-            } else {
-                0.0
+        sampling: sampling(typed),
+    })
+}
+
+fn sampling(typed: &Typed) -> Sampling {
+    let jitter = if typed.is_jittered {
+        typed.antialias.jitter
+    } else {
+        0.0
+    };
+    match typed.is_antialiased {
+        false => Sampling::Centres,
+        true if typed.converges => Sampling::Converging(Converging {
+            error: match (typed.error, typed.time) {
+                (Some(error), _) => error,
+                // The smaller the better, as long as there is time.
+                (None, Some(_)) => 0.0,
+                (None, None) => Converging::default().error,
             },
+            time: typed.time,
+        }),
+        true => Sampling::PovRay(Antialias {
+            jitter,
             ..typed.antialias
         }),
-    })
+    }
 }
 
 /// The pixels from a first to a last one, counted from 1, or given as shares of the side. A first one below 1 and a

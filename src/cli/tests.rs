@@ -5,7 +5,7 @@ use super::draw::{Draw, carry_out};
 use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
-use crate::options::{Antialias, Event, Failure, Input, Method, Picture, ReadOptions};
+use crate::options::{Antialias, Event, Failure, Input, Method, Picture, ReadOptions, Sampling};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The settings of a command line, without any ini file around it.
@@ -297,7 +297,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+FX"], "`+FX` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
         (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
         (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
-        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1 and 2".to_owned()),
+        (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`".to_owned()),
         (vec![&scene, "+KFF3"], "`+KFF3`: animation is not built yet\n  hint: draw one picture a call: `+K0.5` sets the clock".to_owned()),
         (vec![&scene, "+C"], "`+C`: continuing an interrupted picture is not built yet\n  hint: leave it out to draw the whole picture".to_owned()),
         (vec![&stem], format!("`{stem}` is neither a scene (`.pov`) nor an ini file that can be found\n  hint: is `{scene}` meant?")),
@@ -332,11 +332,11 @@ fn antialiasing_is_set_by_switches_and_by_ini_words() {
         let arguments: Vec<&str> = std::iter::once(scene.as_str())
             .chain(more.iter().copied())
             .collect();
-        settings(&arguments).render.antialias
+        settings(&arguments).render.sampling
     };
-    assert_eq!(how(&[]), None);
-    assert_eq!(how(&["+A"]), Some(Antialias::default()));
-    assert_eq!(how(&["+A0.1", "-A"]), None);
+    assert_eq!(how(&[]), Sampling::Centres);
+    assert_eq!(how(&["+A"]), Sampling::PovRay(Antialias::default()));
+    assert_eq!(how(&["+A0.1", "-A"]), Sampling::Centres);
     let fine = Antialias {
         method: Method::Two,
         threshold: 0.1,
@@ -346,7 +346,7 @@ fn antialiasing_is_set_by_switches_and_by_ini_words() {
     };
     assert_eq!(
         how(&["+A0.1", "+AM2", "+R5", "+J0.5", "+AG1.5"]),
-        Some(fine)
+        Sampling::PovRay(fine)
     );
     let words = [
         "Antialias=on",
@@ -355,9 +355,20 @@ fn antialiasing_is_set_by_switches_and_by_ini_words() {
         "Antialias_Depth=5",
     ];
     let more = ["Jitter_Amount=0.5", "Antialias_Gamma=1.5"];
-    assert_eq!(how(&[&words[..], &more[..]].concat()), Some(fine));
-    assert_eq!(how(&["+A", "-J"]).map(|how| how.jitter), Some(0.0));
-    assert_eq!(how(&["+A", "+R20"]).map(|how| how.depth), Some(9));
+    assert_eq!(
+        how(&[&words[..], &more[..]].concat()),
+        Sampling::PovRay(fine)
+    );
+    let still = Antialias {
+        jitter: 0.0,
+        ..Antialias::default()
+    };
+    assert_eq!(how(&["+A", "-J"]), Sampling::PovRay(still));
+    let deepest = Antialias {
+        depth: 9,
+        ..Antialias::default()
+    };
+    assert_eq!(how(&["+A", "+R20"]), Sampling::PovRay(deepest));
 }
 
 #[test]
@@ -493,7 +504,7 @@ fn help_and_version_are_texts() {
     for argument in ["--help", "-h", "-help"] {
         let help = text(argument);
         assert!(help.contains("--size") && help.contains("+FN16"), "{help}");
-        assert!(help.lines().count() < 50, "short is a screen");
+        assert!(help.lines().count() < 56, "short is a screen");
     }
 }
 
@@ -515,7 +526,7 @@ fn white(read: &ReadOptions, alpha: bool) -> Picture {
     Picture {
         film,
         working: Some(Gamma::LINEAR),
-        statistics: String::new(),
+        statistics: crate::options::Statistics::default(),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::options::{Antialias, LeastDistance};
 use std::path::PathBuf;
+use std::time::Duration;
 
 use super::report::MessageFormat;
 use crate::color::Gamma;
@@ -39,11 +40,17 @@ pub(super) struct Typed {
     pub(super) debugs: bool,
     pub(super) message_format: MessageFormat,
     pub(super) stats: bool,
+    pub(super) json: bool,
     pub(super) least_distance: LeastDistance,
     pub(super) is_antialiased: bool,
     pub(super) is_jittered: bool,
     /// How, if it is antialiased.
     pub(super) antialias: Antialias,
+    /// Whether by the method that converges.
+    pub(super) converges: bool,
+    /// Its target in steps of 1/255, and when it is to stop.
+    pub(super) error: Option<f64>,
+    pub(super) time: Option<Duration>,
     /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
     pub(super) unbuilt: Vec<(Unbuilt, String)>,
     /// Options that are known and have no effect, as typed.
@@ -104,10 +111,14 @@ impl Default for Typed {
             debugs: true,
             message_format: MessageFormat::Povray,
             stats: false,
+            json: false,
             least_distance: LeastDistance::default(),
             is_antialiased: false,
             is_jittered: true,
             antialias: Antialias::default(),
+            converges: false,
+            error: None,
+            time: None,
             unbuilt: Vec::new(),
             idle: Vec::new(),
             doubts: Vec::new(),
@@ -116,6 +127,12 @@ impl Default for Typed {
 }
 
 impl Typed {
+    /// Chooses the method that converges.
+    pub(super) fn converge(&mut self) {
+        self.is_antialiased = true;
+        self.converges = true;
+    }
+
     /// Notes that something unbuilt was asked for, or that the wish was taken back.
     pub(super) fn ask(&mut self, what: Unbuilt, wanted: bool, said: &str) {
         self.unbuilt.retain(|(asked, _)| *asked != what);

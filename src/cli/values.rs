@@ -1,6 +1,7 @@
 //! Values of options: numbers, flags, names, file types.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use super::error::CliError;
 use super::typed::Typed;
@@ -47,6 +48,33 @@ pub(super) fn whole(value: &str, said: &str) -> Result<u32, CliError> {
         reason = "in range, and the fraction is meant to go"
     )]
     Ok(v as u32)
+}
+
+/// An error in steps of 1/255.
+pub(super) fn error(value: &str, said: &str) -> Result<f64, CliError> {
+    match number(value, said)? {
+        error if error > 0.0 => Ok(error),
+        other => Err(
+            CliError::new(format!("`{said}`: an error is above 0, found {other}"))
+                .with_hint("write the error of a pixel in steps of 1/255, like `--error 0.5`"),
+        ),
+    }
+}
+
+/// A length of time: `10s`, `500ms`, `2m`, `1h`, or a number of seconds.
+pub(super) fn duration(value: &str, said: &str) -> Result<Duration, CliError> {
+    let (text, unit) = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0)]
+        .iter()
+        .find_map(|&(end, unit)| Some((value.strip_suffix(end)?, unit)))
+        .unwrap_or((value, 1.0));
+    number(text.trim(), said)
+        .ok()
+        .filter(|&n| n >= 0.0)
+        .and_then(|n| Duration::try_from_secs_f64(n * unit).ok())
+        .ok_or_else(|| {
+            CliError::new(format!("`{said}` needs a length of time, found `{value}`"))
+                .with_hint("write it like 10s, 500ms, 2m or 1h")
+        })
 }
 
 /// A side of the picture in pixels.

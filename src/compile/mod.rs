@@ -2,11 +2,14 @@
 
 mod csg;
 mod flatten;
+mod four;
 mod interiors;
 mod leaf;
 mod lights;
 mod order;
+mod plan;
 mod probe;
+mod rays;
 mod simplify;
 mod together;
 mod world;
@@ -15,6 +18,7 @@ pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
 pub use probe::Probed;
+pub use rays::Rays;
 pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
 
 use crate::options::RenderOptions;
@@ -25,14 +29,15 @@ use flatten::Flat;
 /// Prepares a scene for rays: folds transforms into the cheapest form of each object, takes unions apart, flattens
 /// combinations, and builds the tree.
 #[must_use]
-pub fn compile(scene: &Scene, options: &RenderOptions) -> World {
+pub fn compile(mut scene: Scene, options: &RenderOptions) -> World {
     let mut flat = Flat::new(Settings {
         solid_of: Some(probe::solid_of),
         ..scene.pattern_settings()
     });
-    for object in &scene.objects {
-        flat.add(object);
+    // What has been taken in is needed no more; in large scenes the room is.
+    for object in std::mem::take(&mut scene.objects) {
+        flat.add(&object);
     }
     flat.lights.finish();
-    World::new(scene, flat, options)
+    World::new(&scene, flat, options)
 }

@@ -6,6 +6,7 @@ use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use super::order::{Finder, Numbered};
+use super::rays::Rays;
 use crate::accel::Bundle;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
@@ -144,12 +145,14 @@ pub struct Query {
 pub struct Scratch {
     /// The light that came from each lamp of the area light at hand, as far as it is known.
     pub lamps: Vec<Option<Rgb>>,
+    /// How many rays were followed.
+    pub rays: Rays,
     /// The random numbers of the sample at hand.
     pub stream: Stream,
     /// The state of the generator that `crand` draws from.
     pub crand: u32,
     pub(super) sweep: Sweep,
-    roots: Vec<Root>,
+    pub(super) roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
     blockers: SmallVec<[u32; 8]>,
     pub(super) bundle: Bundle,
@@ -218,8 +221,10 @@ pub struct World {
     pub rainbows: Vec<Rainbow>,
     /// The settings of shading.
     pub globals: Globals,
-    leaves: Vec<Leaf>,
-    programs: Vec<Program>,
+    pub(super) leaves: Vec<Leaf>,
+    pub(super) programs: Vec<Program>,
+    /// For each program, whether four rays can be asked about at once.
+    suits_four: Vec<bool>,
     items: Vec<Item>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     boxes: Vec<Bounds>,
@@ -285,6 +290,11 @@ impl World {
             lights: flat.lights,
             surfaces: flat.surfaces,
             interiors: flat.interiors,
+            suits_four: flat
+                .programs
+                .iter()
+                .map(|program| program.suits_four(&flat.leaves))
+                .collect(),
             leaves: flat.leaves,
             programs: flat.programs,
             items: flat.items,
@@ -295,6 +305,7 @@ impl World {
     /// The nearest visible surface on a ray.
     #[must_use]
     pub fn nearest(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
+        scratch.rays.count(query);
         let best = with_widest(
             #[inline(always)]
             || self.nearest_found(query, scratch),
@@ -359,6 +370,7 @@ impl World {
     /// What lies on a ray to the light of this number.
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        scratch.rays.shadow += 1;
         with_widest(
             #[inline(always)]
             || self.way_found(query, light, scratch),
@@ -400,6 +412,17 @@ impl World {
             },
         );
         if is_blocked { Way::Blocked } else { way }
+    }
+
+    /// Whether four rays can be asked about an item at once: they see all surfaces alike, and its form is a simple one.
+    #[inline(always)]
+    pub(super) fn suits_four(&self, item: Item, seen: Seen) -> bool {
+        let sees_all = !self.hides_some && (seen != Seen::Shadow || self.is_opaque);
+        sees_all
+            && match item {
+                Item::Program(program) => self.suits_four[program as usize],
+                Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
+            }
     }
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
@@ -499,6 +522,16 @@ impl World {
         self.leaves[leaf as usize].shares(hit.point, face)
     }
 
+    /// What the tree holds.
+    pub(super) fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// Whether some surface cannot be seen by some rays.
+    pub(super) fn hides_some(&self) -> bool {
+        self.hides_some
+    }
+
     /// The primitives of the world.
     #[must_use]
     pub fn leaves(&self) -> &[Leaf] {
@@ -525,9 +558,22 @@ impl World {
         best: &mut Option<Best>,
         scratch: &mut Scratch,
     ) -> f64 {
-        let Some(found) = self.find(item, query, far, scratch, |_| true) else {
-            return far;
-        };
+        match self.find(item, query, far, scratch, |_| true) {
+            None => far,
+            Some(found) => self.offer(item.number, found, query, far, best),
+        }
+    }
+
+    /// Takes what was found of an item if it is the best so far; gives the new far limit.
+    #[inline(always)]
+    pub(super) fn offer(
+        &self,
+        item: u32,
+        found: Found,
+        query: &Query,
+        far: f64,
+        best: &mut Option<Best>,
+    ) -> f64 {
         if found.root.t >= query.far {
             return far;
         }
@@ -536,21 +582,18 @@ impl World {
             Some(best) => {
                 found.root.t < best.found.root.t
                     || (found.root.t == best.found.root.t
-                        && self.comes_first(item.number, best.item, &query.ray))
+                        && self.comes_first(item, best.item, &query.ray))
             }
         };
         if !is_better {
             return far;
         }
-        *best = Some(Best {
-            found,
-            item: item.number,
-        });
+        *best = Some(Best { found, item });
         found.root.t
     }
 
     /// The distance up to which surfaces are not met: the error of the point that the ray leaves.
-    fn least_distance(&self, query: &Query) -> f64 {
+    pub(super) fn least_distance(&self, query: &Query) -> f64 {
         match (self.least_distance, query.seen) {
             (LeastDistance::Rounding, _) => query.from.map_or(0.0, |left| left.blur),
             (LeastDistance::PovRay, Seen::Shadow) => POV_RAY_SHADOW,

@@ -7,7 +7,7 @@
 use glam::DVec3;
 
 /// Above the relative error of the squared distance from the centre by either way to it (40 roundings).
-const MARGIN: f64 = 64.0 * f64::EPSILON;
+pub(crate) const MARGIN: f64 = 64.0 * f64::EPSILON;
 
 /// The parameters at which the line `p + t · dir` enters and leaves the ball of this radius about the origin, or `None`
 /// if it misses or touches. Sorted. All squares must be representable (see `is_comfortable`).

@@ -8,9 +8,9 @@ use glam::DVec3;
 /// Lengths between 2^-200 and 2^200 can be squared and multiplied freely.
 const COMFORTABLE_LENGTH: f64 = f64::from_bits((1023 + 200) << 52);
 /// Squares of comfortable lengths.
-const COMFORTABLE_SQUARE: f64 = f64::from_bits((1023 + 400) << 52);
+pub(crate) const COMFORTABLE_SQUARE: f64 = f64::from_bits((1023 + 400) << 52);
 /// Squared distances up to here do not overflow when they meet a comfortable square.
-const FAR_SQUARE: f64 = f64::from_bits((1023 + 800) << 52);
+pub(crate) const FAR_SQUARE: f64 = f64::from_bits((1023 + 800) << 52);
 
 /// The power of two `p` with `1 <= |x| / p < 2`; 1 for zero, infinity and NaN; the least normal one for subnormals.
 pub(crate) fn power_of_two(x: f64) -> f64 {
@@ -36,9 +36,15 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
 /// direction, `origin_sq` the squared distance of its origin from the body. False for NaN.
 #[inline]
 pub(crate) fn is_comfortable(size: f64, dir_sq: f64, origin_sq: f64) -> bool {
-    (1.0 / COMFORTABLE_LENGTH..COMFORTABLE_LENGTH).contains(&size)
+    is_comfortable_size(size)
         && (1.0 / COMFORTABLE_SQUARE..COMFORTABLE_SQUARE).contains(&dir_sq)
         && origin_sq < FAR_SQUARE
+}
+
+/// Whether a body of this size can be worked on without rescaling.
+#[inline]
+pub(crate) fn is_comfortable_size(size: f64) -> bool {
+    (1.0 / COMFORTABLE_LENGTH..COMFORTABLE_LENGTH).contains(&size)
 }
 
 /// A ray moved near a body and rescaled, with the way back for its parameter.

@@ -10,6 +10,12 @@
     reason = "a function for a machine known only at run time cannot be called otherwise"
 )]
 
+mod four;
+
+#[cfg(test)]
+pub(crate) use four::four_anywhere;
+pub(crate) use four::{Four, FourKernel, four};
+
 /// Does the work with 256 bits at once where the machine can.
 #[inline]
 pub(crate) fn with_widest<R>(work: impl FnOnce() -> R) -> R {

@@ -21,6 +21,7 @@ pub(crate) mod random;
 mod ray;
 pub(crate) mod rounding;
 mod shear;
+pub(crate) mod sobol;
 mod spline;
 mod transform;
 pub(crate) mod watertight;

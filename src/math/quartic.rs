@@ -4,9 +4,9 @@
 use super::polynomial::{Places, sign_changes};
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
-const LAST_STEP: f64 = 1e-9;
+pub(crate) const LAST_STEP: f64 = 1e-9;
 /// With more steps the roots are so close to each other that the careful way is as fast.
-const MAX_STEPS: u32 = 24;
+pub(crate) const MAX_STEPS: u32 = 24;
 
 /// The same places in `-1 < x < 1` as [`sign_changes`] finds, up to the last digits.
 pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Places {

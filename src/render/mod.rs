@@ -1,10 +1,11 @@
 //! From a world to a film: tiles over all cores.
 
 mod antialias;
+mod converge;
 
-use crate::compile::{Scratch, World};
+use crate::compile::{Rays, Scratch, World};
 use crate::film::{Film, Pixel};
-use crate::options::RenderOptions;
+use crate::options::{Reached, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;
@@ -19,32 +20,58 @@ struct Tile {
     rows: Range<u32>,
 }
 
+/// A drawn world.
+#[derive(Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub film: Film,
+    /// The rays that it took.
+    pub rays: Rays,
+    /// What was reached, of a picture that was sampled until its error is small.
+    pub reached: Option<Reached>,
+}
+
+/// Pixels of a tile, row by row, and the rays that they took.
+type Pixels = (Vec<Pixel>, Rays);
+
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
-/// The picture is the same for any number of threads.
+/// The picture is the same for any number of threads, unless it is to be stopped at some time.
 #[must_use]
-pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Film {
+pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Drawn {
     let tracer = Tracer::new(world, options.quality);
+    if let Sampling::Converging(how) = &options.sampling {
+        return converge::draw(&tracer, options, how, progress);
+    }
     let tiles = tiles(options);
-    let draw = |tile: &Tile| {
-        let drawn = draw_tile(&tracer, tile, options);
-        progress(drawn.1.len() as u64);
+    let draw = |scratch: &mut BlockScratch, tile: &Tile| {
+        let drawn = draw_tile(&tracer, tile, options, scratch);
+        progress(drawn.1.0.len() as u64);
         drawn
     };
-    let drawn: Vec<(Tile, Vec<Pixel>)> = tiles.par_iter().map(draw).collect();
+    let drawn: Vec<(Tile, Pixels)> = tiles
+        .par_iter()
+        .map_init(BlockScratch::default, draw)
+        .collect();
     let mut film = Film::new(
         options.width,
         options.height,
         options.columns.clone(),
         options.rows.clone(),
     );
-    for (tile, pixels) in drawn {
+    let mut rays = Rays::default();
+    for (tile, (pixels, of_tile)) in drawn {
+        rays += of_tile;
         let width = (tile.columns.end - tile.columns.start) as usize;
         for (y, row) in tile.rows.clone().zip(pixels.chunks(width.max(1))) {
             let start = y as usize * options.width as usize + tile.columns.start as usize;
             film.pixels[start..start + width].copy_from_slice(row);
         }
     }
-    film
+    Drawn {
+        film,
+        rays,
+        reached: None,
+    }
 }
 
 /// The tiles that hold the pixels to be drawn. They lie on a grid of the whole picture, so that a part of it is drawn
@@ -70,30 +97,43 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
 }
 
 /// The pixels of a tile that are to be drawn, row by row.
-fn draw_tile(tracer: &Tracer<'_>, tile: &Tile, options: &RenderOptions) -> (Tile, Vec<Pixel>) {
+fn draw_tile(
+    tracer: &Tracer<'_>,
+    tile: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> (Tile, Pixels) {
     let wanted = Tile {
         columns: shared(&tile.columns, &options.columns),
         rows: shared(&tile.rows, &options.rows),
     };
-    let pixels = match &options.antialias {
-        None => draw_blocks(tracer, &wanted, options),
-        Some(how) => {
+    let pixels = match &options.sampling {
+        Sampling::Centres | Sampling::Converging(_) => {
+            draw_blocks(tracer, &wanted, options, scratch)
+        }
+        Sampling::PovRay(how) => {
             let mut scratch = Scratch::default();
             let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
             let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
             let skipped = (wanted.columns.start - tile.columns.start) as usize;
-            rows.filter(|(_, y)| wanted.rows.contains(y))
+            let pixels = rows
+                .filter(|(_, y)| wanted.rows.contains(y))
                 .flat_map(|(row, _)| &row[skipped..skipped + wanted.columns.len()])
                 .copied()
-                .collect()
+                .collect();
+            (pixels, scratch.rays)
         }
     };
     (wanted, pixels)
 }
 
 /// The pixels of a rectangle, row by row, without antialiasing.
-fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> Vec<Pixel> {
-    let mut scratch = BlockScratch::default();
+fn draw_blocks(
+    tracer: &Tracer<'_>,
+    wanted: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> Pixels {
     let blocks = |range: &Range<u32>| {
         let end = range.end;
         range
@@ -106,7 +146,7 @@ fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> V
     for rows in blocks(&wanted.rows) {
         for columns in blocks(&wanted.columns) {
             let size = (options.width, options.height);
-            tracer.block(&columns, &rows, size, &mut scratch, |x, y, sample| {
+            tracer.block(&columns, &rows, size, scratch, |x, y, sample| {
                 let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
                 pixels[y as usize * width + x as usize] = Pixel {
                     rgb: sample.rgb,
@@ -115,7 +155,7 @@ fn draw_blocks(tracer: &Tracer<'_>, wanted: &Tile, options: &RenderOptions) -> V
             });
         }
     }
-    pixels
+    (pixels, scratch.take_rays())
 }
 
 fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {

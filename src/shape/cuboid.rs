@@ -4,8 +4,10 @@
 //! is `(corner − origin) / dir` and nothing else, so faces in one plane get the same bits, whatever box they belong to.
 //! Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
 
+use super::four::{FourRays, FourSpans, Three, minus, same};
 use super::{Geometry, Root, Start, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
+use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step};
 use glam::DVec3;
 
@@ -64,6 +66,29 @@ impl Cuboid {
         )
     }
 
+    /// The spans of four rays. Those along a face are unknown.
+    #[inline(always)]
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        let to_min = ways(minus(same(self.min), rays.origin), rays.dir);
+        let to_max = ways(minus(same(self.max), rays.origin), rays.dir);
+        let [x, y, z] = [
+            stretch(to_min[0], to_max[0]),
+            stretch(to_min[1], to_max[1]),
+            stretch(to_min[2], to_max[2]),
+        ];
+        let enter = x.0.larger(y.0.larger(z.0));
+        let leave = x.1.smaller(y.1.smaller(z.1));
+        let none = F::all(0.0);
+        let is_off = F::both(
+            none.below(rays.dir[0].size()),
+            F::both(
+                none.below(rays.dir[1].size()),
+                none.below(rays.dir[2].size()),
+            ),
+        );
+        FourSpans::new((enter, leave), enter.not_above(leave), is_off)
+    }
+
     /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
     fn fractions(&self, point: DVec3) -> DVec3 {
         let size = self.max - self.min;
@@ -73,6 +98,16 @@ impl Cuboid {
             DVec3::ZERO,
         )
     }
+}
+
+#[inline(always)]
+fn ways<F: Four>(to: Three<F>, dir: Three<F>) -> Three<F> {
+    [to[0].over(dir[0]), to[1].over(dir[1]), to[2].over(dir[2])]
+}
+
+#[inline(always)]
+fn stretch<F: Four>(a: F, b: F) -> (F, F) {
+    (a.smaller(b), a.larger(b))
 }
 
 /// The axis on which `all` equals `one`; on an edge the one whose face the ray meets more squarely.

@@ -5,10 +5,12 @@
 //! not visible, as POV-Ray's inside test has it. A negative radius works like its absolute value.
 
 use super::axial::{APEX, Axis, BASE};
+use super::four::{self, FourRays, FourSpans, Three, chords, dot, minus, same, scaled};
 use super::{Geometry, Root, Start, first_visible, push_span, read, unease};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
+use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DAffine3, DVec3};
@@ -89,6 +91,38 @@ impl Cylinder {
         slab.clip(side, self.is_open)
     }
 
+    /// Whether [`Cylinder::four`] knows anything.
+    pub(super) fn has_four(&self) -> bool {
+        !self.is_open && is_comfortable_size(self.radius)
+    }
+
+    /// The spans of four rays. Those along the axis or along the caps are unknown.
+    #[inline(always)]
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        let unit = same(self.axis.unit);
+        let p = minus(rays.origin, same(self.axis.base));
+        let is_known = four::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
+        let dir = across(unit, rays.dir);
+        let (side_enter, side_leave, is_met) = chords(across(unit, p), dir, self.radius);
+        if F::bits(is_met) == 0 && F::bits(is_known) == 0b1111 {
+            let is_slanted = F::all(0.0).below(dot(dir, dir));
+            return FourSpans::new((side_enter, side_leave), is_met, is_slanted);
+        }
+        let slope = dot(unit, rays.dir);
+        let to_base = dot(unit, minus(same(self.axis.base), rays.origin)).over(slope);
+        let to_apex = dot(unit, minus(same(self.axis.apex), rays.origin)).over(slope);
+        let is_up = F::all(0.0).below(slope);
+        let first = F::pick(is_up, to_base, to_apex);
+        let last = F::pick(is_up, to_apex, to_base);
+        let enter = F::pick(side_enter.below(first), first, side_enter);
+        let leave = F::pick(last.below(side_leave), last, side_leave);
+        let is_slanted = F::both(
+            F::all(0.0).below(dot(dir, dir)),
+            F::all(0.0).below(slope.size()),
+        );
+        FourSpans::new((enter, leave), is_met, F::both(is_known, is_slanted))
+    }
+
     #[cold]
     fn far_span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let to_apex = self.axis.apex - self.axis.base;
@@ -106,6 +140,12 @@ impl Cylinder {
         let roots = small.comfortable_span(&eased.ray)?;
         unease(&eased, roots)
     }
+}
+
+/// The parts of four vectors across an axis.
+#[inline(always)]
+fn across<F: Four>(unit: Three<F>, v: Three<F>) -> Three<F> {
+    minus(v, scaled(unit, dot(unit, v)))
 }
 
 impl Geometry for Cylinder {

@@ -16,6 +16,7 @@ use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word, declared};
 use crate::math::conditioning::power_of_two;
+use crate::math::lanes::with_widest;
 use crate::math::watertight::{RayFrame, TriangleHit};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
@@ -240,9 +241,17 @@ impl Triangles {
 
     /// The first hit with `from < t < to` on any triangle but `but`; of several at the same `t` the first in the list.
     fn first(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
+        with_widest(
+            #[inline(always)]
+            || self.first_found(ray, from, to, but),
+        )
+    }
+
+    #[inline(always)]
+    fn first_found(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
         let frame = RayFrame::new(ray);
         let mut best = None;
-        self.tree.nearest(ray, from, to, |face, end| {
+        let visit = |face, end| {
             let Some(TriangleHit { t, .. }) = self.meet(&frame, face) else {
                 return end;
             };
@@ -255,7 +264,8 @@ impl Triangles {
                 return t;
             }
             end
-        });
+        };
+        self.tree.nearest(ray, from, to, visit);
         best
     }
 

@@ -4,10 +4,14 @@
 //! from 10⁸ away, and a floor of radius 10¹² is as flat as its numbers allow. A negative radius works like its absolute
 //! value, as in POV-Ray.
 
+use super::four::{
+    FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
+};
 use super::{Geometry, Root, Start, even_scale, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step, rotation};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -47,6 +51,15 @@ impl Sphere {
         let eased = Eased::new(&Ray::new(p, dir), self.radius)?;
         let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
         Some((eased.t(enter), eased.t(leave)))
+    }
+
+    /// The spans of four rays.
+    #[inline(always)]
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        let p = minus(rays.origin, same(self.centre));
+        let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
+        let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
+        FourSpans::new((enter, leave), is_met, is_known)
     }
 
     /// Whether the ray begins outside and goes away: what it would meet lies behind.

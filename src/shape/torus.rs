@@ -24,14 +24,14 @@ use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 /// The tube is clipped a little wide, so that the ends of a stretch lie well outside and rounding cannot hide a root.
-const CLIP: f64 = 1.001;
+pub(super) const CLIP: f64 = 1.001;
 
 /// With a major radius below this share of the minor one, apple and lemon are closer than the quartic can tell; they
 /// are then drawn as the sphere between them.
-const SPHERE: f64 = 1e-7;
+pub(super) const SPHERE: f64 = 1e-7;
 
 /// Refinement moves a root by less than this share of its stretch, or leaves it.
-const REFINEMENT: f64 = 1e-6;
+pub(super) const REFINEMENT: f64 = 1e-6;
 
 const TUBE: u32 = 0;
 const LEMON: u32 = 1;

@@ -7,6 +7,7 @@ use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A texture ready for rays.
 #[derive(Debug)]
@@ -24,7 +25,7 @@ pub struct PreparedLayer {
     /// The colour in previews of quality 5 and less: `quick_color`, if the scene gives one.
     pub quick_color: Option<Color>,
     /// The answer to light.
-    pub finish: Finish,
+    pub finish: Arc<Finish>,
 }
 
 /// A pigment ready for rays.
@@ -33,9 +34,9 @@ pub enum PreparedPigment {
     /// The same colour everywhere.
     Plain(Color),
     /// A pattern whose value is looked up among colours.
-    Colors(PreparedPattern, Map<Color>),
+    Colors(Box<PreparedPattern>, Map<Color>),
     /// A pattern whose value is looked up among pigments.
-    Pigments(PreparedPattern, Map<PreparedPigment>),
+    Pigments(Box<PreparedPattern>, Map<PreparedPigment>),
     /// The mean of pigments by weight.
     Average(PreparedChain, Map<PreparedPigment>),
     /// The colours of a picture.
@@ -47,7 +48,7 @@ impl PreparedTexture {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color,
-            finish: Finish::clone(&layer.finish),
+            finish: Arc::clone(&layer.finish),
         };
         let layers: Vec<_> = texture.layers().iter().rev().map(prepare).collect();
         PreparedTexture {
@@ -105,11 +106,11 @@ impl PreparedPigment {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
             PigmentKind::Colors(pattern, map) => {
                 let pattern = modifiers.prepare(&**pattern, after, settings);
-                PreparedPigment::Colors(pattern, map.clone())
+                PreparedPigment::Colors(Box::new(pattern), map.clone())
             }
             PigmentKind::Pigments(pattern, map) => {
                 let pattern = modifiers.prepare(&**pattern, after, settings);
-                PreparedPigment::Pigments(pattern, entries(map))
+                PreparedPigment::Pigments(Box::new(pattern), entries(map))
             }
             PigmentKind::Average(Some(map)) => {
                 let chain = modifiers.prepare_chain(after, settings);

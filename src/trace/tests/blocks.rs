@@ -40,6 +40,25 @@ fn many_small_things_under_two_lights() {
 }
 
 #[test]
+fn solids_that_touch_and_tori_that_cross() {
+    assert_same(
+        "camera { location <1, 3, -9> look_at 0 angle 50 }
+        light_source { <-8, 9, -9>, 1 } light_source { <6, 1, -5>, 0.5 }
+        #local R = seed(7);
+        #for (I, 1, 60)
+          difference {
+            intersection { box { -1, 1 } sphere { 0, 1.35 } }
+            cylinder { -2*x, 2*x, 0.6 } cylinder { -2*y, y, 0.6 } box { <0, 0, -1>, <1, 1, 2> } sphere { x + y, 0.5 }
+            scale 0.4 #if (mod(I, 2)) rotate 360 * rand(R) #end
+            translate floor(<rand(R), rand(R), rand(R)> * 12) * 0.4 - 2.4 pigment { rgb 1 } finish { phong 1 }
+          }
+          torus { 0.5, 0.02 + 0.5 * rand(R) #if (mod(I, 3)) rotate 360 * rand(R) #end
+            translate <rand(R), rand(R), rand(R)> * 5 - 2.5 pigment { rgb <1, 0.5, 0.2> } }
+        #end",
+    );
+}
+
+#[test]
 fn units_do_not_matter() {
     for k in ["pow(2, -60)", "pow(2, 60)", "pow(10, -25)", "pow(10, 25)"] {
         assert_same(&format!(

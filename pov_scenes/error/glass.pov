@@ -1,0 +1,11 @@
+// Glass balls before stripes: bent edges, and edges inside edges.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -6> look_at 0 angle 40 }
+light_source { <-4, 6, -8>, rgb 0.8 }
+background { rgb <0.4, 0.5, 0.6> }
+plane { z, 3 pigment { gradient x color_map { [0.5 rgb 0.75] [0.5 rgb <0.2, 0.25, 0.4>] } scale 0.4 rotate 20*z } finish { ambient 0.6 diffuse 0.3 } }
+#for (I, -1, 1)
+  sphere { <1.4*I, 0.2*I, 0>, 0.65 pigment { rgbf <0.95, 0.97, 1, 0.93> }
+    finish { reflection 0.08 specular 0.3 roughness 0.01 } interior { ior 1.45 } }
+#end

@@ -1,0 +1,343 @@
+//! Combinations of the most frequent form, for four rays at once: what simple solids have in common, less others.
+//!
+//! With few operands no sorting pays. A surface is shown where the ray is within all solids that are to be shared and
+//! outside of all that are taken away; each end of a span is tried against the other spans (Roth 1982, turned about:
+//! all ends, all spans, no order). Where two ends fall together, and wherever a shape has doubts, the answer is that the
+//! ray must be asked for singly: so what is found is what [`Program::nearest`] finds, to the bit.
+
+use super::csg::{Combine, Found, NONE, Program, hide_departure};
+use super::leaf::Leaf;
+use super::world::{Query, Scratch, World};
+use crate::math::lanes::{Four, FourKernel, four};
+use crate::shape::{Crossing, FourRays, FourSpans, Root};
+
+/// Combinations of up to so many operands are tried end by end; the work grows with the square.
+const MOST_OPERANDS: usize = 8;
+
+/// Four rays on their way through a combination.
+struct Passing<'a> {
+    program: &'a Program,
+    leaves: &'a [Leaf],
+    origin: [[f64; 4]; 3],
+    dir: [[f64; 4]; 3],
+    /// Nothing up to here counts.
+    from: [f64; 4],
+    /// Nothing beyond counts.
+    far: [f64; 4],
+    /// Where each ray has just left an operand; not a number if it has not.
+    left: [f64; 4],
+    /// Which rays there are, one bit each.
+    lanes: u32,
+}
+
+/// What four rays find.
+struct FoundByFour {
+    t: [f64; 4],
+    /// The operand, a whole number.
+    operand: [f64; 4],
+    /// Which rays meet something.
+    met: u32,
+    /// Which rays must be asked for singly.
+    unknown: u32,
+}
+
+impl Program {
+    /// Whether it has the form that four rays can be asked about.
+    pub(super) fn suits_four(&self, leaves: &[Leaf]) -> bool {
+        let [node] = self.nodes.as_slice() else {
+            return false;
+        };
+        let own = &leaves[self.first as usize..][..self.operands.len()];
+        node.combine == Combine::Intersection
+            && !node.is_inverse
+            && node.parent == NONE
+            && self.gates.is_empty()
+            && self.operands.len() <= MOST_OPERANDS
+            && !self.order.required.is_empty()
+            && self.order.tree.is_none()
+            && self.operands.iter().all(|operand| !operand.is_hidden)
+            && own.iter().all(|leaf| leaf.shape.has_four())
+    }
+}
+
+impl FourKernel for Passing<'_> {
+    type Answer = FoundByFour;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> FoundByFour {
+        let rays = FourRays {
+            origin: load(&self.origin),
+            dir: load(&self.dir),
+        };
+        let endless = F::all(f64::INFINITY);
+        let (from, far) = (F::load(&self.from), F::load(&self.far));
+        let mut ends = [(endless, endless); MOST_OPERANDS];
+        let (mut low, mut high) = (from, far);
+        let (mut enter, mut leave) = (endless.negated(), endless);
+        let mut unknown = 0;
+        let mut found = FoundByFour {
+            t: [0.0; 4],
+            operand: [0.0; 4],
+            met: 0,
+            unknown: 0,
+        };
+        let order = &self.program.order;
+        let required = order.required.len();
+        for (place, &number) in order.required.iter().enumerate() {
+            let spans = self.spans(number, &rays);
+            unknown |= spans.unknown & self.lanes;
+            ends[place] = (
+                F::pick(spans.is_met, spans.enter, endless),
+                F::pick(spans.is_met, spans.leave, endless.negated()),
+            );
+            enter = enter.larger(ends[place].0);
+            leave = leave.smaller(ends[place].1);
+            low = low.larger(enter);
+            high = high.smaller(leave);
+            if F::bits(low.not_above(high)) & self.lanes & !unknown == 0 {
+                found.unknown = unknown;
+                return found;
+            }
+        }
+        for (place, &number) in (required..).zip(&order.others) {
+            let spans = self.spans(number, &rays);
+            unknown |= spans.unknown & self.lanes;
+            // Never inside: entered behind everything, left before everything.
+            ends[place % MOST_OPERANDS] = (
+                F::pick(spans.is_met, spans.enter, endless),
+                F::pick(spans.is_met, spans.leave, endless.negated()),
+            );
+        }
+        let count = self.program.operands.len().min(MOST_OPERANDS);
+        let cuts = &ends[required.min(count)..count];
+        let left = F::load(&self.left);
+        let mut best = endless;
+        for candidate in 0..2 * cuts.len() + 2 {
+            let t = match (candidate, cuts.get((candidate / 2).wrapping_sub(1))) {
+                (0, _) => enter,
+                (1, _) => leave,
+                (_, Some(cut)) if candidate % 2 == 0 => cut.0,
+                (_, Some(cut)) => cut.1,
+                (_, None) => continue,
+            };
+            let mut holds = F::both(F::both(from.below(t), low.not_above(t)), t.not_above(high));
+            for (enter, leave) in cuts {
+                holds = F::both(holds, F::either(t.not_above(*enter), leave.not_above(t)));
+            }
+            let t = F::pick(t.equals(left), endless, t);
+            best = F::pick(F::both(holds, t.below(best)), t, best);
+        }
+        let met = best.below(endless);
+        let mut operand = F::all(0.0);
+        let (mut once, mut twice) = (F::mask(0), F::mask(0));
+        let (mut left_once, mut left_twice) = (F::mask(0), F::mask(0));
+        let numbers = order.required.iter().chain(&order.others);
+        for ((enter, leave), &number) in ends[..count].iter().zip(numbers) {
+            for end in [*enter, *leave] {
+                let is_best = end.equals(best);
+                twice = F::either(twice, F::both(once, is_best));
+                once = F::either(once, is_best);
+                operand = F::pick(is_best, F::all(f64::from(number)), operand);
+                let is_left = end.equals(left);
+                left_twice = F::either(left_twice, F::both(left_once, is_left));
+                left_once = F::either(left_once, is_left);
+            }
+        }
+        let met = F::bits(met) & self.lanes;
+        unknown |= (F::bits(twice) & met) | (F::bits(left_twice) & self.lanes);
+        FoundByFour {
+            t: best.store(),
+            operand: operand.store(),
+            met: met & !unknown,
+            unknown,
+        }
+    }
+}
+
+/// Four rays on their way to a primitive.
+struct FourOfLeaf<'a> {
+    leaf: &'a Leaf,
+    origin: [[f64; 4]; 3],
+    dir: [[f64; 4]; 3],
+    from: [f64; 4],
+    to: [f64; 4],
+    /// Which have just left a root of it that enters, and which one that leaves, one bit each.
+    left: [u32; 2],
+}
+
+/// The first roots of four rays.
+struct NearestOfFour {
+    t: [f64; 4],
+    leaves: u32,
+    met: u32,
+    unknown: u32,
+}
+
+impl FourKernel for FourOfLeaf<'_> {
+    type Answer = NearestOfFour;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> NearestOfFour {
+        let mut rays = FourRays {
+            origin: load(&self.origin),
+            dir: load(&self.dir),
+        };
+        if let Some(matrix) = &self.leaf.object_from_world {
+            rays = rays.to_object(matrix);
+        }
+        let (from, to) = (F::load(&self.from), F::load(&self.to));
+        let roots = self.leaf.shape.roots_of_four(&rays);
+        let nearest = roots.nearest(from, to, self.left);
+        NearestOfFour {
+            t: nearest.t.store(),
+            leaves: nearest.leaves,
+            met: nearest.met,
+            unknown: nearest.unknown,
+        }
+    }
+}
+
+#[inline(always)]
+fn load<F: Four>(from: &[[f64; 4]; 3]) -> [F; 3] {
+    [F::load(&from[0]), F::load(&from[1]), F::load(&from[2])]
+}
+
+impl Passing<'_> {
+    #[inline(always)]
+    fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>) -> FourSpans<F> {
+        let leaf = &self.leaves[(self.program.first + number) as usize];
+        match &leaf.object_from_world {
+            None => leaf.shape.four(rays),
+            Some(matrix) => leaf.shape.four(&rays.to_object(matrix)),
+        }
+    }
+}
+
+impl World {
+    /// What some of four rays find of a combination up to and including `far`: calls `take` with the number of each ray
+    /// that meets it. Gives those that must be asked for singly, one bit each.
+    #[inline(always)]
+    pub(super) fn ask_four(
+        &self,
+        number: u32,
+        (queries, lanes): (&[Query], u32),
+        far: impl Fn(usize) -> f64,
+        scratch: &mut Scratch,
+        mut take: impl FnMut(usize, Found),
+    ) -> u32 {
+        let program = &self.programs[number as usize];
+        let at = |lane: usize| &queries[lane.min(queries.len() - 1)];
+        let each = |of: &dyn Fn(&Query) -> f64| std::array::from_fn(|lane| of(at(lane)));
+        let mut left = [f64::NAN; 4];
+        for (lane, left) in left.iter_mut().enumerate() {
+            if lanes >> lane & 1 == 1 {
+                *left = self.left_at(program, at(lane), scratch);
+            }
+        }
+        let passing = Passing {
+            program,
+            leaves: &self.leaves,
+            origin: [0, 1, 2].map(|axis| each(&|query| query.ray.origin[axis])),
+            dir: [0, 1, 2].map(|axis| each(&|query| query.ray.dir[axis])),
+            from: each(&|query| self.least_distance(query)),
+            far: std::array::from_fn(|lane| far(lane.min(queries.len() - 1))),
+            left,
+            lanes,
+        };
+        let mut found = four(&passing);
+        let mut met = found.met;
+        while met != 0 {
+            let lane = met.trailing_zeros() as usize % 4;
+            met &= met - 1;
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a small whole number"
+            )]
+            let leaf = program.first + found.operand[lane] as u32;
+            let roots = &mut scratch.roots;
+            roots.clear();
+            self.leaves[leaf as usize].roots(&at(lane).ray, roots);
+            match roots.iter().find(|root| root.t == found.t[lane]) {
+                Some(&root) => take(lane, Found { root, leaf }),
+                None => found.unknown |= 1 << lane,
+            }
+        }
+        found.unknown
+    }
+
+    /// What some of four rays find of a primitive up to and including `far`: calls `take` with the number of each ray
+    /// that meets it. Gives those that must be asked for singly, one bit each.
+    #[inline(always)]
+    pub(super) fn ask_four_of_leaf(
+        &self,
+        number: u32,
+        (queries, lanes): (&[Query], u32),
+        far: impl Fn(usize) -> f64,
+        mut take: impl FnMut(usize, Found),
+    ) -> u32 {
+        let leaf = &self.leaves[number as usize];
+        let mut unclear = 0;
+        let mut rays = FourOfLeaf {
+            leaf,
+            origin: [[0.0; 4]; 3],
+            dir: [[0.0; 4]; 3],
+            from: [0.0; 4],
+            to: [0.0; 4],
+            left: [0, 0],
+        };
+        for lane in 0..4 {
+            let place = lane.min(queries.len() - 1);
+            let query = &queries[place];
+            for axis in 0..3 {
+                rays.origin[axis][lane] = query.ray.origin[axis];
+                rays.dir[axis][lane] = query.ray.dir[axis];
+            }
+            rays.from[lane] = self.least_distance(query);
+            rays.to[lane] = far(place).next_up();
+            if let Some(left) = query.from.filter(|left| left.leaf == number) {
+                let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
+                let leaves = left.normal.dot(query.ray.dir) > 0.0;
+                rays.left[usize::from(leaves)] |= 1 << lane;
+                unclear |= u32::from(!is_plain) << lane;
+            }
+        }
+        let found = four(&rays);
+        let unknown = (found.unknown | unclear) & lanes;
+        let mut met = found.met & lanes & !unknown;
+        while met != 0 {
+            let lane = met.trailing_zeros() as usize % 4;
+            met &= met - 1;
+            let root = Root {
+                t: found.t[lane],
+                crossing: if found.leaves >> lane & 1 == 1 {
+                    Crossing::Leave
+                } else {
+                    Crossing::Enter
+                },
+                face: 0,
+                is_visible: true,
+            };
+            take(lane, Found { root, leaf: number });
+        }
+        unknown
+    }
+
+    /// Where a ray has just left a part of a combination; not a number if it has not.
+    #[inline(always)]
+    fn left_at(&self, program: &Program, query: &Query, scratch: &mut Scratch) -> f64 {
+        let Some(left) = &query.from else {
+            return f64::NAN;
+        };
+        if !(program.first..program.first + program.len()).contains(&left.leaf) {
+            return f64::NAN;
+        }
+        let leaf = &self.leaves[left.leaf as usize];
+        let roots = &mut scratch.roots;
+        roots.clear();
+        leaf.roots(&query.ray, roots);
+        hide_departure(roots, left, leaf, query.ray.dir);
+        let hidden = roots.iter().find(|root| !root.is_visible);
+        hidden.map_or(f64::NAN, |root| root.t)
+    }
+}

@@ -1,0 +1,48 @@
+//! How many rays were followed, by kind.
+
+use super::world::{Query, Seen};
+use std::ops::AddAssign;
+
+/// Numbers of rays by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rays {
+    /// From the camera.
+    pub camera: u64,
+    /// Straight on or bent through surfaces.
+    pub onward: u64,
+    /// Mirror images, and what comes of them.
+    pub reflected: u64,
+    /// From a point to a light.
+    pub shadow: u64,
+    /// From surface to surface on the way to a light.
+    pub filtered: u64,
+}
+
+impl Rays {
+    /// All of them.
+    #[must_use]
+    pub fn sum(&self) -> u64 {
+        self.camera + self.onward + self.reflected + self.shadow + self.filtered
+    }
+
+    /// Counts a search for the nearest surface.
+    #[inline]
+    pub(super) fn count(&mut self, query: &Query) {
+        match (query.seen, &query.from) {
+            (Seen::Image, None) => self.camera += 1,
+            (Seen::Image, Some(_)) => self.onward += 1,
+            (Seen::Reflection, _) => self.reflected += 1,
+            (Seen::Shadow, _) => self.filtered += 1,
+        }
+    }
+}
+
+impl AddAssign for Rays {
+    fn add_assign(&mut self, other: Rays) {
+        self.camera += other.camera;
+        self.onward += other.onward;
+        self.reflected += other.reflected;
+        self.shadow += other.shadow;
+        self.filtered += other.filtered;
+    }
+}

@@ -1,0 +1,140 @@
+//! One page that shows everything: the plot, the table, the pictures and where they differ. It needs no other file.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+
+use super::CurveError;
+use super::error::ENLARGED;
+use super::setting::Family;
+use super::store::{Measured, Report};
+
+const STYLE: &str = "
+:root { color-scheme: light; }
+body { margin: 0 auto; max-width: 1540px; padding: 1rem 1.5rem 4rem; color: #1c1c1c; background: #fff;
+  font: 16px/1.45 system-ui, 'DejaVu Sans', sans-serif; }
+h1 { font-size: 1.6rem; margin: 0.5rem 0; } h2 { font-size: 1.2rem; margin: 2rem 0 0.5rem; }
+.plot svg { width: 100%; height: auto; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.9rem; }
+th, td { padding: 0.25rem 0.7rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #888; }
+td:first-child::before { content: ''; display: inline-block; width: 0.7em; height: 0.7em; border-radius: 50%;
+  background: var(--family); margin-right: 0.5em; }
+code { font-family: 'DejaVu Sans Mono', ui-monospace, monospace; font-size: 0.9em; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 1.2rem; }
+figure { margin: 0; border-top: 3px solid var(--family, #888); padding-top: 0.4rem; }
+figure .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 4px; }
+img { width: 100%; height: auto; display: block; image-rendering: auto; background: #000; }
+figcaption { font-size: 0.85rem; margin-top: 0.3rem; overflow-wrap: anywhere; }
+.truth { max-width: 480px; }
+@media (max-width: 700px) { body { padding: 0.5rem; } }
+";
+
+/// The page.
+pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String, CurveError> {
+    let truth = &report.truth;
+    let scene = escaped(&report.scene);
+    let (width, height) = truth.size;
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>Error against run time: {scene}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
+         <h1>Error against run time: {scene}</h1>\n\
+         <p>{width} × {height} pixels, {} thread(s). Errors are in linear light from 0 (black) to 1 (white), against a \
+         picture with {:.0} samples a pixel whose own error is estimated at {:.5} (root mean square). Times are \
+         processor seconds of tracing, the median of several drawings. Lines join the settings that no other of their \
+         kind betters. POV-Ray's pictures are measured against povr's too: what the programs draw differently is a level \
+         below which its error does not fall.</p>\n\
+         <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
+        report.threads, truth.samples_a_pixel, truth.rms
+    );
+    page += "<h2>Table</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>\
+        <th>from – to</th><th>wall s</th><th>from – to</th><th>samples a pixel</th><th>RMSE</th><th>max</th>\
+        <th>99.9 %</th><th>FLIP</th><th>estimated RMS</th></tr></thead>\n<tbody>\n";
+    for m in &report.measured {
+        row(&mut page, m);
+    }
+    page += "</tbody></table></div>\n<h2>Pictures</h2>\n";
+    let _ = writeln!(
+        page,
+        "<p>Left the picture, right how much it differs from the truth, {ENLARGED:.0} times enlarged.</p>\n\
+         <figure class=\"truth\"><img alt=\"the truth\" src=\"{}\"><figcaption>The truth</figcaption></figure>\n\
+         <div class=\"pictures\">",
+        embedded(&pictures.join("truth.png"))?
+    );
+    for m in &report.measured {
+        let name = name(m);
+        let stem = &m.file_stem;
+        let _ = writeln!(
+            page,
+            "<figure style=\"--family: {}\"><div class=\"pair\"><img alt=\"{name}\" src=\"{}\">\
+             <img alt=\"{name}: difference\" src=\"{}\"></div>\
+             <figcaption><code>{name}</code>: {:.3} s, RMSE {:.5}</figcaption></figure>",
+            color(m.family),
+            embedded(&pictures.join(format!("{stem}.png")))?,
+            embedded(&pictures.join(format!("{stem}-difference.png")))?,
+            m.processor.median,
+            m.errors.rmse
+        );
+    }
+    page += "</div>\n</body>\n</html>\n";
+    Ok(page)
+}
+
+fn row(page: &mut String, m: &Measured) {
+    let (p, w, e) = (&m.processor, &m.wall, &m.errors);
+    let estimated = m
+        .estimated
+        .map_or_else(|| "–".to_owned(), |(_, rms)| format!("{rms:.5}"));
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        page,
+        "<tr style=\"--family: {}\"><td><code>{}</code></td><td>{:.3}</td><td>{:.3} – {:.3}</td><td>{:.3}</td>\
+         <td>{:.3} – {:.3}</td><td>{:.2}</td><td>{:.5}</td><td>{:.4}</td><td>{:.4}</td><td>{:.5}</td><td>{estimated}</td></tr>",
+        color(m.family),
+        name(m),
+        p.median,
+        p.least,
+        p.most,
+        w.median,
+        w.least,
+        w.most,
+        m.samples_a_pixel,
+        e.rmse,
+        e.max,
+        e.p999,
+        e.flip
+    );
+}
+
+fn name(m: &Measured) -> String {
+    let program = match m.family {
+        Family::PovRay => "povray",
+        _ => "povr",
+    };
+    escaped(&format!("{program} {}", m.switches))
+}
+
+fn color(family: Family) -> String {
+    let (r, g, b) = family.color();
+    format!("rgb({r} {g} {b})")
+}
+
+/// A picture as an address that holds it.
+fn embedded(file: &Path) -> Result<String, CurveError> {
+    let bytes = std::fs::read(file).map_err(|error| {
+        CurveError::new(format!("cannot read `{}`: {error}", file.display()))
+            .with_hint("leave out what was measured before with `--fresh`")
+    })?;
+    Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}

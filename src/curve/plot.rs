@@ -1,0 +1,191 @@
+//! The plot: error over processor time, both by their logarithms, a line for each method.
+
+use std::fmt::Display;
+use std::ops::Range;
+
+use plotters::coord::combinators::IntoLogRange;
+use plotters::prelude::*;
+use resvg::{tiny_skia, usvg};
+
+use super::CurveError;
+use super::setting::Family;
+use super::store::{Measured, Report};
+
+/// The size of the whole in pixels: three panels side by side.
+const SIZE: (u32, u32) = (1500, 560);
+/// Nothing is drawn below this error.
+const LEAST_ERROR: f64 = 1e-6;
+const LEAST_TIME: f64 = 1e-4;
+const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
+
+/// A panel: what is plotted, and which number of a measurement that is.
+type Panel = (&'static str, fn(&Measured) -> f64);
+
+const PANELS: [Panel; 3] = [
+    ("root mean square error, linear light", |m| m.errors.rmse),
+    ("error that 99.9 % of pixels do not exceed", |m| {
+        m.errors.p999
+    }),
+    ("FLIP, mean", |m| m.errors.flip),
+];
+
+/// The plot as SVG.
+pub(super) fn svg(report: &Report) -> Result<String, CurveError> {
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        root.fill(&WHITE).map_err(|error| refused(&error))?;
+        for (area, panel) in root.split_evenly((1, PANELS.len())).iter().zip(PANELS) {
+            draw(area, report, panel).map_err(|error| refused(&error))?;
+        }
+        root.present().map_err(|error| refused(&error))?;
+    }
+    Ok(text)
+}
+
+fn refused(error: &dyn Display) -> CurveError {
+    CurveError::new(format!("cannot draw the plot: {error}"))
+}
+
+/// The range of some values, a little wider; of a factor of ten at least.
+fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
+    let (least, most) = values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+    if least > most {
+        return 0.1..1.0;
+    }
+    let most = most.max(10.0 * least);
+    least / 1.4..most * 1.4
+}
+
+fn draw<'a>(
+    area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
+    report: &Report,
+    (title, value): Panel,
+) -> Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>> {
+    let time = |m: &Measured| m.processor.median.max(LEAST_TIME);
+    let value = |m: &Measured| value(m).max(LEAST_ERROR);
+    let times = range(report.measured.iter().map(time));
+    let errors = range(report.measured.iter().map(value));
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, (FONT, 17))
+        .margin(12)
+        .x_label_area_size(46)
+        .y_label_area_size(74)
+        .build_cartesian_2d(times.log_scale(), errors.log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc("processor seconds of tracing")
+        .label_style((FONT, 13))
+        .axis_desc_style((FONT, 14))
+        .x_label_formatter(&|v| label(*v))
+        .y_label_formatter(&|v| label(*v))
+        .bold_line_style(BLACK.mix(0.18))
+        .light_line_style(BLACK.mix(0.06))
+        .draw()?;
+    for family in Family::ALL {
+        let mut points: Vec<(f64, f64)> = report
+            .measured
+            .iter()
+            .filter(|m| m.family == family)
+            .map(|m| (time(m), value(m)))
+            .collect();
+        if points.is_empty() {
+            continue;
+        }
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (r, g, b) = family.color();
+        let color = RGBColor(r, g, b);
+        // POV-Ray's settings have three knobs; the line joins those that no other betters.
+        let line = LineSeries::new(best(&points), color.stroke_width(2));
+        chart
+            .draw_series(line)?
+            .label(family.title())
+            .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
+        let dots = points
+            .iter()
+            .map(|&point| Circle::new(point, 4, color.filled()));
+        chart.draw_series(dots)?;
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::LowerLeft)
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.3))
+        .label_font((FONT, 13))
+        .draw()?;
+    Ok(())
+}
+
+/// The points that none is both faster and better than, from fast to slow.
+fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut least = f64::INFINITY;
+    let mut kept = Vec::new();
+    for &(time, error) in points {
+        if error < least {
+            least = error;
+            kept.push((time, error));
+        }
+    }
+    kept
+}
+
+/// What stands at a line of the grid: the number, if it begins with 1, 2 or 5; there is no room for all.
+fn label(v: f64) -> String {
+    let leading = v / 10f64.powf((v.log10() + 1e-9).floor());
+    let is_told = [1.0, 2.0, 5.0]
+        .iter()
+        .any(|told| (leading - told).abs() < 1e-6);
+    if is_told { short(v) } else { String::new() }
+}
+
+/// A number with no more digits than it needs.
+fn short(v: f64) -> String {
+    if (0.001..1000.0).contains(&v) {
+        let text = format!("{v:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{v:e}")
+    }
+}
+
+/// The same plot as a PNG file.
+pub(super) fn png(svg: &str) -> Result<Vec<u8>, CurveError> {
+    let mut options = usvg::Options {
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    options.fontdb_mut().load_system_fonts();
+    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| refused(&error))?;
+    let mut pixmap =
+        tiny_skia::Pixmap::new(SIZE.0, SIZE.1).ok_or_else(|| refused(&"no memory for it"))?;
+    resvg::render(
+        &tree,
+        tiny_skia::Transform::identity(),
+        &mut pixmap.as_mut(),
+    );
+    pixmap.encode_png().map_err(|error| refused(&error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_joins_what_nothing_betters() {
+        let points = [(1.0, 0.5), (2.0, 0.7), (3.0, 0.2), (4.0, 0.3)];
+        assert_eq!(best(&points), [(1.0, 0.5), (3.0, 0.2)]);
+    }
+
+    #[test]
+    fn numbers_of_axes_are_short() {
+        for (v, expected) in [
+            (0.01, "0.01"),
+            (100.0, "100"),
+            (1e-5, "1e-5"),
+            (0.0025, "0.0025"),
+        ] {
+            assert_eq!(short(v), expected);
+            assert_eq!(label(v).is_empty(), v == 0.0025);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! Four numbers in double precision, worked on together: what rays meet exactly.
+#![allow(
+    unsafe_code,
+    reason = "a function for a machine known only at run time cannot be called otherwise"
+)]
+
+/// Four numbers, worked on together. Each operation rounds as that on single numbers does.
+pub(crate) trait Four: Copy {
+    /// One truth for each number.
+    type Mask: Copy;
+    fn all(x: f64) -> Self;
+    fn load(from: &[f64; 4]) -> Self;
+    fn store(self) -> [f64; 4];
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self;
+    fn over(self, other: Self) -> Self;
+    fn root(self) -> Self;
+    /// The second where one is not a number.
+    fn smaller(self, other: Self) -> Self;
+    /// The second where one is not a number.
+    fn larger(self, other: Self) -> Self;
+    fn size(self) -> Self;
+    fn negated(self) -> Self;
+    /// False where one is not a number, as the other comparisons.
+    fn below(self, other: Self) -> Self::Mask;
+    fn not_above(self, other: Self) -> Self::Mask;
+    fn equals(self, other: Self) -> Self::Mask;
+    /// The first where the mask is true, the second elsewhere.
+    fn pick(mask: Self::Mask, first: Self, second: Self) -> Self;
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    fn either(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// One bit each.
+    fn bits(mask: Self::Mask) -> u32;
+    /// The mask of these bits.
+    fn mask(bits: u32) -> Self::Mask;
+}
+
+/// Work on four numbers at once, written once for every machine.
+pub(crate) trait FourKernel {
+    type Answer;
+    fn run<F: Four>(&self) -> Self::Answer;
+}
+
+/// Runs a kernel with 256 bits at once where the machine can.
+#[inline(always)]
+pub(crate) fn four<K: FourKernel>(kernel: &K) -> K::Answer {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the machine has just said that it has the instructions.
+        return unsafe { four_wide(kernel) };
+    }
+    kernel.run::<[f64; 4]>()
+}
+
+/// The same on any machine, for tests of the other.
+#[cfg(test)]
+pub(crate) fn four_anywhere<K: FourKernel>(kernel: &K) -> K::Answer {
+    kernel.run::<[f64; 4]>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+#[inline]
+fn four_wide<K: FourKernel>(kernel: &K) -> K::Answer {
+    kernel.run::<std::arch::x86_64::__m256d>()
+}
+
+/// Anywhere.
+impl Four for [f64; 4] {
+    type Mask = [bool; 4];
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        [x; 4]
+    }
+    #[inline(always)]
+    fn load(from: &[f64; 4]) -> Self {
+        *from
+    }
+    #[inline(always)]
+    fn store(self) -> [f64; 4] {
+        self
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] + other[i])
+    }
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] - other[i])
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] * other[i])
+    }
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i] / other[i])
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.map(f64::sqrt)
+    }
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        std::array::from_fn(|i| {
+            if self[i] < other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        std::array::from_fn(|i| {
+            if self[i] > other[i] {
+                self[i]
+            } else {
+                other[i]
+            }
+        })
+    }
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.map(f64::abs)
+    }
+    #[inline(always)]
+    fn negated(self) -> Self {
+        self.map(|x| -x)
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> [bool; 4] {
+        std::array::from_fn(|i| self[i] < other[i])
+    }
+    #[inline(always)]
+    fn not_above(self, other: Self) -> [bool; 4] {
+        std::array::from_fn(|i| self[i] <= other[i])
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> [bool; 4] {
+        std::array::from_fn(|i| self[i] == other[i])
+    }
+    #[inline(always)]
+    fn pick(mask: [bool; 4], first: Self, second: Self) -> Self {
+        std::array::from_fn(|i| if mask[i] { first[i] } else { second[i] })
+    }
+    #[inline(always)]
+    fn both(a: [bool; 4], b: [bool; 4]) -> [bool; 4] {
+        std::array::from_fn(|i| a[i] & b[i])
+    }
+    #[inline(always)]
+    fn either(a: [bool; 4], b: [bool; 4]) -> [bool; 4] {
+        std::array::from_fn(|i| a[i] | b[i])
+    }
+    #[inline(always)]
+    fn bits(mask: [bool; 4]) -> u32 {
+        (0..4).fold(0, |bits, i| bits | u32::from(mask[i]) << i)
+    }
+    #[inline(always)]
+    fn mask(bits: u32) -> [bool; 4] {
+        std::array::from_fn(|i| bits >> i & 1 == 1)
+    }
+}
+
+/// Only for work that runs inside [`four_wide`].
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use super::Four;
+    use std::arch::x86_64::*;
+
+    macro_rules! each {
+        ($($name:ident by $intrinsic:ident $(<$how:ident>)?),+) => {
+            $(
+                #[inline(always)]
+                fn $name(self, other: Self) -> Self {
+                    // SAFETY: such numbers are made by `all` and `load` alone, on machines that have the instructions.
+                    unsafe { $intrinsic$(::<$how>)?(self, other) }
+                }
+            )+
+        };
+    }
+
+    impl Four for __m256d {
+        type Mask = __m256d;
+        #[inline(always)]
+        fn all(x: f64) -> Self {
+            // SAFETY: called by work inside `four_wide` alone.
+            unsafe { _mm256_set1_pd(x) }
+        }
+        #[inline(always)]
+        fn load(from: &[f64; 4]) -> Self {
+            // SAFETY: called by work inside `four_wide` alone, and an array of four numbers is what is read.
+            unsafe { _mm256_loadu_pd(from.as_ptr()) }
+        }
+        #[inline(always)]
+        fn store(self) -> [f64; 4] {
+            let mut to = [0.0; 4];
+            // SAFETY: as in `load`.
+            unsafe { _mm256_storeu_pd(to.as_mut_ptr(), self) };
+            to
+        }
+        each! {
+            plus by _mm256_add_pd,
+            minus by _mm256_sub_pd,
+            times by _mm256_mul_pd,
+            over by _mm256_div_pd,
+            smaller by _mm256_min_pd,
+            larger by _mm256_max_pd,
+            below by _mm256_cmp_pd<_CMP_LT_OQ>,
+            not_above by _mm256_cmp_pd<_CMP_LE_OQ>,
+            equals by _mm256_cmp_pd<_CMP_EQ_OQ>
+        }
+        #[inline(always)]
+        fn root(self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_sqrt_pd(self) }
+        }
+        #[inline(always)]
+        fn size(self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self) }
+        }
+        #[inline(always)]
+        fn negated(self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_xor_pd(_mm256_set1_pd(-0.0), self) }
+        }
+        #[inline(always)]
+        fn pick(mask: __m256d, first: Self, second: Self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_blendv_pd(second, first, mask) }
+        }
+        #[inline(always)]
+        fn both(a: __m256d, b: __m256d) -> __m256d {
+            // SAFETY: as in the others.
+            unsafe { _mm256_and_pd(a, b) }
+        }
+        #[inline(always)]
+        fn either(a: __m256d, b: __m256d) -> __m256d {
+            // SAFETY: as in the others.
+            unsafe { _mm256_or_pd(a, b) }
+        }
+        #[inline(always)]
+        fn bits(mask: __m256d) -> u32 {
+            // SAFETY: as in the others.
+            unsafe { _mm256_movemask_pd(mask) }.cast_unsigned()
+        }
+        #[inline(always)]
+        fn mask(bits: u32) -> __m256d {
+            let signs: [f64; 4] =
+                std::array::from_fn(|i| if bits >> i & 1 == 1 { -0.0 } else { 0.0 });
+            // Only the sign of a number of a mask is ever looked at, except by `both` and `either`, which keep it.
+            Self::load(&signs)
+        }
+    }
+}

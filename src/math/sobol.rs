@@ -1,0 +1,108 @@
+//! Points of a square that fill it evenly: the first two dimensions of Sobol's sequence, scrambled after Owen.
+//!
+//! Of the first `2^k` points each of the `2^k` rectangles `2^-a` by `2^-b` (`a + b = k`) holds exactly one, whatever `a`
+//! is: a (0, 2)-sequence. Scrambling after Owen (1995) keeps that, and makes each point uniform over the square. It is
+//! done by the hash of Laine and Karras in the form of Burley ("Practical Hash-based Owen Scrambling", 2020).
+
+/// A scrambled sequence; every seed gives another one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sobol {
+    seed_x: u32,
+    seed_y: u32,
+}
+
+impl Sobol {
+    /// The sequence of a pixel.
+    pub(crate) fn of_pixel(x: i32, y: i32) -> Self {
+        let of_column = mixed(x.cast_unsigned());
+        let seed_x = mixed(of_column ^ y.cast_unsigned().rotate_left(16));
+        Sobol {
+            seed_x,
+            seed_y: mixed(seed_x ^ 0x9e37_79b9),
+        }
+    }
+
+    /// The point of a number, in parts of `2^32` of the side.
+    pub(crate) fn point(&self, number: u32) -> (u32, u32) {
+        // Reversing the bits of the number gives the first dimension, and scrambling wants them the other way round.
+        let x = scrambled(number, self.seed_x).reverse_bits();
+        let y = scrambled(second(number).reverse_bits(), self.seed_y).reverse_bits();
+        (x, y)
+    }
+}
+
+/// The second dimension, whose matrix is Pascal's triangle modulo 2.
+fn second(mut number: u32) -> u32 {
+    let (mut direction, mut y) = (1u32 << 31, 0);
+    while number != 0 {
+        if number & 1 == 1 {
+            y ^= direction;
+        }
+        number >>= 1;
+        direction ^= direction >> 1;
+    }
+    y
+}
+
+/// Each bit is turned or not as those below it decide.
+fn scrambled(mut v: u32, seed: u32) -> u32 {
+    v = v.wrapping_add(seed);
+    for factor in [0x6c50_b47c, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
+        v ^= v.wrapping_mul(factor);
+    }
+    v
+}
+
+/// A number that has nothing to do with the one given (Wellons, "lowbias32").
+fn mixed(mut v: u32) -> u32 {
+    v = v.wrapping_add(0x6d2b_79f5);
+    v ^= v >> 16;
+    v = v.wrapping_mul(0x7feb_352d);
+    v ^= v >> 15;
+    v = v.wrapping_mul(0x846c_a68b);
+    v ^ (v >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sobol;
+
+    #[test]
+    fn every_elementary_rectangle_holds_one_point() {
+        for (column, row) in [(0, 0), (1, 0), (-3, 7), (1000, 4321)] {
+            let sobol = Sobol::of_pixel(column, row);
+            for k in 0..=8u32 {
+                for a in 0..=k {
+                    let b = k - a;
+                    let mut held = vec![0; 1 << k];
+                    for number in 0..1u32 << k {
+                        let (x, y) = sobol.point(number);
+                        let cell = |v: u32, bits: u32| v.checked_shr(32 - bits).unwrap_or(0);
+                        held[(cell(x, a) << b | cell(y, b)) as usize] += 1;
+                    }
+                    assert!(held.iter().all(|&n| n == 1), "2^{a} by 2^{b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_points_of_different_pixels_are_uniform_and_not_alike() {
+        // The mean of the first point over 100 by 100 pixels, and the product of neighbours: 1/2 and 1/4 by chance.
+        let side = |v: u32| f64::from(v) / 2f64.powi(32);
+        let (mut sum, mut product) = ([0.0; 2], 0.0);
+        for y in 0..100 {
+            for x in 0..100 {
+                let here = Sobol::of_pixel(x, y).point(0);
+                let next = Sobol::of_pixel(x + 1, y).point(0);
+                sum[0] += side(here.0);
+                sum[1] += side(here.1);
+                product += side(here.0) * side(next.0);
+            }
+        }
+        for sum in sum {
+            assert!((sum / 1e4 - 0.5).abs() < 0.01, "{sum}");
+        }
+        assert!((product / 1e4 - 0.25).abs() < 0.01, "{product}");
+    }
+}

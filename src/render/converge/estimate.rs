@@ -1,0 +1,146 @@
+//! The mean of a pixel's samples, and how wrong it may be.
+//!
+//! The first `2^k` samples lie one in each cell of a grid. A cell through which an edge of contrast `d` runs has a
+//! variance of `d²/6` on the average over all shares, and about as many pairs of neighbouring cells differ by `d` as
+//! there are such cells; for a smooth surface the same rule is double what it should be, for noise about right. So the
+//! variance of the mean is about a sixth of the sum of squared differences of neighbours, over the square of the count.
+//! A scrambled (0, 2)-sequence is better than that by a third, which is kept in reserve.
+
+use super::look::Look;
+
+/// The variance of a cell over the squared difference of neighbours.
+const SHARE_OF_VARIANCE: f64 = 1.0 / 6.0;
+/// How much of the error with half the samples is believed to be left with all of them, at least: what looks twice as
+/// good as it could be expected to is luck.
+const LEAST_LEFT: f64 = 0.5;
+/// How much of the change since half the samples is believed to be still to come.
+const STILL_TO_COME: f64 = 0.33;
+
+/// What some samples tell of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Estimate {
+    /// The mean of each channel.
+    pub(super) mean: [f64; 4],
+    /// The estimated standard error of the worst channel.
+    pub(super) error: f64,
+}
+
+/// Least and largest value of each channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Reach {
+    least: [f32; 4],
+    most: [f32; 4],
+}
+
+impl Reach {
+    pub(super) const NOTHING: Reach = Reach {
+        least: [f32::INFINITY; 4],
+        most: [f32::NEG_INFINITY; 4],
+    };
+
+    pub(super) fn of(looks: &[Look]) -> Reach {
+        looks.iter().fold(Reach::NOTHING, |reach, look| {
+            reach.with(&Reach {
+                least: look.channels,
+                most: look.channels,
+            })
+        })
+    }
+
+    pub(super) fn with(mut self, other: &Reach) -> Reach {
+        for c in 0..4 {
+            self.least[c] = self.least[c].min(other.least[c]);
+            self.most[c] = self.most[c].max(other.most[c]);
+        }
+        self
+    }
+
+    /// The largest contrast of a channel; what is above full white does not count.
+    pub(super) fn contrast(&self, channels: usize) -> f64 {
+        let contrast = |c: usize| f64::from(self.most[c].min(1.0) - self.least[c].min(1.0));
+        (0..channels).map(contrast).fold(0.0, f64::max)
+    }
+}
+
+/// What the first samples of a pixel tell, a power of two of them and at least two. `cells` is a buffer.
+pub(super) fn estimate(looks: &[Look], channels: usize, cells: &mut Vec<u32>) -> Estimate {
+    let whole = of_all(looks, channels, cells, |_, _| true);
+    let half = of_all(&looks[..looks.len() / 2], channels, cells, |_, _| true);
+    let moved = (0..channels)
+        .map(|c| (whole.mean[c].min(1.0) - half.mean[c].min(1.0)).abs())
+        .fold(0.0, f64::max);
+    Estimate {
+        error: whole
+            .error
+            .max(half.error * LEAST_LEFT)
+            .max(moved * STILL_TO_COME),
+        ..whole
+    }
+}
+
+/// The same from these samples alone, the difference of two of them left out where it does not count.
+pub(super) fn of_all(
+    looks: &[Look],
+    channels: usize,
+    cells: &mut Vec<u32>,
+    counts: impl Fn(&Look, &Look) -> bool,
+) -> Estimate {
+    let bits = looks.len().ilog2();
+    let (across, down) = (bits.div_ceil(2), bits / 2);
+    cells.clear();
+    cells.resize(looks.len(), 0);
+    let mut sum = [0.0; 4];
+    for (number, look) in (0u32..).zip(looks) {
+        let column = u32::from(look.place.0) >> (16 - across);
+        let row = u32::from(look.place.1) >> (16 - down);
+        cells[(row << across | column) as usize] = number;
+        for (sum, c) in sum.iter_mut().zip(look.channels) {
+            *sum += f64::from(c);
+        }
+    }
+    let (width, height) = (1usize << across, 1usize << down);
+    let mut apart = [0.0; 4];
+    let mut compare = |a: usize, b: usize| {
+        let [a, b] = [a, b].map(|cell| &looks[cells[cell] as usize]);
+        if !counts(a, b) {
+            return;
+        }
+        for c in 0..channels {
+            let d = f64::from(a.channels[c]) - f64::from(b.channels[c]);
+            apart[c] += d * d;
+        }
+    };
+    for row in 0..height {
+        for cell in row * width..(row + 1) * width {
+            if cell + 1 < (row + 1) * width {
+                compare(cell, cell + 1);
+            }
+            if row + 1 < height {
+                compare(cell, cell + width);
+            }
+        }
+    }
+    let count = as_f64(looks.len());
+    // In a small grid the cells at its border have fewer neighbours than those inside.
+    let pairs = as_f64((2 * width * height - width - height).max(1));
+    let share = SHARE_OF_VARIANCE * 2.0 * count / pairs;
+    let mean = sum.map(|sum| sum / count);
+    let error_of = |c: usize| {
+        let error = (share * apart[c]).sqrt() / count;
+        // Whatever it is, it is white.
+        if mean[c] - 2.0 * error > 1.0 {
+            0.0
+        } else {
+            error
+        }
+    };
+    Estimate {
+        mean,
+        error: (0..channels).map(error_of).fold(0.0, f64::max),
+    }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "samples of a pixel are few")]
+fn as_f64(n: usize) -> f64 {
+    n as f64
+}

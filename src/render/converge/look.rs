@@ -1,0 +1,169 @@
+//! What samples of a pixel saw.
+
+use crate::compile::Rays;
+use crate::film::Pixel;
+use crate::math::sobol::Sobol;
+use crate::trace::{BLOCK, BlockScratch, Tracer};
+use std::ops::Range;
+
+/// The most places that are looked at together.
+pub(super) const TOGETHER: usize = (BLOCK * BLOCK) as usize;
+/// The surface of samples that met none, or of which it is not known.
+const NO_SURFACE: u32 = u32::MAX;
+/// Two normals whose product is below this belong to two sides of an edge: they are 37 degrees apart.
+const SAME_SIDE: f32 = 0.8;
+
+/// What one sample saw.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    /// Red, green, blue, and what shines through the background.
+    pub(super) channels: [f32; 4],
+    /// Where in the pixel it lies, in parts of 2^16 of the side.
+    pub(super) place: (u16, u16),
+    /// The surface it met first, and the direction in which that faces.
+    leaf: u32,
+    normal: [f32; 3],
+}
+
+impl Look {
+    /// Nothing yet.
+    pub(super) const NONE: Look = Look {
+        channels: [0.0; 4],
+        place: (0, 0),
+        leaf: NO_SURFACE,
+        normal: [0.0; 3],
+    };
+
+    /// Whether both met the same side of the same surface.
+    pub(super) fn is_same_side(&self, other: &Look) -> bool {
+        let [a, b] = [self, other].map(|look| look.normal);
+        let product: f32 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+        self.leaf == other.leaf && (self.leaf == NO_SURFACE || product >= SAME_SIDE)
+    }
+
+    /// Where in the pixel it lies, as shares of its side.
+    pub(super) fn share(&self) -> [f64; 2] {
+        let (x, y) = self.place;
+        [x, y].map(|v| (f64::from(v) + 0.5) / 65536.0)
+    }
+
+    #[cfg(test)]
+    pub(super) fn of(sobol: Sobol, number: u32, value: f32) -> Look {
+        Look {
+            channels: [value; 4],
+            place: place(sobol.point(number)),
+            ..Look::NONE
+        }
+    }
+}
+
+/// The mean of looks as a pixel.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision"
+)]
+pub(super) fn pixel(mean: [f64; 4]) -> Pixel {
+    let [r, g, b, transmit] = mean.map(|c| c as f32);
+    Pixel {
+        rgb: crate::color::Rgb::new(r, g, b),
+        transmit,
+    }
+}
+
+/// Looks at places of a picture.
+pub(super) struct Eye<'a> {
+    pub(super) tracer: &'a Tracer<'a>,
+    /// Width and height of the picture.
+    pub(super) size: (u32, u32),
+    /// How many of the four channels count.
+    pub(super) channels: usize,
+}
+
+/// Buffers that a thread keeps.
+#[derive(Default)]
+pub(super) struct EyeScratch {
+    block: BlockScratch,
+    places: Vec<(f64, f64)>,
+    cells: Vec<(u16, u16)>,
+}
+
+impl EyeScratch {
+    /// How many rays were followed with it since this was last asked.
+    pub(super) fn take_rays(&mut self) -> Rays {
+        self.block.take_rays()
+    }
+}
+
+impl Eye<'_> {
+    /// Samples at places of one pixel, given as shares of its side.
+    pub(super) fn looks_at(
+        &self,
+        (x, y): (u32, u32),
+        shares: impl Iterator<Item = [f64; 2]>,
+        scratch: &mut EyeScratch,
+        looks: &mut Vec<Look>,
+    ) {
+        scratch.places.clear();
+        scratch.cells.clear();
+        for [dx, dy] in shares {
+            scratch
+                .places
+                .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
+            scratch.cells.push((0, 0));
+        }
+        self.look(scratch, looks);
+    }
+
+    /// Samples of these numbers of each of these pixels, pixel by pixel.
+    pub(super) fn looks(
+        &self,
+        pixels: impl Iterator<Item = (u32, u32)>,
+        numbers: Range<u32>,
+        scratch: &mut EyeScratch,
+        looks: &mut Vec<Look>,
+    ) {
+        scratch.places.clear();
+        scratch.cells.clear();
+        for (x, y) in pixels {
+            let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
+            for number in numbers.clone() {
+                let point = sobol.point(number);
+                let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
+                let (dx, dy) = (share(point.0), share(point.1));
+                scratch.places.push((f64::from(x) + dx, f64::from(y) + dy));
+                scratch.cells.push(place(point));
+            }
+        }
+        self.look(scratch, looks);
+    }
+
+    /// Looks at the places that have been noted.
+    fn look(&self, scratch: &mut EyeScratch, looks: &mut Vec<Look>) {
+        let start = looks.len();
+        looks.resize(start + scratch.places.len(), Look::NONE);
+        let chunks = scratch.places.chunks(TOGETHER);
+        for (first, places) in (start..).step_by(TOGETHER).zip(chunks) {
+            self.tracer.places(
+                places,
+                self.size,
+                &mut scratch.block,
+                |number, seen, hit| {
+                    let (leaf, normal) = hit.map_or((NO_SURFACE, [0.0; 3]), |hit| {
+                        (hit.departure.leaf, hit.shading_normal.as_vec3().to_array())
+                    });
+                    looks[first + number] = Look {
+                        channels: [seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit],
+                        place: scratch.cells[first - start + number],
+                        leaf,
+                        normal,
+                    };
+                },
+            );
+        }
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "sixteen bits are left")]
+fn place((x, y): (u32, u32)) -> (u16, u16) {
+    ((x >> 16) as u16, (y >> 16) as u16)
+}

@@ -1,0 +1,176 @@
+//! Sampling until the estimated error of every pixel is small (`+AM4`, `--error`, `--time`).
+//!
+//! Every pixel is the mean over its square, as POV-Ray's are (a box filter), of the points of a scrambled Sobol sequence
+//! of its own. Where edges run the error falls like `samples^-0.75`, on smooth surfaces like `samples^-1.5`. What a pixel
+//! gets depends on itself and on the few around it alone, so that pictures are the same for any number of threads and
+//! for any part of them.
+//!
+//! With a time the picture is drawn again and again for ever smaller errors, the worst bands first, and every pixel
+//! keeps the best that it had when the time is over.
+
+mod band;
+mod edge;
+mod estimate;
+mod look;
+#[cfg(test)]
+mod tests;
+
+use super::Drawn;
+use crate::compile::Rays;
+use crate::film::Film;
+use crate::options::{Converging, Reached, RenderOptions};
+use crate::trace::Tracer;
+use band::{Band, Done, MARGIN, Target};
+use look::Eye;
+use std::ops::Range;
+use std::time::Instant;
+
+/// So many pixels are sampled together at most: their samples take 100 to 300 bytes each.
+const BAND_PIXELS: u32 = 1 << 18;
+/// Rows of a band where there is a time limit: what is begun is mostly finished.
+const ROWS_IN_TIME: u32 = 32;
+/// The error of the first drawing where there is a time limit, and by how much it falls from one to the next.
+const FIRST_ERROR: f64 = 16.0;
+const FALL: f64 = 0.25;
+/// A smaller error is not aimed at: single precision of colours ends here.
+const LEAST_ERROR: f64 = 1e-4;
+const STEPS: f64 = 255.0;
+
+/// Draws what is to be drawn.
+pub(super) fn draw(
+    tracer: &Tracer<'_>,
+    options: &RenderOptions,
+    how: &Converging,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Drawn {
+    let deadline = how.time.and_then(|time| Instant::now().checked_add(time));
+    let eye = Eye {
+        tracer,
+        size: (options.width, options.height),
+        channels: if options.alpha { 4 } else { 3 },
+    };
+    let mut drawing = Drawing {
+        eye,
+        columns: options.columns.clone(),
+        rows: options.rows.clone(),
+        film: Film::new(
+            options.width,
+            options.height,
+            options.columns.clone(),
+            options.rows.clone(),
+        ),
+        errors: vec![f64::INFINITY; options.columns.len() * options.rows.len()],
+        samples: 0,
+        rays: Rays::default(),
+    };
+    let error = how.error.max(LEAST_ERROR);
+    match deadline {
+        None => {
+            let target = Target::new(error / STEPS, None);
+            for rows in drawing.bands(drawing.rows_together()) {
+                drawing.draw(&rows, target, progress);
+            }
+        }
+        Some(deadline) => drawing.draw_in_time(error, deadline, progress),
+    }
+    let reached = Some(drawing.reached(how.error));
+    Drawn {
+        film: drawing.film,
+        rays: drawing.rays,
+        reached,
+    }
+}
+
+/// A picture that is being drawn.
+struct Drawing<'a> {
+    eye: Eye<'a>,
+    columns: Range<u32>,
+    rows: Range<u32>,
+    film: Film,
+    /// The estimated errors of the pixels drawn, row by row.
+    errors: Vec<f64>,
+    samples: u64,
+    rays: Rays,
+}
+
+impl Drawing<'_> {
+    fn rows_together(&self) -> u32 {
+        let width = u32::try_from(self.columns.len()).unwrap_or(u32::MAX);
+        (BAND_PIXELS / width.max(1)).max(MARGIN)
+    }
+
+    fn bands(&self, height: u32) -> Vec<Range<u32>> {
+        let end = self.rows.end;
+        self.rows
+            .clone()
+            .step_by(height as usize)
+            .map(|top| top..(top + height).min(end))
+            .collect()
+    }
+
+    /// Draws for smaller and smaller errors until the time is over.
+    fn draw_in_time(&mut self, error: f64, deadline: Instant, progress: &(dyn Fn(u64) + Sync)) {
+        let mut aim = FIRST_ERROR.max(error);
+        // The first drawing is finished whatever it takes: there must be a picture.
+        for rows in self.bands(self.rows_together()) {
+            self.draw(&rows, Target::new(aim / STEPS, None), progress);
+        }
+        while aim > error && Instant::now() < deadline {
+            aim = (aim * FALL).max(error);
+            let target = Target::new(aim / STEPS, Some(deadline));
+            let mut bands = self.bands(ROWS_IN_TIME);
+            bands.sort_by(|a, b| self.error_of(b).total_cmp(&self.error_of(a)));
+            for rows in bands {
+                if Instant::now() >= deadline {
+                    return;
+                }
+                self.draw(&rows, target, &|_| {});
+            }
+        }
+    }
+
+    /// The sum of the squared errors of some rows.
+    fn error_of(&self, rows: &Range<u32>) -> f64 {
+        let width = self.columns.len();
+        let start = (rows.start - self.rows.start) as usize * width;
+        let errors = &self.errors[start..start + rows.len() * width];
+        errors.iter().map(|error| error * error).sum()
+    }
+
+    /// Draws some rows; a pixel that was better before stays.
+    fn draw(&mut self, rows: &Range<u32>, target: Target, progress: &(dyn Fn(u64) + Sync)) {
+        let with_margin = |range: &Range<u32>, side: u32| {
+            range.start.saturating_sub(MARGIN)..(range.end + MARGIN).min(side)
+        };
+        let (width, height) = self.eye.size;
+        let columns = with_margin(&self.columns, width);
+        let mut band = Band::new(&self.eye, target, columns, with_margin(rows, height));
+        let done: Vec<Done> = band.finish(&self.columns, rows, progress);
+        self.samples += band.samples;
+        self.rays += band.rays;
+        let wide = self.columns.len();
+        for (row, y) in done.chunks(wide.max(1)).zip(rows.clone()) {
+            let errors = (y - self.rows.start) as usize * wide;
+            let pixels = y as usize * width as usize + self.columns.start as usize;
+            for (i, done) in row.iter().enumerate() {
+                if done.error < self.errors[errors + i] {
+                    self.errors[errors + i] = done.error;
+                    self.film.pixels[pixels + i] = done.value;
+                }
+            }
+        }
+    }
+
+    fn reached(&self, target: f64) -> Reached {
+        let largest = self.errors.iter().copied().fold(0.0, f64::max);
+        let squares: f64 = self.errors.iter().map(|error| error * error).sum();
+        #[allow(clippy::cast_precision_loss, reason = "pixels are fewer than 2^52")]
+        let pixels = self.errors.len().max(1) as f64;
+        Reached {
+            target,
+            largest: largest * STEPS,
+            rms: (squares / pixels).sqrt() * STEPS,
+            samples: self.samples,
+        }
+    }
+}

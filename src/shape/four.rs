@@ -1,0 +1,345 @@
+//! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
+
+use super::Shape;
+use crate::math::chord::MARGIN;
+use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
+use crate::math::lanes::Four;
+use glam::{DAffine3, DVec3};
+
+/// Vectors of four rays.
+pub(crate) type Three<F> = [F; 3];
+
+/// Four rays.
+#[derive(Clone, Copy)]
+pub(crate) struct FourRays<F> {
+    pub(crate) origin: Three<F>,
+    pub(crate) dir: Three<F>,
+}
+
+/// Where four lines are inside of a solid that each enters and leaves once, or not at all.
+pub(crate) struct FourSpans<F: Four> {
+    pub(crate) enter: F,
+    pub(crate) leave: F,
+    /// Which lines meet it.
+    pub(crate) is_met: F::Mask,
+    /// The lines, one bit each, of which no more is known than that they must be asked for singly.
+    pub(crate) unknown: u32,
+}
+
+impl<F: Four> FourSpans<F> {
+    /// Spans of lines of which those with `is_known` need no care by this shape's own reckoning.
+    #[inline(always)]
+    pub(super) fn new((enter, leave): (F, F), is_met: F::Mask, is_known: F::Mask) -> Self {
+        let endless = F::all(f64::INFINITY);
+        let is_finite = F::both(enter.size().below(endless), leave.size().below(endless));
+        // A span without length is left to the rules of single rays, too.
+        let is_plain = F::both(is_finite, F::either(enter.below(leave), leave.below(enter)));
+        FourSpans {
+            enter,
+            leave,
+            is_met: F::both(is_met, enter.below(leave)),
+            unknown: 0b1111 & (!F::bits(is_known) | (F::bits(is_met) & !F::bits(is_plain))),
+        }
+    }
+}
+
+/// All roots of four lines with a shape of which no line meets more than four, all visible and of face 0, in order:
+/// they enter and leave in turn.
+pub(crate) struct FourRoots<F: Four> {
+    pub(super) t: [F; 4],
+    /// For each place, which lines have a root there, one bit each.
+    pub(super) met: [u32; 4],
+    /// Which lines must be asked for singly.
+    pub(super) unknown: u32,
+}
+
+/// The first roots of four rays.
+pub(crate) struct FourNearest<F: Four> {
+    pub(crate) t: F,
+    /// Which of the roots that were found leave the solid, one bit each; the others enter.
+    pub(crate) leaves: u32,
+    /// Which rays have one.
+    pub(crate) met: u32,
+    /// Which rays must be asked for singly.
+    pub(crate) unknown: u32,
+}
+
+impl<F: Four> FourRoots<F> {
+    #[inline(always)]
+    pub(super) fn none(unknown: u32) -> Self {
+        FourRoots {
+            t: [F::all(f64::INFINITY); 4],
+            met: [0; 4],
+            unknown,
+        }
+    }
+
+    /// The first with `from < t < to`, without the root that a ray has just left: of the roots of that crossing the one
+    /// nearest to its start. `left` tells which rays have left a root that enters, and which one that leaves.
+    #[inline(always)]
+    pub(crate) fn nearest(&self, from: F, to: F, left: [u32; 2]) -> FourNearest<F> {
+        let mut nearest = FourNearest {
+            t: F::all(f64::INFINITY),
+            leaves: 0,
+            met: 0,
+            unknown: self.unknown,
+        };
+        let mut hidden = F::all(f64::NAN);
+        if left != [0, 0] {
+            let mut size = F::all(f64::INFINITY);
+            for place in 0..4 {
+                let own = F::mask(self.met[place] & left[place % 2]);
+                let is_nearer = F::both(own, self.t[place].size().below(size));
+                size = F::pick(is_nearer, self.t[place].size(), size);
+                hidden = F::pick(is_nearer, self.t[place], hidden);
+            }
+        }
+        let mut passed = 0;
+        for place in 0..4 {
+            let is_hidden = F::bits(self.t[place].equals(hidden)) & self.met[place];
+            nearest.unknown |= is_hidden & passed;
+            passed |= is_hidden;
+            let is_within = F::both(from.below(self.t[place]), self.t[place].below(to));
+            let new = F::bits(is_within) & self.met[place] & !is_hidden & !nearest.met;
+            nearest.t = F::pick(F::mask(new), self.t[place], nearest.t);
+            if place % 2 == 1 {
+                nearest.leaves |= new;
+            }
+            nearest.met |= new;
+        }
+        nearest
+    }
+}
+
+impl<F: Four> FourRays<F> {
+    /// The same rays in an object space.
+    #[inline(always)]
+    pub(crate) fn to_object(self, matrix: &DAffine3) -> Self {
+        let turned = turned(self.origin, matrix);
+        FourRays {
+            origin: plus(turned, same(matrix.translation)),
+            dir: self::turned(self.dir, matrix),
+        }
+    }
+}
+
+/// The part of a matrix that turns and scales, applied to four vectors.
+#[inline(always)]
+fn turned<F: Four>(v: Three<F>, matrix: &DAffine3) -> Three<F> {
+    let (x, y, z) = (
+        matrix.matrix3.x_axis,
+        matrix.matrix3.y_axis,
+        matrix.matrix3.z_axis,
+    );
+    let [x, y, z] = [
+        scaled(same(x), v[0]),
+        scaled(same(y), v[1]),
+        scaled(same(z), v[2]),
+    ];
+    plus(plus(x, y), z)
+}
+
+impl Shape {
+    /// Whether it has spans for four rays at once.
+    pub(crate) fn has_four(&self) -> bool {
+        match self {
+            Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
+            Shape::Cuboid(_) => true,
+            Shape::Cylinder(cylinder) => cylinder.has_four(),
+            _ => false,
+        }
+    }
+
+    /// Whether the first roots of four rays can be asked for at once.
+    pub(crate) fn has_roots_of_four(&self) -> bool {
+        match self {
+            Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
+            Shape::Torus(torus) => torus.has_four(),
+            _ => false,
+        }
+    }
+
+    /// The roots of four rays; all unknown for a shape that is not asked for four.
+    #[inline(always)]
+    pub(crate) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
+        match self {
+            Shape::Sphere(sphere) => {
+                let spans = sphere.four(rays);
+                let mut roots = FourRoots::none(spans.unknown);
+                (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
+                roots.met[0] = F::bits(spans.is_met);
+                roots.met[1] = roots.met[0];
+                roots
+            }
+            Shape::Torus(torus) => torus.roots_of_four(rays),
+            _ => FourRoots::none(0b1111),
+        }
+    }
+
+    /// The spans of four rays; all unknown for a shape that has none.
+    #[inline(always)]
+    pub(crate) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        match self {
+            Shape::Sphere(sphere) => sphere.four(rays),
+            Shape::Cuboid(cuboid) => cuboid.four(rays),
+            Shape::Cylinder(cylinder) => cylinder.four(rays),
+            _ => {
+                let nothing = F::all(0.0);
+                FourSpans::new((nothing, nothing), F::mask(0), F::mask(0))
+            }
+        }
+    }
+}
+
+/// The sums stand in the order of those of `glam`.
+#[inline(always)]
+pub(super) fn dot<F: Four>(a: Three<F>, b: Three<F>) -> F {
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
+}
+
+/// The same vector four times.
+#[inline(always)]
+pub(super) fn same<F: Four>(v: DVec3) -> Three<F> {
+    [F::all(v.x), F::all(v.y), F::all(v.z)]
+}
+
+#[inline(always)]
+pub(super) fn plus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
+    [a[0].plus(b[0]), a[1].plus(b[1]), a[2].plus(b[2])]
+}
+
+#[inline(always)]
+pub(super) fn minus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
+    [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
+}
+
+#[inline(always)]
+pub(super) fn scaled<F: Four>(v: Three<F>, by: F) -> Three<F> {
+    [v[0].times(by), v[1].times(by), v[2].times(by)]
+}
+
+/// Whether four rays can be worked on without rescaling, besides the size of the body.
+#[inline(always)]
+pub(super) fn is_comfortable<F: Four>(dir_sq: F, origin_sq: F) -> F::Mask {
+    let least = F::all(1.0 / COMFORTABLE_SQUARE);
+    let is_way = F::both(
+        least.not_above(dir_sq),
+        dir_sq.below(F::all(COMFORTABLE_SQUARE)),
+    );
+    F::both(is_way, origin_sq.below(F::all(FAR_SQUARE)))
+}
+
+/// Four chords of a ball about the origin, as [`crate::math::chord::ball_chord`] finds each: enter, leave, and which
+/// lines meet it.
+#[inline(always)]
+pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F, F::Mask) {
+    let a = dot(dir, dir);
+    let b = dot(p, dir);
+    let from_centre_sq = dot(p, p);
+    let (r, r_sq) = (F::all(radius), F::all(radius * radius));
+    let size = from_centre_sq.times(a);
+    let off = size.minus(size.times(F::all(MARGIN))).minus(b.times(b));
+    let is_far = r_sq.times(a).below(off);
+    if F::bits(is_far) == 0b1111 {
+        return (a, a, F::mask(0));
+    }
+    let along = b.negated().over(a);
+    let nearest = plus(p, scaled(dir, along));
+    let nearest_sq = dot(nearest, nearest);
+    let distance = nearest_sq.root();
+    let half_sq = r.minus(distance).times(r.plus(distance));
+    let from_centre = from_centre_sq.root();
+    let c = from_centre.minus(r).times(from_centre.plus(r));
+    let root = a.times(half_sq).root();
+    let is_ahead = b.below(F::all(0.0));
+    let q = F::pick(is_ahead, root.minus(b), root.plus(b).negated());
+    let (t, other) = (q.over(a), c.over(q));
+    let is_met = F::both(nearest_sq.below(r_sq), F::all(0.0).below(half_sq));
+    (t.smaller(other), t.larger(other), is_met)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+    use crate::math::lanes::{FourKernel, four, four_anywhere};
+    use crate::math::random::Random;
+    use crate::math::{Bounds, Ray};
+    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
+
+    /// What is known of the roots of four rays, as single rays know it.
+    struct Asked<'a> {
+        shape: &'a Shape,
+        rays: [Ray; 4],
+    }
+
+    impl FourKernel for Asked<'_> {
+        type Answer = [Option<Vec<(f64, Crossing)>>; 4];
+
+        fn run<F: Four>(&self) -> Self::Answer {
+            let axis = |of: fn(&Ray) -> DVec3, axis: usize| {
+                F::load(&[0, 1, 2, 3].map(|lane| of(&self.rays[lane])[axis]))
+            };
+            let rays = FourRays {
+                origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
+                dir: [0, 1, 2].map(|i| axis(|ray| ray.dir, i)),
+            };
+            let roots = if self.shape.has_four() {
+                let spans = self.shape.four(&rays);
+                let met = F::bits(spans.is_met);
+                FourRoots {
+                    t: [spans.enter, spans.leave, spans.enter, spans.enter],
+                    met: [met, met, 0, 0],
+                    unknown: spans.unknown,
+                }
+            } else {
+                self.shape.roots_of_four(&rays)
+            };
+            [0, 1, 2, 3].map(|lane| {
+                let has = |bits: u32| bits >> lane & 1 == 1;
+                let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
+                let there = (0..4).filter(|&place| has(roots.met[place]));
+                let known = there.map(|place| (roots.t[place].store()[lane], crossing(place)));
+                (!has(roots.unknown)).then(|| known.collect())
+            })
+        }
+    }
+
+    #[test]
+    fn four_rays_find_what_each_finds() {
+        let read = |text: &str| TextArgs::new(text);
+        let shapes = [
+            Shape::Sphere(Sphere::read(&mut read("<1, 2, 3>, 1.5")).unwrap()),
+            Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(2.0, 0.5, 3.0))),
+            Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0))),
+            Shape::Cylinder(Cylinder::read(&mut read("<-1, 0.5, 0>, <1, 1, 2>, 0.7")).unwrap()),
+            Shape::Cylinder(Cylinder::read(&mut read("-2*x, 2*x, 0.6")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
+        ];
+        let mut rng = Random::new(31);
+        for shape in &shapes {
+            let bounds: Bounds = shape.bounds();
+            let (mut known, mut met) = (0, 0);
+            for _ in 0..4000 {
+                let rays = [(); 4].map(|()| rng.ray_near(&bounds));
+                let asked = Asked { shape, rays };
+                let (wide, narrow) = (four(&asked), four_anywhere(&asked));
+                assert_eq!(wide, narrow);
+                for (ray, found) in rays.iter().zip(wide) {
+                    let Some(found) = found else { continue };
+                    let mut roots: Vec<Root> = Vec::new();
+                    shape.roots(ray, &mut roots);
+                    let alone: Vec<_> = roots.iter().map(|root| (root.t, root.crossing)).collect();
+                    assert_eq!(found, alone, "{shape:?} {ray:?}");
+                    known += 1;
+                    met += usize::from(!alone.is_empty());
+                }
+            }
+            assert!(known > 5000, "{shape:?} {known} {met}");
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The page of `povr curve` as a browser shows it: Debian's Chromium, without a window.
+//!
+//! Where there is no Chromium the test says so and passes; `tools/test` installs it.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+
+const TIME_LIMIT: Duration = Duration::from_secs(180);
+const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
+camera { location -5*z look_at 0 angle 40 } light_source { <-4, 6, -8>, rgb 0.8 }
+background { rgb 0.3 } torus { 1, 0.2 rotate 60*x pigment { rgb <0.7, 0.4, 0.2> } }";
+
+/// Appended to a copy of the page: what it looks like goes into attributes of the body, which a dump of the document shows.
+const PROBE: &str = "<script>addEventListener('load', () => {
+  const told = document.body.dataset, images = [...document.images];
+  told.images = images.length;
+  told.loaded = images.filter(image => image.complete && image.naturalWidth === 64).length;
+  told.overflow = document.documentElement.scrollWidth > innerWidth;
+  const plot = document.querySelector('.plot svg').getBoundingClientRect();
+  told.plot = plot.width > 300 && plot.height > 100;
+  told.marks = document.querySelectorAll('.plot svg circle').length;
+  told.rows = document.querySelectorAll('tbody tr').length;
+  const boxes = [...document.querySelectorAll('figure')].map(figure => figure.getBoundingClientRect());
+  told.overlaps = boxes.some((a, i) => boxes.slice(i + 1).some(b =>
+    a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+  told.elsewhere = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length;
+});</script>";
+
+fn browser() -> Option<&'static str> {
+    ["chromium", "chromium-browser", "google-chrome"]
+        .into_iter()
+        .find(|name| Command::new(name).arg("--version").output().is_ok())
+}
+
+fn shown(browser: &str, page: &Path, width: u32) -> String {
+    let profile = tempfile::tempdir().expect("a folder");
+    let mut command = Command::new(browser);
+    command
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"])
+        .arg(format!("--window-size={width},1000"))
+        .arg(format!("--user-data-dir={}", profile.path().display()))
+        .arg("--virtual-time-budget=5000")
+        .arg(format!("file://{}", page.display()));
+    let output = command.output().expect("the browser starts");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+#[test]
+fn a_browser_shows_the_whole_page() {
+    let here = tempfile::tempdir().expect("a folder");
+    let scene = here.path().join("ring.pov");
+    fs::write(&scene, SCENE).expect("a scene");
+    let mut command = Command::new(support::renderer());
+    command
+        .current_dir(here.path())
+        .args([
+            "curve", "ring.pov", "+W64", "+H48", "--runs", "2", "--truth", "1", "--out", "out",
+        ])
+        .args(["--settings", "-A; --error 4; --error 2; +A0.1 +AM1 +R2 -J"]);
+    let ended = support::run(&mut command, TIME_LIMIT).expect("povr starts");
+    assert!(
+        ended.status.is_some_and(|status| status.success()),
+        "{}",
+        ended.stderr
+    );
+    let out = here.path().join("out");
+    for file in [
+        "curve.csv",
+        "curve.json",
+        "curve.svg",
+        "curve.png",
+        "index.html",
+    ] {
+        assert!(out.join(file).is_file(), "{file} is missing");
+    }
+    assert_eq!(
+        fs::read_to_string(out.join("curve.csv"))
+            .expect("a table")
+            .lines()
+            .count(),
+        5
+    );
+    let plot = image::open(out.join("curve.png"))
+        .expect("a picture")
+        .to_rgb8();
+    let has_ink = plot.pixels().filter(|pixel| pixel.0 != [255; 3]).count();
+    assert!(has_ink > 2000, "the plot is empty");
+
+    let Some(browser) = browser() else {
+        println!("skipped: there is no Chromium; `tools/test` installs it");
+        return;
+    };
+    let page = fs::read_to_string(out.join("index.html")).expect("a page");
+    let probed = out.join("probed.html");
+    fs::write(&probed, page.replace("</body>", &format!("{PROBE}</body>"))).expect("a page");
+    for width in [1400, 500] {
+        let dump = shown(browser, &probed, width);
+        for fact in [
+            "data-images=\"9\"",
+            "data-loaded=\"9\"",
+            "data-overflow=\"false\"",
+            "data-plot=\"true\"",
+            "data-rows=\"4\"",
+            "data-overlaps=\"false\"",
+            "data-elsewhere=\"0\"",
+            "povr +A0.1 +AM1 +R2 -J",
+        ] {
+            assert!(
+                dump.contains(fact),
+                "{fact} at {width}: {}",
+                &dump[dump.find("<body").unwrap_or(0)..]
+                    .chars()
+                    .take(600)
+                    .collect::<String>()
+            );
+        }
+    }
+}
