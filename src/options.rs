@@ -95,6 +95,8 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
+    /// Whether to tell what the drawing took.
+    pub statistics: bool,
     /// How pixels are sampled; `None` for one ray through the centre of each.
     pub antialias: Option<Antialias>,
 }
@@ -210,6 +212,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
+            statistics: false,
             antialias: None,
         }
     }

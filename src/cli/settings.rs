@@ -134,6 +134,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
+        statistics: typed.stats,
         antialias: typed.is_antialiased.then_some(Antialias {
             jitter: if typed.is_jittered {
                 typed.antialias.jitter
