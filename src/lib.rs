@@ -64,6 +64,9 @@ use std::sync::Arc;
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 256 << 20;
 
+/// Worlds with fewer primitives are let go at once.
+const LARGE_WORLD: usize = 10_000;
+
 /// Below this quality there is neither radiosity nor photons (facts 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
@@ -98,12 +101,26 @@ pub fn draw(
     };
     watch.lap("trace");
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
-    let statistics = statistics::gather(watch, &drawn, world.plan(), pixels);
+    let plan = render.statistics.then(|| world.plan());
+    let statistics = statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
+    forget(world);
     Ok(Picture {
         film: drawn.film,
         working,
         statistics,
     })
+}
+
+/// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
+/// that ends then need not wait.
+fn forget(world: World) {
+    if world.leaves().len() < LARGE_WORLD {
+        return;
+    }
+    // Without a thread it goes here and now.
+    let _ = std::thread::Builder::new()
+        .name("forgetter".to_owned())
+        .spawn(move || drop(world));
 }
 
 /// Reads a scene and draws nothing. All that can be wrong in a scene is found by reading: compiling cannot fail.

@@ -99,6 +99,8 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
+    /// Whether to tell what was left out.
+    pub statistics: bool,
     /// How pixels are sampled.
     pub sampling: Sampling,
 }
@@ -310,6 +312,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
+            statistics: false,
             sampling: Sampling::Centres,
         }
     }

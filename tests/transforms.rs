@@ -14,7 +14,7 @@ fn leaf(scene: &str) -> Leaf {
     let scene = reading
         .scene
         .unwrap_or_else(|| panic!("{:?}", reading.findings));
-    let leaves = compile(&scene, &RenderOptions::default()).leaves().to_vec();
+    let leaves = compile(scene, &RenderOptions::default()).leaves().to_vec();
     assert_eq!(leaves.len(), 1);
     leaves[0].clone()
 }

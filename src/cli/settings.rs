@@ -137,6 +137,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
+        statistics: typed.stats || typed.json,
         sampling: sampling(typed),
     })
 }

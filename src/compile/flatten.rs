@@ -38,8 +38,10 @@ pub(super) struct Flat {
     /// What patterns take from the whole scene.
     settings: Settings,
     pub(super) lights: Lights,
-    /// By address.
-    prepared: FxHashMap<usize, Arc<PreparedTexture>>,
+    /// By address, which stays taken as long as the texture is kept.
+    prepared: FxHashMap<usize, (Arc<Texture>, Arc<PreparedTexture>)>,
+    /// What objects without a texture look like.
+    plain: Option<Arc<PreparedTexture>>,
     last_surface: Option<u32>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
@@ -416,7 +418,11 @@ impl Flat {
     fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
         let texture = match &looks.texture {
             Some(placed) => self.prepare(placed),
-            None => Arc::new(Texture::from(Layer::default()).prepare(&[], &self.settings)),
+            None => {
+                let fresh = || Texture::from(Layer::default()).prepare(&[], &self.settings);
+                let plain = self.plain.get_or_insert_with(|| Arc::new(fresh()));
+                Arc::clone(plain)
+            }
         };
         let inside_texture = looks
             .inside_texture
@@ -430,14 +436,8 @@ impl Flat {
         };
         let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
-        let surface = Surface {
-            texture,
-            inside_texture,
-            skins,
-            interior,
-            lights: looks.lights,
-            flags: looks.flags,
-        };
+        let lit = (looks.lights, looks.flags);
+        let surface = Surface::new(texture, inside_texture, skins, interior, lit);
         if let Some(last) = self
             .last_surface
             .filter(|&last| self.surfaces[last as usize].is_same(&surface))
@@ -453,9 +453,14 @@ impl Flat {
     /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
     fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
         if !placed.texture.depends_on_place() {
-            let key = Arc::as_ptr(&placed.texture).addr();
             let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
-            return Arc::clone(self.prepared.entry(key).or_insert_with(fresh));
+            // The object has it and hands it down; whoever shares it makes more.
+            if Arc::strong_count(&placed.texture) <= 2 {
+                return fresh();
+            }
+            let key = Arc::as_ptr(&placed.texture).addr();
+            let kept = || (Arc::clone(&placed.texture), fresh());
+            return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
         }
         Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
     }

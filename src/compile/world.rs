@@ -53,9 +53,60 @@ pub struct Surface {
     pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
+    /// What follows from its textures.
+    traits: Traits,
+}
+
+/// Answers about the textures of a surface that every ray may ask for: the textures lie elsewhere in memory.
+#[derive(Clone, Copy, Debug, Default)]
+struct Traits {
+    is_opaque: bool,
+    is_lit_from_behind: bool,
+    has_fresnel: bool,
 }
 
 impl Surface {
+    /// A surface that looks so.
+    pub(super) fn new(
+        texture: Arc<PreparedTexture>,
+        inside_texture: Option<Arc<PreparedTexture>>,
+        skins: Vec<Arc<PreparedTexture>>,
+        interior: InteriorId,
+        (lights, flags): (LightList, Flags),
+    ) -> Self {
+        let textures = || {
+            let two = std::iter::once(&texture).chain(&inside_texture);
+            two.chain(&skins)
+        };
+        let layers = || textures().flat_map(|texture| texture.layers());
+        let traits = Traits {
+            is_opaque: textures().all(|texture| texture.is_opaque()),
+            is_lit_from_behind: layers().any(|layer| layer.finish.diffuse_back != 0.0),
+            has_fresnel: layers().any(|layer| layer.finish.reflection.is_fresnel),
+        };
+        Surface {
+            texture,
+            inside_texture,
+            skins,
+            interior,
+            lights,
+            flags,
+            traits,
+        }
+    }
+
+    /// Whether light that comes from behind can be seen on it.
+    #[must_use]
+    pub fn is_lit_from_behind(&self) -> bool {
+        self.flags.double_illuminate || self.traits.is_lit_from_behind
+    }
+
+    /// Whether the view through it matters to its mirror images.
+    #[must_use]
+    pub fn has_fresnel(&self) -> bool {
+        self.traits.has_fresnel
+    }
+
     /// Whether the two need not be told apart.
     pub(super) fn is_same(&self, other: &Surface) -> bool {
         let same_inside = match (&self.inside_texture, &other.inside_texture) {
@@ -75,12 +126,7 @@ impl Surface {
     /// Whether nothing can be seen through it.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.texture.is_opaque()
-            && self
-                .inside_texture
-                .as_ref()
-                .is_none_or(|texture| texture.is_opaque())
-            && self.skins.iter().all(|texture| texture.is_opaque())
+        self.traits.is_opaque
     }
 }
 

@@ -315,7 +315,7 @@ mod tests {
             Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(2.0, 0.5, 3.0))),
             Shape::Cuboid(Cuboid::new(DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0))),
             Shape::Cylinder(Cylinder::read(&mut read("<-1, 0.5, 0>, <1, 1, 2>, 0.7")).unwrap()),
-            Shape::Cylinder(Cylinder::read(&mut read("-2*x, 2*x, 0.6")).unwrap()),
+            Shape::Cylinder(Cylinder::read(&mut read("<-2, 0, 0>, <2, 0, 0>, 0.6")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
             Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
@@ -339,7 +339,7 @@ mod tests {
                     met += usize::from(!alone.is_empty());
                 }
             }
-            assert!(known > 5000, "{shape:?} {known} {met}");
+            assert!(known > 3000, "{shape:?} {known} {met}");
         }
     }
 }

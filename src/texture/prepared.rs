@@ -7,12 +7,13 @@ use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot};
 use glam::DVec3;
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// A texture ready for rays.
 #[derive(Debug)]
 pub struct PreparedTexture {
-    layers: Vec<PreparedLayer>,
+    layers: SmallVec<[PreparedLayer; 1]>,
     is_opaque: bool,
     has_reflection: bool,
 }
@@ -50,7 +51,8 @@ impl PreparedTexture {
             quick_color: layer.pigment.quick_color,
             finish: Arc::clone(&layer.finish),
         };
-        let layers: Vec<_> = texture.layers().iter().rev().map(prepare).collect();
+        let layers: SmallVec<[PreparedLayer; 1]> =
+            texture.layers().iter().rev().map(prepare).collect();
         PreparedTexture {
             is_opaque: layers
                 .iter()

@@ -266,14 +266,7 @@ pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: 
 
 /// Whether light at this cosine to the normal can matter to a surface.
 pub(super) fn faces(surface: &Surface, cosine: f64) -> bool {
-    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
-    let mut layers = textures
-        .into_iter()
-        .flatten()
-        .flat_map(|texture| texture.layers());
-    cosine >= NOTHING
-        || surface.flags.double_illuminate
-        || layers.any(|layer| layer.finish.diffuse_back != 0.0)
+    cosine >= NOTHING || surface.is_lit_from_behind()
 }
 
 pub(super) fn is_nothing(light: Rgb) -> bool {

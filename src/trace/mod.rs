@@ -19,7 +19,7 @@ mod through;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Way, World};
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Surface, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use air::Air;
@@ -105,8 +105,8 @@ impl<'w> Tracer<'w> {
     /// A tracer of `world`; `quality` is that of `+Q`, 9 and more for all there is.
     #[must_use]
     pub fn new(world: &'w World, quality: u8) -> Self {
-        let is_all_opaque = world.surfaces.iter().all(|surface| surface.is_opaque());
-        let has_fresnel = world.surfaces.iter().any(surface::has_fresnel);
+        let is_all_opaque = world.is_opaque();
+        let has_fresnel = world.surfaces.iter().any(Surface::has_fresnel);
         let minds_interiors =
             !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
         let around_camera = if minds_interiors && world.camera.has_one_origin() {

@@ -74,17 +74,6 @@ struct Mirror<'f> {
     finish: &'f Finish,
 }
 
-/// Whether the view through a surface matters to its mirror images.
-pub(super) fn has_fresnel(surface: &Surface) -> bool {
-    let textures = [Some(&surface.texture), surface.inside_texture.as_ref()];
-    let mut layers = textures
-        .into_iter()
-        .flatten()
-        .chain(&surface.skins)
-        .flat_map(|texture| texture.layers());
-    layers.any(|layer| layer.finish.reflection.is_fresnel)
-}
-
 impl Tracer<'_> {
     /// What a ray sees at a hit, without what comes straight through. `ways` tells by light what lies between, as far as
     /// that is known.

@@ -24,7 +24,7 @@ fn leaves(object: &str) -> Vec<Leaf> {
     let scene = reading
         .scene
         .unwrap_or_else(|| panic!("{object}: {:?}", reading.findings));
-    compile(&scene, &RenderOptions::default()).leaves().to_vec()
+    compile(scene, &RenderOptions::default()).leaves().to_vec()
 }
 
 /// Spans shorter than this say nothing: some surfaces are only found to their accuracy.

@@ -50,7 +50,7 @@ fn solids_that_touch_and_tori_that_cross() {
             intersection { box { -1, 1 } sphere { 0, 1.35 } }
             cylinder { -2*x, 2*x, 0.6 } cylinder { -2*y, y, 0.6 } box { <0, 0, -1>, <1, 1, 2> } sphere { x + y, 0.5 }
             scale 0.4 #if (mod(I, 2)) rotate 360 * rand(R) #end
-            translate floor(<rand(R), rand(R), rand(R)> * 12) * 0.4 - 2.4 pigment { rgb 1 } finish { phong 1 }
+            translate <floor(12 * rand(R)), floor(12 * rand(R)), floor(12 * rand(R))> * 0.4 - 2.4 pigment { rgb 1 } finish { phong 1 }
           }
           torus { 0.5, 0.02 + 0.5 * rand(R) #if (mod(I, 3)) rotate 360 * rand(R) #end
             translate <rand(R), rand(R), rand(R)> * 5 - 2.5 pigment { rgb <1, 0.5, 0.2> } }
