@@ -1,7 +1,8 @@
 //! `povr sheet`: the whole set of files for a shape, every shape under all transforms, and a shape of one's own, each as
 //! POV-Ray draws them.
 
-mod support;
+#[path = "support/process.rs"]
+mod process;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,13 +12,20 @@ use std::time::Duration;
 /// POV-Ray draws some hundred small pictures.
 const TIME_LIMIT: Duration = Duration::from_secs(600);
 
+/// A folder under `target/`, made if it is missing.
+fn scratch() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sheet");
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
 /// Makes a sheet in an empty folder; what it said is the message where it fails.
 fn sheet(folder: &str, arguments: &[&str]) -> PathBuf {
-    let folder = support::scratch("sheet").expect("a folder").join(folder);
+    let folder = scratch().join(folder);
     let _ = fs::remove_dir_all(&folder);
-    let mut command = Command::new(support::renderer());
+    let mut command = Command::new(env!("CARGO_BIN_EXE_povr"));
     command.arg("sheet").args(arguments).arg("-o").arg(&folder);
-    let ended = support::run(&mut command, TIME_LIMIT).expect("povr starts");
+    let ended = process::run(&mut command, TIME_LIMIT).expect("povr starts");
     let is_right = ended.status.is_some_and(|status| status.success());
     assert!(is_right, "{}", ended.stderr);
     folder
@@ -57,7 +65,7 @@ fn every_shape_agrees_with_pov_ray_under_all_transforms() {
 
 #[test]
 fn an_object_of_ones_own_comes_from_a_file() {
-    let own = support::scratch("sheet").expect("a folder").join("own.inc");
+    let own = scratch().join("own.inc");
     let text = "#declare Pin = union { sphere { y, 0.4 } cone { -y, 0, y, 0.3 } }\n";
     fs::write(&own, text).expect("a file");
     let path = own.display().to_string();
@@ -69,9 +77,9 @@ fn an_object_of_ones_own_comes_from_a_file() {
 
 #[test]
 fn an_unknown_shape_is_refused_with_the_known_ones() {
-    let mut command = Command::new(support::renderer());
+    let mut command = Command::new(env!("CARGO_BIN_EXE_povr"));
     command.args(["sheet", "bagel", "-o", "nowhere"]);
-    let ended = support::run(&mut command, TIME_LIMIT).expect("povr starts");
+    let ended = process::run(&mut command, TIME_LIMIT).expect("povr starts");
     assert_eq!(ended.status.and_then(|status| status.code()), Some(2));
     assert!(
         ended

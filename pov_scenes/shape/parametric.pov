@@ -8,6 +8,6 @@ parametric {
   function { sin(u)*cos(v) } function { cos(u) } function { sin(u)*sin(v)*(1 + 0.2*sin(4*v)) }
   <0, 0>, <pi, 2*pi>
   contained_by { sphere { 0, 1.3 } }
-  max_gradient 1.8 accuracy 0.002 precompute 10, x, y, z
+  max_gradient 1.8 accuracy 0.02 precompute 10, x, y, z
   pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
 }

@@ -21,10 +21,7 @@ background { rgb <0.1, 0.2, 0.3> }
   sphere { 0, 0.26 }
   pigment { rgb <0.9, 0.7, 0.4> } finish { phong 0.5 }
 }
-#declare Hand = union {
-  torus { 0.25, 0.07 rotate 90*x translate 0.3*y }
-  pigment { rgb <0.4, 0.7, 0.9> }
-}
+#declare Hand = torus { 0.25, 0.07 rotate 90*x translate 0.3*y pigment { rgb <0.4, 0.7, 0.9> } }
 
 #declare Shoulder = 70*cos(2*pi*clock);
 #declare Elbow = 30 - 80*sin(2*pi*clock);

@@ -246,7 +246,11 @@ impl Surface {
     )]
     fn face(&self, at: DVec2) -> u32 {
         let share = (at - self.low) / (self.high - self.low);
-        let digits = |share: f64| (share * f64::from(1_u32 << DIGITS)).clamp(0.0, 65535.0) as u32;
+        // Rounded, since halving leaves the corners a last digit beside their places.
+        let digits = |share: f64| {
+            let digits = (share * f64::from(1_u32 << DIGITS)).round();
+            digits.clamp(0.0, 65535.0) as u32
+        };
         digits(share.x) << DIGITS | digits(share.y)
     }
 

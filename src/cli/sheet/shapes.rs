@@ -164,7 +164,9 @@ pub(super) const SHAPES: &[Sample] = &[
 /// The heights of the height field, which its scenes read from beside themselves.
 pub(super) const HEIGHTS: (&str, &str) = (
     "heights.pgm",
-    "P2 8 8 255
+    "P2
+8 8
+255
 70 80 90 95 90 80 75 70
 75 99 130 140 120 95 85 75
 80 125 180 190 150 100 90 90
