@@ -37,7 +37,7 @@ fn world(text: &str, version: f64, has_alpha: bool) -> World {
         .scene
         .unwrap_or_else(|| panic!("{text}\n{:?}", reading.findings));
     compile(
-        &scene,
+        scene,
         &RenderOptions {
             alpha: has_alpha,
             ..RenderOptions::default()
