@@ -4,6 +4,13 @@
 //! The truth is a grid of 24 by 24 samples in each pixel that knows nothing of estimates: the scene drawn 24 times as
 //! large, one ray a pixel.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::cast_possible_truncation,
+    reason = "what a test finds is read on the terminal; means have few digits"
+)]
+
+#[allow(dead_code, reason = "each test uses its part of it")]
 mod support;
 
 use povr::curve::Linear;

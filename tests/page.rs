@@ -2,6 +2,12 @@
 //!
 //! Where there is no Chromium the test says so and passes; `tools/test` installs it.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "what a test finds is read on the terminal; means have few digits"
+)]
+
+#[allow(dead_code, reason = "each test uses its part of it")]
 mod support;
 
 use std::fs;

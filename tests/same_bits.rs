@@ -2,6 +2,7 @@
 
 use povr::film::Film;
 use povr::options::{Antialias, Converging, Input, Method, ReadOptions, RenderOptions, Sampling};
+use std::time::Duration;
 
 /// A scene with mirrors, glass, shadows, patterns and solids.
 const SCENE: &str = "#version 3.7;
@@ -146,4 +147,42 @@ fn a_scene_scaled_by_a_power_of_two_keeps_its_picture() {
             .count();
         assert_eq!(differ, 0, "{differ} pixels differ at scale 2^{power}");
     }
+}
+
+#[test]
+fn a_picture_without_time_is_a_whole_picture_all_the_same() {
+    let in_time = |milliseconds| RenderOptions {
+        sampling: Sampling::Converging(Converging {
+            error: 0.5,
+            time: Some(Duration::from_millis(milliseconds)),
+        }),
+        ..options()
+    };
+    let none = drawn(SCENE, &in_time(0));
+    let coarse = RenderOptions {
+        sampling: Sampling::Converging(Converging {
+            error: 16.0,
+            time: None,
+        }),
+        ..options()
+    };
+    assert_eq!(none, drawn(SCENE, &coarse), "the first drawing is finished");
+    let long = drawn(SCENE, &in_time(600_000));
+    let fine = RenderOptions {
+        sampling: Sampling::Converging(Converging {
+            error: 0.5,
+            time: None,
+        }),
+        ..options()
+    };
+    let fine = drawn(SCENE, &fine);
+    let apart = long
+        .pixels
+        .iter()
+        .zip(&fine.pixels)
+        .map(|(a, b)| (a.rgb.g - b.rgb.g).abs());
+    assert!(
+        apart.fold(0.0, f32::max) < 0.03,
+        "with all the time the error holds"
+    );
 }

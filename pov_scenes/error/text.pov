@@ -8,6 +8,6 @@ difference {
   box { <-1.8, -0.9, 0>, <1.8, 0.9, 0.2> }
   text { ttf "cyrvetic.ttf" "Error" 1, 0 scale 0.9 translate <-1.3, 0, -0.5> }
   text { ttf "timrom.ttf" "against run time, to the least of its bits" 1, 0 scale <0.17, 0.17, 1> translate <-1.5, -0.5, -0.5> }
-  rotate 12*y
+  rotate 14*y
   pigment { rgb <0.8, 0.7, 0.4> } finish { ambient 0.1 diffuse 0.7 phong 0.3 }
 }

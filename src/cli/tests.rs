@@ -1,11 +1,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::draw::{Draw, carry_out};
 use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
-use crate::options::{Antialias, Event, Failure, Input, Method, Picture, ReadOptions, Sampling};
+use crate::options::{
+    Antialias, Converging, Event, Failure, Input, Method, Picture, ReadOptions, Sampling,
+};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The settings of a command line, without any ini file around it.
@@ -559,4 +562,37 @@ fn a_folder_that_is_not_there_is_named_with_a_remedy() {
             "cannot write `/none/x.png`: no such file or directory\n  hint: the folder `/none` does not exist: create it, or name another file with `+O`".to_owned()
         )
     );
+}
+
+#[test]
+fn an_error_or_a_time_chooses_the_method_that_converges() {
+    let here = folder(&[("s.pov", "")]);
+    let scene = here.path().join("s.pov").display().to_string();
+    let how = |more: &[&str]| {
+        let arguments = [&[scene.as_str()], more].concat();
+        settings(&arguments).render.sampling
+    };
+    let converging = |error, seconds: Option<u64>| {
+        Sampling::Converging(Converging {
+            error,
+            time: seconds.map(Duration::from_secs),
+        })
+    };
+    for (arguments, expected) in [
+        (vec!["+AM4"], converging(1.0, None)),
+        (vec!["--error", "0.5"], converging(0.5, None)),
+        (vec!["Antialias_Error=0.5"], converging(0.5, None)),
+        (vec!["--time=2m"], converging(0.0, Some(120))),
+        (
+            vec!["Antialias_Time=3s", "--error", "2"],
+            converging(2.0, Some(3)),
+        ),
+        (
+            vec!["--error", "2", "+A0.3", "+AM1"],
+            Sampling::PovRay(Antialias::default()),
+        ),
+        (vec!["--error", "2", "-A"], Sampling::Centres),
+    ] {
+        assert_eq!(how(&arguments), expected, "{arguments:?}");
+    }
 }

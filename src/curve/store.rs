@@ -67,7 +67,7 @@ impl Spread {
         let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
         let middle = values.len() / 2;
         Spread {
-            median: if values.len() % 2 == 0 {
+            median: if values.len().is_multiple_of(2) {
                 f64::midpoint(at(middle.saturating_sub(1)), at(middle))
             } else {
                 at(middle)

@@ -105,9 +105,10 @@ pub(super) fn of_all(
         if !counts(a, b) {
             return;
         }
-        for c in 0..channels {
-            let d = f64::from(a.channels[c]) - f64::from(b.channels[c]);
-            apart[c] += d * d;
+        let pairs = a.channels.iter().zip(b.channels);
+        for (sum, (a, b)) in apart.iter_mut().zip(pairs).take(channels) {
+            let d = f64::from(*a) - f64::from(b);
+            *sum += d * d;
         }
     };
     for row in 0..height {

@@ -1,5 +1,10 @@
 //! The estimate of a pixel's error against errors that are known.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision"
+)]
+
 use super::estimate::{Reach, estimate};
 use super::look::Look;
 use crate::math::sobol::Sobol;
