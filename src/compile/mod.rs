@@ -7,6 +7,7 @@ mod interiors;
 mod leaf;
 mod lights;
 mod order;
+mod passed;
 mod plan;
 mod probe;
 mod rays;

@@ -6,6 +6,7 @@ use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::{LightList, Lights};
 use super::order::{Finder, Numbered};
+use super::passed::Items;
 use super::rays::Rays;
 use crate::accel::Bundle;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
@@ -203,6 +204,8 @@ pub struct Scratch {
     blockers: SmallVec<[u32; 8]>,
     pub(super) bundle: Bundle,
     pub(super) bests: Vec<Option<Best>>,
+    /// What the ray to a light meets that is being followed.
+    pub(super) among: Items,
 }
 
 /// What lies between a point and a light.

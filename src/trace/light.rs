@@ -169,13 +169,13 @@ impl Tracer<'_> {
         let known = lit.ways.get(light as usize).copied().flatten();
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
-            Way::Free | Way::Filtered => {}
+            Way::Free | Way::Filtered => self.world.gather(&query, scratch),
             Way::Blocked => return Rgb::BLACK,
         }
         let mut inside = Inside::from_slice(&lit.path.inside);
         let mut left = distance;
         for _ in 0..super::MOST_PASSED {
-            let hit = self.world.nearest(&query, scratch);
+            let hit = self.world.nearest_among(&query, scratch);
             if minds_air {
                 let length = hit.map_or(left, |hit| hit.t);
                 if let Some(fog) = self.fog(&query.ray, length)
