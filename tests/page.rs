@@ -7,7 +7,6 @@
     reason = "what a test finds is read on the terminal; means have few digits"
 )]
 
-#[allow(dead_code, reason = "each test uses its part of it")]
 mod support;
 
 use std::fs;

@@ -1,5 +1,7 @@
 //! What the tests that start renderers share: the scenes of `pov_scenes/`, and processes with a time limit.
 
+#![allow(dead_code, unused_imports, reason = "each test uses a part of this")]
+
 use std::ffi::OsString;
 use std::fs;
 use std::io;
