@@ -137,7 +137,7 @@ impl Drawing<'_> {
         errors.iter().map(|error| error * error).sum()
     }
 
-    /// Draws some rows; a pixel that was better before stays.
+    /// Draws some rows; a pixel that was better before stays if the time ends meanwhile.
     fn draw(&mut self, rows: &Range<u32>, target: Target, progress: &(dyn Fn(u64) + Sync)) {
         let with_margin = |range: &Range<u32>, side: u32| {
             range.start.saturating_sub(MARGIN)..(range.end + MARGIN).min(side)
@@ -146,6 +146,8 @@ impl Drawing<'_> {
         let columns = with_margin(&self.columns, width);
         let mut band = Band::new(&self.eye, target, columns, with_margin(rows, height));
         let done: Vec<Done> = band.finish(&self.columns, rows, progress);
+        // To keep the lower of two estimates would be to keep those that are too low.
+        let is_whole = !target.is_over();
         self.samples += band.samples;
         self.rays += band.rays;
         let wide = self.columns.len();
@@ -153,7 +155,7 @@ impl Drawing<'_> {
             let errors = (y - self.rows.start) as usize * wide;
             let pixels = y as usize * width as usize + self.columns.start as usize;
             for (i, done) in row.iter().enumerate() {
-                if done.error < self.errors[errors + i] {
+                if is_whole || done.error < self.errors[errors + i] {
                     self.errors[errors + i] = done.error;
                     self.film.pixels[pixels + i] = done.value;
                 }
