@@ -6,7 +6,7 @@
 //! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
 //! are those of one ray at a time, to the bit.
 
-use super::node::{Cell, Frame, Node, WIDTH};
+use super::node::{Cell, Frame, Node, WIDTH, larger, smaller};
 use super::{Bvh, Pending, Stack};
 use crate::math::Bounds;
 use crate::math::lanes::{Eight, Kernel, eight};
@@ -545,16 +545,4 @@ fn frame_end(end: f64, scale: f64) -> f32 {
     } else {
         end * (1.0 + 4.0 * DOUBT)
     }
-}
-
-/// The second where one is not a number.
-#[inline(always)]
-fn smaller(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
-}
-
-/// The second where one is not a number.
-#[inline(always)]
-fn larger(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
 }

@@ -108,14 +108,15 @@ impl Cell {
     }
 }
 
-/// Of two numbers; one instruction, unlike `f32::min`, which asks whether both are.
+/// The second where one is not a number; one instruction, unlike `f32::min`, which asks whether both are.
 #[inline(always)]
-fn smaller(a: f32, b: f32) -> f32 {
+pub(super) fn smaller(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
+/// As [`smaller`].
 #[inline(always)]
-fn larger(a: f32, b: f32) -> f32 {
+pub(super) fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 

@@ -10,8 +10,8 @@
 //! are taken together, and one is shown if the node as a whole is entered or left there: no skin, no hole.
 
 use super::leaf::Leaf;
+use super::query::Departure;
 use super::simplify::Order;
-use super::world::Departure;
 use crate::math::Ray;
 use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;

@@ -5,7 +5,7 @@ use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::{Extent, Leaf};
 use super::lights::{LightList, Lights};
-use super::world::{Flags, Surface};
+use super::surface::{Flags, Surface};
 use crate::light::Light;
 use crate::math::{Bounds, Step};
 use crate::pattern::Settings;

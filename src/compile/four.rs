@@ -7,7 +7,8 @@
 
 use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
-use super::world::{Query, Scratch, World};
+use super::query::{Query, Scratch};
+use super::world::World;
 use crate::math::lanes::{Four, FourKernel, four};
 use crate::shape::{Crossing, FourRays, FourSpans, Root};
 

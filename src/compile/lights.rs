@@ -2,7 +2,7 @@
 
 use super::csg::{Found, Program};
 use super::leaf::Leaf;
-use super::world::{Query, Scratch};
+use super::query::{Query, Scratch};
 use crate::light::Light;
 
 /// Which lights shine on a surface.

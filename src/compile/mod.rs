@@ -10,8 +10,12 @@ mod order;
 mod passed;
 mod plan;
 mod probe;
+mod query;
 mod rays;
+mod search;
+mod shadow;
 mod simplify;
+mod surface;
 mod together;
 mod world;
 
@@ -19,8 +23,10 @@ pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
 pub use probe::Probed;
+pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;
-pub use world::{Departure, Flags, Globals, Hit, Query, Scratch, Seen, Surface, Way, World};
+pub use surface::{Flags, Surface};
+pub use world::{Globals, World};
 
 use crate::options::RenderOptions;
 use crate::pattern::Settings;

@@ -1,7 +1,8 @@
 //! What light passes on its way: found in one search, then met one after the other without searching again.
 
 use super::order::Numbered;
-use super::world::{Best, Hit, Query, Scratch, World};
+use super::query::{Best, Hit, Query, Scratch};
+use super::world::World;
 use crate::math::lanes::with_widest;
 use smallvec::SmallVec;
 

@@ -1,7 +1,8 @@
 //! Rays and points at single objects, before there is a world.
 
 use super::flatten::{Flat, Item};
-use super::world::{Query, Scratch, Seen, World};
+use super::query::{Query, Scratch, Seen};
+use super::world::World;
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::{Bounds, Ray};

@@ -1,6 +1,6 @@
 //! How many rays were followed, by kind.
 
-use super::world::{Query, Seen};
+use super::query::{Query, Seen};
 use std::ops::AddAssign;
 
 /// Numbers of rays by kind.

@@ -3,7 +3,8 @@
 use super::csg::Found;
 use super::flatten::Item;
 use super::order::Numbered;
-use super::world::{Best, Hit, Query, Scratch, Way, World};
+use super::query::{Best, Hit, Query, Scratch, Way};
+use super::world::World;
 use crate::math::lanes::with_widest;
 use glam::DVec3;
 use smallvec::SmallVec;

@@ -186,30 +186,16 @@ mod tests {
             moved.transform_point3(DVec3::new(1.0, 10.0, 100.0))
         };
         let none = Shear::default();
-        assert_eq!(
-            shear(Shear { xy: 0.5, ..none }),
-            DVec3::new(6.0, 10.0, 100.0)
-        );
-        assert_eq!(
-            shear(Shear { xz: 0.5, ..none }),
-            DVec3::new(51.0, 10.0, 100.0)
-        );
-        assert_eq!(
-            shear(Shear { yx: 0.5, ..none }),
-            DVec3::new(1.0, 10.5, 100.0)
-        );
-        assert_eq!(
-            shear(Shear { yz: 0.5, ..none }),
-            DVec3::new(1.0, 60.0, 100.0)
-        );
-        assert_eq!(
-            shear(Shear { zx: 0.5, ..none }),
-            DVec3::new(1.0, 10.0, 100.5)
-        );
-        assert_eq!(
-            shear(Shear { zy: 0.5, ..none }),
-            DVec3::new(1.0, 10.0, 105.0)
-        );
+        for (one, moved) in [
+            (Shear { xy: 0.5, ..none }, [6.0, 10.0, 100.0]),
+            (Shear { xz: 0.5, ..none }, [51.0, 10.0, 100.0]),
+            (Shear { yx: 0.5, ..none }, [1.0, 10.5, 100.0]),
+            (Shear { yz: 0.5, ..none }, [1.0, 60.0, 100.0]),
+            (Shear { zx: 0.5, ..none }, [1.0, 10.0, 100.5]),
+            (Shear { zy: 0.5, ..none }, [1.0, 10.0, 105.0]),
+        ] {
+            assert_eq!(shear(one), DVec3::from_array(moved), "{one:?}");
+        }
     }
 
     #[test]

@@ -1,0 +1,107 @@
+//! What rays ask the world, what they get, and what a thread keeps between two questions.
+
+use super::csg::{Found, Sweep};
+use super::passed::Items;
+use super::rays::Rays;
+use crate::accel::Bundle;
+use crate::color::Rgb;
+use crate::math::Ray;
+use crate::math::mersenne::Stream;
+use crate::shape::{Crossing, Root};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// The root that a spawned ray left, so that it does not find it again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// The leaf.
+    pub leaf: u32,
+    /// The piece of its surface.
+    pub face: u32,
+    /// The outward geometric normal there, in the world.
+    pub normal: DVec3,
+    /// What the old ray did there.
+    pub crossing: Crossing,
+    /// A bound on the error of coordinates at the point: below this distance nothing can be told apart.
+    pub blur: f64,
+}
+
+/// What a ray found.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// Distance along the (unit) ray.
+    pub t: f64,
+    /// The point in the world.
+    pub point: DVec3,
+    /// The unit outward geometric normal in the world.
+    pub normal: DVec3,
+    /// The unit normal for shading, before any `normal` pattern; differs on smooth triangles only.
+    pub shading_normal: DVec3,
+    /// Index into [`super::World::surfaces`].
+    pub surface: u32,
+    /// For the rays that leave from here.
+    pub departure: Departure,
+}
+
+/// Who looks: decides between `no_image`, `no_reflection` and `no_shadow`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// A camera ray, or its straight or refracted continuation.
+    Image,
+    /// A reflected ray and what comes of it.
+    Reflection,
+    /// A ray to a light.
+    Shadow,
+}
+
+/// One question to the world.
+#[derive(Clone, Copy, Debug)]
+pub struct Query {
+    /// The ray; its direction has length 1.
+    pub ray: Ray,
+    /// The root it left, for all but camera rays.
+    pub from: Option<Departure>,
+    /// Nothing at or beyond this distance counts; infinite for none.
+    pub far: f64,
+    /// Who asks.
+    pub seen: Seen,
+}
+
+/// Buffers that a thread keeps between questions.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    pub lamps: Vec<Option<Rgb>>,
+    /// How many rays were followed.
+    pub rays: Rays,
+    /// The random numbers of the sample at hand.
+    pub stream: Stream,
+    /// The state of the generator that `crand` draws from.
+    pub crand: u32,
+    pub(super) sweep: Sweep,
+    pub(super) roots: Vec<Root>,
+    /// For each light, the item that stood last in its way.
+    pub(super) blockers: SmallVec<[u32; 8]>,
+    pub(super) bundle: Bundle,
+    pub(super) bests: Vec<Option<Best>>,
+    /// What the ray to a light meets that is being followed.
+    pub(super) among: Items,
+}
+
+/// What lies between a point and a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Nothing.
+    Free,
+    /// Only surfaces that may let light through.
+    Filtered,
+    /// Something opaque.
+    Blocked,
+}
+
+/// The best surface on a ray so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Best {
+    pub(super) found: Found,
+    pub(super) item: u32,
+}

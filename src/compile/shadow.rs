@@ -1,0 +1,101 @@
+//! What lies between a point and a light.
+
+use super::csg::Found;
+use super::order::Numbered;
+use super::query::{Query, Scratch, Way};
+use super::search::{BLUR, POV_RAY_SHADOW};
+use super::world::World;
+use crate::math::lanes::with_widest;
+use crate::options::LeastDistance;
+use glam::DVec3;
+
+impl World {
+    /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
+    #[must_use]
+    pub fn reach(&self, centre: DVec3, distance: f64) -> f64 {
+        match self.least_distance {
+            LeastDistance::Rounding => distance - BLUR * centre.abs().max_element().max(distance),
+            LeastDistance::PovRay => distance - POV_RAY_SHADOW,
+        }
+    }
+
+    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
+    /// the ray, since it misses what the light is projected through.
+    #[must_use]
+    pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
+        self.lights.reach(light, &self.leaves, query, scratch)
+    }
+
+    /// What lies on a ray to the light of this number.
+    #[must_use]
+    pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        scratch.rays.shadow += 1;
+        with_widest(
+            #[inline(always)]
+            || self.way_found(query, light, scratch),
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+        let light = light as usize;
+        if scratch.blockers.len() <= light {
+            scratch.blockers.resize(light + 1, 0);
+        }
+        let mut way = Way::Free;
+        // Neighbouring points are often in the shadow of the same object.
+        let last = scratch.blockers[light];
+        if let Some(&item) = self.items.get(last as usize)
+            && self.blocks(Numbered { number: last, item }, query, &mut way, scratch)
+        {
+            return Way::Blocked;
+        }
+        for &item in &self.finder.unbounded {
+            if self.blocks(item, query, &mut way, scratch) {
+                scratch.blockers[light] = item.number;
+                return Way::Blocked;
+            }
+        }
+        let is_blocked = self.finder.tree.any(
+            &query.ray,
+            0.0,
+            query.far,
+            #[inline(always)]
+            |number| {
+                let item = self.finder.bounded[number as usize];
+                let blocks = self.blocks(item, query, &mut way, scratch);
+                if blocks {
+                    scratch.blockers[light] = item.number;
+                }
+                blocks
+            },
+        );
+        if is_blocked { Way::Blocked } else { way }
+    }
+
+    /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
+    #[inline(always)]
+    pub(super) fn blocks(
+        &self,
+        item: Numbered,
+        query: &Query,
+        way: &mut Way,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let found = self.find(
+            item,
+            query,
+            query.far,
+            scratch,
+            #[inline(always)]
+            |found: &Found| {
+                let is_opaque = self.is_opaque || self.opaque[self.surface_number(found)];
+                if !is_opaque && found.root.t < query.far {
+                    *way = Way::Filtered;
+                }
+                is_opaque
+            },
+        );
+        found.is_some_and(|found| found.root.t < query.far)
+    }
+}

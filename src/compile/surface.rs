@@ -1,0 +1,125 @@
+//! How the surface of an object looks, and who sees it.
+
+use super::interiors::InteriorId;
+use super::lights::LightList;
+use super::query::Seen;
+use crate::texture::PreparedTexture;
+use std::sync::Arc;
+
+/// The object switches that matter while tracing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flags {
+    /// Casts no shadow.
+    pub no_shadow: bool,
+    /// Not seen by camera rays and their straight or refracted continuations.
+    pub no_image: bool,
+    /// Not seen by reflected rays.
+    pub no_reflection: bool,
+    /// Does not displace the atmosphere around it.
+    pub hollow: bool,
+    /// Lit from both sides.
+    pub double_illuminate: bool,
+}
+
+impl Flags {
+    /// Whether who looks sees it.
+    pub(super) fn is_seen(&self, seen: Seen) -> bool {
+        match seen {
+            Seen::Image => !self.no_image,
+            Seen::Reflection => !self.no_reflection,
+            Seen::Shadow => !self.no_shadow,
+        }
+    }
+}
+
+/// How the surface of an object looks and what lies behind it.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// The layers, with all transforms of the object taken in.
+    pub texture: Arc<PreparedTexture>,
+    /// The texture seen from inside, if the scene gives one.
+    pub inside_texture: Option<Arc<PreparedTexture>>,
+    /// The textures that pieces of the shape have of their own, moved like the layers.
+    pub skins: Vec<Arc<PreparedTexture>>,
+    /// The interior of the object.
+    pub interior: InteriorId,
+    /// The lights that shine on it.
+    pub lights: LightList,
+    /// Its switches.
+    pub flags: Flags,
+    /// What follows from its textures.
+    traits: Traits,
+}
+
+/// Answers about the textures of a surface that every ray may ask for: the textures lie elsewhere in memory.
+#[derive(Clone, Copy, Debug, Default)]
+struct Traits {
+    is_opaque: bool,
+    is_lit_from_behind: bool,
+    has_fresnel: bool,
+}
+
+impl Surface {
+    /// A surface that looks so.
+    pub(super) fn new(
+        texture: Arc<PreparedTexture>,
+        inside_texture: Option<Arc<PreparedTexture>>,
+        skins: Vec<Arc<PreparedTexture>>,
+        interior: InteriorId,
+        (lights, flags): (LightList, Flags),
+    ) -> Self {
+        let textures = || {
+            let two = std::iter::once(&texture).chain(&inside_texture);
+            two.chain(&skins)
+        };
+        let layers = || textures().flat_map(|texture| texture.layers());
+        let traits = Traits {
+            is_opaque: textures().all(|texture| texture.is_opaque()),
+            is_lit_from_behind: layers().any(|layer| layer.finish.diffuse_back != 0.0),
+            has_fresnel: layers().any(|layer| layer.finish.reflection.is_fresnel),
+        };
+        Surface {
+            texture,
+            inside_texture,
+            skins,
+            interior,
+            lights,
+            flags,
+            traits,
+        }
+    }
+
+    /// Whether light that comes from behind can be seen on it.
+    #[must_use]
+    pub fn is_lit_from_behind(&self) -> bool {
+        self.flags.double_illuminate || self.traits.is_lit_from_behind
+    }
+
+    /// Whether the view through it matters to its mirror images.
+    #[must_use]
+    pub fn has_fresnel(&self) -> bool {
+        self.traits.has_fresnel
+    }
+
+    /// Whether the two need not be told apart.
+    pub(super) fn is_same(&self, other: &Surface) -> bool {
+        let same_inside = match (&self.inside_texture, &other.inside_texture) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        let same_skins = self.skins.is_empty() && other.skins.is_empty();
+        same_inside
+            && same_skins
+            && Arc::ptr_eq(&self.texture, &other.texture)
+            && self.interior == other.interior
+            && self.lights == other.lights
+            && self.flags == other.flags
+    }
+
+    /// Whether nothing can be seen through it.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.traits.is_opaque
+    }
+}
