@@ -6,6 +6,7 @@
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
 mod check;
+mod compare;
 mod curve;
 mod draw;
 mod error;
@@ -41,12 +42,19 @@ struct Command {
     about: &'static str,
     /// Does it, with the arguments behind the name.
     run: Run,
+    /// Its options.
+    face: fn() -> clap::Command,
 }
 
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
-const COMMANDS: &[Command] = &[check::COMMAND, curve::COMMAND, sheet::COMMAND];
+const COMMANDS: &[Command] = &[
+    check::COMMAND,
+    compare::COMMAND,
+    curve::COMMAND,
+    sheet::COMMAND,
+];
 
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;
