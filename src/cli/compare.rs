@@ -317,7 +317,9 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     for folder in [&references, &pictures] {
         std::fs::create_dir_all(folder).map_err(|error| cannot(folder, &error))?;
     }
-    let version = povray.version.lines().next().unwrap_or_default().to_owned();
+    let mut lines = povray.version.lines();
+    let version = lines.find(|line| line.starts_with("POV-Ray"));
+    let version = version.unwrap_or_default().to_owned();
     let bench = Bench {
         povray,
         povr: Renderer {

@@ -7,6 +7,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub(crate) mod browser;
+
 pub(crate) use povr::compare::run;
 
 /// The folder of the project's own scenes.

@@ -8,7 +8,7 @@ const chips = [...document.querySelectorAll('.chip')];
 const heads = [...table.querySelectorAll('th[data-key]')];
 
 // ---- The scale of differences: every doubling is as far as every other, so that one step is seen beside many.
-const STOPS = [[0, 0, 0, 0], [0.05, 40, 40, 110], [0.3, 120, 30, 140], [0.55, 220, 60, 70], [0.8, 250, 160, 40], [1, 255, 255, 200]];
+const STOPS = [[0, 0, 0, 0], [0.05, 70, 80, 220], [0.3, 160, 50, 190], [0.55, 220, 60, 70], [0.8, 250, 160, 40], [1, 255, 255, 200]];
 const COLORS = Array.from({ length: 256 }, (_, step) => {
   if (step === 0) return [0, 0, 0];
   const at = 0.05 + 0.95 * Math.log2(step) / Math.log2(255);
@@ -42,7 +42,7 @@ for (const canvas of document.querySelectorAll('.scale canvas')) {
   canvas.width = 512; canvas.height = 1;
   const context = canvas.getContext('2d');
   for (let x = 0; x < 512; x++) {
-    const step = x < 2 ? 0 : Math.round(2 ** (Math.log2(255) * x / 511));
+    const step = Math.round(2 ** (Math.log2(255) * x / 511));
     context.fillStyle = `rgb(${COLORS[Math.min(255, step)]})`;
     context.fillRect(x, 0, 1, 1);
   }

@@ -147,7 +147,7 @@ fn bar(page: &mut String, total: &Total) {
     let _ = writeln!(
         page,
         "</select><span class=\"quiet\" id=\"shown\">{}</span><span class=\"scale\" title=\"colours of differences, in \
-         steps of 1/255\"><canvas></canvas><span><i>0</i><i>1</i><i>4</i><i>16</i><i>64</i><i>255</i></span></span></div>",
+         steps of 1/255\"><canvas></canvas><span><i>1</i><i>4</i><i>16</i><i>64</i><i>255</i></span></span></div>",
         total.scenes
     );
 }

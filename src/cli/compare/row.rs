@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::cli::error::CliError;
 use crate::compare::{
-    Bench, Case, CheckError, Compared, Explanation, Grade, Mismatch, steps_apart,
+    Bench, Case, CheckError, Compared, Explanation, Grade, Limits, Mismatch, Verdict, steps_apart,
 };
 
 /// What came of a comparison, worst first.
@@ -269,6 +269,11 @@ fn explained(compared: &Compared) -> String {
              (RMS {:.2}, at most {:.0})",
             noise.percent, noise.rms, noise.max
         ),
+        None if compared.verdict == Verdict::Within
+            && Limits::DEFAULT.verdict(&compared.found) != Verdict::Within =>
+        {
+            format!("by limits that the scene states: {}", compared.limits)
+        }
         None => String::new(),
     }
 }
