@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::color::Gamma;
 use crate::film::Film;
-use crate::source::Message;
+use crate::source::{Dependency, Message};
 
 /// What reading and drawing say while they are at work.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,13 @@ pub enum Event<'a> {
     Said(&'a str),
     /// A finding about the scene, in the order of finding.
     Found(&'a Message),
+    /// The scene has been read to its end, or as far as it could be.
+    Read {
+        /// The files that were read or asked for.
+        dependencies: &'a [Dependency],
+        /// Whether the scene wrote files itself.
+        wrote_files: bool,
+    },
     /// So many pixels have been finished since the last event of this kind. Comes from any thread.
     Drawn(u64),
 }

@@ -13,7 +13,7 @@ use super::strings::general;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::output::Pending;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use crate::syntax::Symbol;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -161,7 +161,8 @@ impl Reader<'_> {
                 ),
             };
             let message = format!("this scene may not write to `{name}`");
-            let error = Diagnostic::error(span, message);
+            let mut error = Diagnostic::error(span, message);
+            error.code = allowed.is_empty().then_some(Code::WritesFiles);
             return Err(self.with_trace(error.with_hint(hint)));
         }
         Output::new(name.clone(), mode).map_err(|error| self.not_written(&name, &error, span))

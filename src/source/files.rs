@@ -22,7 +22,7 @@ const MAX_STREAM_BYTES: u64 = 1 << 28;
 const SMALL_FILE_BYTES: u64 = 1 << 20;
 
 /// The texts of one run, by their [`FileId`].
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
@@ -30,6 +30,8 @@ pub struct Sources {
     /// Files that the scene wrote itself.
     written: FxHashSet<PathBuf>,
     dependencies: Vec<Dependency>,
+    /// Files that an earlier run has read and this one has not asked for.
+    of_earlier_run: FxHashSet<FileId>,
     /// Files that are no text, by their canonical paths.
     pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
 }
@@ -43,7 +45,7 @@ pub struct Dependency {
     pub is_there: bool,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Source {
     name: String,
     path: Option<PathBuf>,
@@ -77,6 +79,9 @@ impl Sources {
         };
         let canonical = fs::canonicalize(path).map_err(cannot_read)?;
         if let Some(&file) = self.by_path.get(&canonical) {
+            if self.of_earlier_run.remove(&file) {
+                self.note(path, true);
+            }
             return Ok(file);
         }
         let Some(bytes) = read_limited(path).map_err(cannot_read)? else {
@@ -178,6 +183,31 @@ impl Sources {
         }
         let path = fs::canonicalize(name).ok()?;
         self.written.contains(&path).then(|| PathBuf::from(name))
+    }
+
+    /// Whether a text is that of a file which the scene did not write itself.
+    #[must_use]
+    pub fn is_lasting(&self, file: FileId) -> bool {
+        self.by_path
+            .iter()
+            .any(|(path, id)| *id == file && !self.written.contains(path))
+    }
+
+    /// The same texts for another run, which has asked for no file and written none yet.
+    #[must_use]
+    pub fn for_another_run(mut self) -> Self {
+        let written = std::mem::take(&mut self.written);
+        self.by_path.retain(|path, _| !written.contains(path));
+        self.data.retain(|path, _| !written.contains(path));
+        self.dependencies.clear();
+        self.of_earlier_run = self.by_path.values().copied().collect();
+        self
+    }
+
+    /// Whether the scene has written files.
+    #[must_use]
+    pub fn wrote_files(&self) -> bool {
+        !self.written.is_empty()
     }
 
     /// The files that were read or asked for, each once, without those that the scene wrote itself: if one of them
