@@ -190,15 +190,12 @@ const PROBE: &str = "<script>addEventListener('load', () => setTimeout(async () 
     a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
   const picture = document.querySelector('[data-name=random] .pictures button');
   picture.click();
-  await new Promise(done => setTimeout(done, 300));
   told.slider = document.querySelectorAll('.stage canvas').length === 2 && document.querySelector('.stage .over').style.clipPath.includes('50%');
   document.querySelector('[data-mode=difference]').click();
-  await new Promise(done => setTimeout(done, 300));
   told.marked = document.querySelectorAll('.stage .mark').length;
   const box = document.querySelector('dialog').getBoundingClientRect();
   told.fits = box.left >= 0 && box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1;
   document.querySelector('[data-mode=beside]').click();
-  await new Promise(done => setTimeout(done, 300));
   told.beside = document.querySelectorAll('.stage figure').length;
   told.elsewhere = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length;
   told.done = true;

@@ -60,7 +60,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
     ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
-    ("Continue_Trace", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Continue, on, s); Ok(()) }),
+    ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
     ("Create_Ini", IDLE),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),

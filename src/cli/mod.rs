@@ -22,6 +22,7 @@ mod sheet;
 mod surroundings;
 mod switches;
 mod typed;
+mod unfinished;
 mod values;
 mod words;
 

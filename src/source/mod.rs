@@ -3,6 +3,7 @@
 mod data;
 mod diagnostic;
 mod files;
+mod fingerprint;
 mod message;
 pub mod print;
 mod search;

@@ -18,7 +18,7 @@ pub(crate) fn shown(browser: &str, page: &Path, width: u32) -> String {
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"])
         .arg(format!("--window-size={width},1000"))
         .arg(format!("--user-data-dir={}", profile.path().display()))
-        .arg("--virtual-time-budget=5000")
+        .arg("--virtual-time-budget=20000")
         .arg(format!("file://{}", page.display()));
     let output = command.output().expect("the browser starts");
     String::from_utf8_lossy(&output.stdout).into_owned()

@@ -160,7 +160,10 @@ async function view(row, wanted) {
   modes.forEach(button => button.setAttribute('aria-pressed', String(button.dataset.mode === mode)));
   if (!dialog.open) dialog.showModal();
   const images = [...row.querySelectorAll('img')];
-  await Promise.all(images.map(image => image.decode().catch(() => {})));
+  // Pictures far down the page are read when they are first needed.
+  images.forEach(image => { image.loading = 'eager'; });
+  const unread = images.filter(image => !image.complete);
+  if (unread.length) await Promise.all(unread.map(image => image.decode().catch(() => {})));
   const named = name => images.find(image => image.classList.contains(name));
   const [theirs, ours, steps] = ['theirs', 'ours', 'steps'].map(named);
   const first = theirs || ours;
