@@ -22,7 +22,7 @@ fn povr(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_povr"));
     command
         .current_dir(folder)
-        .args(["s.pov", "+W200", "+H150", "+WT2", "-o", "s.png"])
+        .args(["s.pov", "+W120", "+H90", "+WT2", "-o", "s.png"])
         .args(arguments)
         .stdin(Stdio::null())
         .stdout(Stdio::null())

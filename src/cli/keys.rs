@@ -228,6 +228,16 @@ fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
     Ok(())
 }
 
+/// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
+pub(super) fn names() -> impl Iterator<Item = (&'static str, bool)> {
+    KEYS.iter().map(|&(name, set)| {
+        let is_idle = [IDLE, SCREEN]
+            .iter()
+            .any(|idle| std::ptr::fn_addr_eq(*idle, set));
+        (name, !is_idle)
+    })
+}
+
 /// A known option that differs from `key` in at most two letters.
 fn nearest(key: &str) -> Option<&'static str> {
     let key = key.to_ascii_lowercase();

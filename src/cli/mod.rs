@@ -8,12 +8,14 @@
 mod animate;
 mod check;
 mod compare;
+mod completions;
 mod curve;
 mod draw;
 mod error;
 mod frames;
 mod ini;
 mod keys;
+mod man;
 mod modern;
 mod progress;
 mod report;
@@ -56,7 +58,9 @@ type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 const COMMANDS: &[Command] = &[
     check::COMMAND,
     compare::COMMAND,
+    completions::COMMAND,
     curve::COMMAND,
+    man::COMMAND,
     sheet::COMMAND,
 ];
 
