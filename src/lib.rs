@@ -95,7 +95,8 @@ pub fn draw(
 #[derive(Debug, Default)]
 pub struct Series {
     pool: Option<Arc<rayon::ThreadPool>>,
-    kept: Mutex<Option<Arc<Kept>>>,
+    /// Nothing is kept of a scene that is drawn once.
+    kept: Option<Mutex<Option<Arc<Kept>>>>,
 }
 
 impl Series {
@@ -105,8 +106,14 @@ impl Series {
     pub fn new(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
         Series {
             pool,
-            kept: Mutex::default(),
+            kept: Some(Mutex::default()),
         }
+    }
+
+    /// The same for a single picture, of whose reading nothing is kept.
+    #[must_use]
+    pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
+        Series { pool, kept: None }
     }
 
     /// As [`draw`]. The input is the same for the whole series.
@@ -121,7 +128,7 @@ impl Series {
         listen: &Listen<'_>,
     ) -> Result<Picture, Failure> {
         let pool = self.pool.as_deref();
-        draw_with(input, (read, render), listen, pool, Some(&self.kept))
+        draw_with(input, (read, render), listen, pool, self.kept.as_ref())
     }
 }
 
@@ -164,6 +171,9 @@ fn draw_with(
         None => render::render(&world, render, &progress),
         Some(pool) => pool.install(|| render::render(&world, render, &progress)),
     };
+    if render.stop.is_asked() {
+        return Err(failure("the drawing was stopped".to_owned(), listen));
+    }
     watch.lap("trace");
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());

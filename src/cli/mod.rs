@@ -6,6 +6,7 @@
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
 mod animate;
+mod batch;
 mod check;
 mod curve;
 mod draw;
@@ -49,7 +50,12 @@ struct Command {
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
-const COMMANDS: &[Command] = &[check::COMMAND, curve::COMMAND, sheet::COMMAND];
+const COMMANDS: &[Command] = &[
+    batch::COMMAND,
+    check::COMMAND,
+    curve::COMMAND,
+    sheet::COMMAND,
+];
 
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;
