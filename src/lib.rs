@@ -97,7 +97,8 @@ pub fn draw(
 #[derive(Debug, Default)]
 pub struct Series {
     pool: Option<Arc<rayon::ThreadPool>>,
-    kept: Mutex<Option<Arc<Kept>>>,
+    /// Nothing is kept of a scene that is drawn once.
+    kept: Option<Mutex<Option<Arc<Kept>>>>,
 }
 
 impl Series {
@@ -107,8 +108,14 @@ impl Series {
     pub fn new(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
         Series {
             pool,
-            kept: Mutex::default(),
+            kept: Some(Mutex::default()),
         }
+    }
+
+    /// The same for a single picture, of whose reading nothing is kept.
+    #[must_use]
+    pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
+        Series { pool, kept: None }
     }
 
     /// As [`draw`]. The input is the same for the whole series.
@@ -123,7 +130,7 @@ impl Series {
         listen: &Listen<'_>,
     ) -> Result<Picture, Failure> {
         let pool = self.pool.as_deref();
-        draw_with(input, (read, render), listen, pool, Some(&self.kept))
+        draw_with(input, (read, render), listen, pool, self.kept.as_ref())
     }
 }
 
@@ -168,6 +175,9 @@ fn draw_with(
         None => render::render(&world, render, unfinished, &progress),
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
+    if render.stop.is_asked() {
+        return Err(failure("the drawing was stopped".to_owned(), listen));
+    }
     if let Some(kind) = unfinished.and_then(Unfinished::trouble) {
         listen(Event::KeepsNothing(kind));
     }

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use serde::Serialize;
@@ -88,6 +90,35 @@ pub struct ReadOptions {
     pub final_clock: f64,
     /// How many tokens loops and macros may read again, before a scene counts as one that does not come to an end.
     pub patience: u64,
+    /// The most memory that reading may take in bytes, if it is to be less than the machine has.
+    pub memory: Option<u64>,
+    /// Ends reading.
+    pub stop: Stop,
+}
+
+/// A wish that reading and drawing end before they are done; its copies are one wish.
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Wishes it, from any thread.
+    pub fn ask(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was wished.
+    #[must_use]
+    #[inline]
+    pub fn is_asked(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Wishes make no difference between options.
+impl PartialEq for Stop {
+    fn eq(&self, _: &Stop) -> bool {
+        true
+    }
 }
 
 /// Ten seconds' worth of tokens. A loop of ten tokens goes round eight million times.
@@ -118,6 +149,8 @@ pub struct RenderOptions {
     pub sampling: Sampling,
     /// Where what has been drawn is kept until all is.
     pub keep: Option<Keep>,
+    /// Ends drawing.
+    pub stop: Stop,
 }
 
 /// An unfinished picture, with which a later run can go on. Drawing with a time limit keeps none: what it draws depends
@@ -324,6 +357,8 @@ impl Default for ReadOptions {
             initial_clock: 0.0,
             final_clock: 0.0,
             patience: PATIENCE,
+            memory: None,
+            stop: Stop::default(),
         }
     }
 }
@@ -343,6 +378,7 @@ impl Default for RenderOptions {
             statistics: false,
             sampling: Sampling::Centres,
             keep: None,
+            stop: Stop::default(),
         }
     }
 }

@@ -6,6 +6,7 @@
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
 mod animate;
+mod batch;
 mod check;
 mod compare;
 mod completions;
@@ -26,6 +27,7 @@ mod switches;
 mod typed;
 mod unfinished;
 mod values;
+mod watch;
 mod words;
 
 pub use draw::{Request, request};
@@ -56,12 +58,14 @@ type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
 const COMMANDS: &[Command] = &[
+    batch::COMMAND,
     check::COMMAND,
     compare::COMMAND,
     completions::COMMAND,
     curve::COMMAND,
     man::COMMAND,
     sheet::COMMAND,
+    watch::COMMAND,
 ];
 
 /// The exit code of a command that could not begin.

@@ -9,7 +9,7 @@ use super::frames::Frames;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
-use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling};
+use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling, Stop};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The most pixels of a picture: a film of 8 GiB.
@@ -159,6 +159,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         statistics: typed.stats || typed.json,
         sampling: sampling(typed),
         keep: None,
+        stop: Stop::default(),
     })
 }
 

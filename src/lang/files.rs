@@ -162,7 +162,11 @@ impl Reader<'_> {
             };
             let message = format!("this scene may not write to `{name}`");
             let mut error = Diagnostic::error(span, message);
-            error.code = allowed.is_empty().then_some(Code::WritesFiles);
+            if allowed.is_empty() {
+                // Whoever lets no scene write may draw it again and let it: what follows is of no use.
+                error.code = Some(Code::WritesFiles);
+                self.is_over = true;
+            }
             return Err(self.with_trace(error.with_hint(hint)));
         }
         Output::new(name.clone(), mode).map_err(|error| self.not_written(&name, &error, span))

@@ -18,7 +18,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
+use crate::source::{Code, Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize_around_data};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -129,10 +129,12 @@ impl<'a> Reader<'a> {
         probe: &'a mut dyn Probe,
         listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
-        let budget = Budget::new();
+        let budget = Budget::new(options.memory);
         if !budget.has_room_for(sources.text(scene)) {
             let span = Span::new(scene, 0, 0);
-            return Err(vec![Diagnostic::error(span, NO_ROOM)]);
+            return Err(vec![
+                Diagnostic::error(span, NO_ROOM).with_code(Code::Memory),
+            ]);
         }
         let (mut names, known) = match &lexicon {
             Some(lexicon) => (lexicon.names.clone(), lexicon.tokens(scene)),
@@ -235,7 +237,7 @@ impl<'a> Reader<'a> {
         }
         if !self.budget.has_room_for(self.sources.text(file)) {
             self.is_over = true;
-            return Err(self.error_taken(NO_ROOM));
+            return Err(Box::new(self.error_taken(NO_ROOM).with_code(Code::Memory)));
         }
         let known = self.lexicon.as_ref();
         if let Some(tokens) = known.and_then(|lexicon| lexicon.tokens(file)) {

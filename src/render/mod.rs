@@ -48,7 +48,7 @@ pub fn render(
     unfinished: Option<&Unfinished>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
-    let tracer = Tracer::new(world, options.quality);
+    let tracer = Tracer::new(world, options.quality).until(&options.stop);
     if let Sampling::Converging(how) = &options.sampling {
         return converge::draw(&tracer, options, how, unfinished, progress);
     }
@@ -129,7 +129,10 @@ fn kept_tile(
         errors: Vec::new(),
         samples: 0,
     };
-    unfinished.keep(&piece);
+    // What was stopped in the middle is not finished.
+    if !options.stop.is_asked() {
+        unfinished.keep(&piece);
+    }
     (tile, (piece.pixels, rays))
 }
 

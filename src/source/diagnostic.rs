@@ -37,6 +37,8 @@ pub enum Code {
     Author,
     /// The scene writes files, and this run lets scenes write none.
     WritesFiles,
+    /// The scene needs more memory than there is.
+    Memory,
     /// The scene needs more time, memory or depth than it may take.
     Limit,
 }

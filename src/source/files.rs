@@ -3,7 +3,8 @@
 //! A file is read once, by whatever path it is named. Its bytes become a text by the rules of `text`: UTF-8 as it is,
 //! other bytes as Latin-1. All offsets count bytes of that text.
 
-use super::search::{first_file, first_include, not_found};
+use super::dependency::Asked;
+use super::search::{INCLUDES, not_found};
 use super::text::decode;
 use super::{Diagnostic, FileId, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -26,23 +27,14 @@ const SMALL_FILE_BYTES: u64 = 1 << 20;
 pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
-    by_path: FxHashMap<PathBuf, FileId>,
+    pub(super) by_path: FxHashMap<PathBuf, FileId>,
     /// Files that the scene wrote itself.
-    written: FxHashSet<PathBuf>,
-    dependencies: Vec<Dependency>,
+    pub(super) written: FxHashSet<PathBuf>,
+    pub(super) asked: Asked,
     /// Files that an earlier run has read and this one has not asked for.
-    of_earlier_run: FxHashSet<FileId>,
+    pub(super) of_earlier_run: FxHashSet<FileId>,
     /// Files that are no text, by their canonical paths.
     pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
-}
-
-/// A file whose content or whose presence matters to the picture.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Dependency {
-    /// The path by which it was found; the name that the scene gives where there is no such file.
-    pub path: PathBuf,
-    /// Whether it was there.
-    pub is_there: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -125,7 +117,7 @@ impl Sources {
         name: &str,
         including_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
-        self.find("the include file", name, including_file, first_include)
+        self.find("the include file", name, including_file, &INCLUDES)
     }
 
     /// The file that `#fopen F "name" read` means: searched like an include file, but by its name alone.
@@ -137,7 +129,7 @@ impl Sources {
         name: &str,
         reading_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
-        self.find("the file", name, reading_file, first_file)
+        self.find("the file", name, reading_file, &[""])
     }
 
     fn find(
@@ -145,25 +137,23 @@ impl Sources {
         what: &str,
         name: &str,
         from: FileId,
-        first: impl Fn(&str, &[PathBuf]) -> Option<PathBuf>,
+        endings: &[&str],
     ) -> Result<FileId, Box<Diagnostic>> {
         let folders = self.folders(from);
-        match self.own_file(name).or_else(|| first(name, &folders)) {
+        match self.search(name, &folders, endings) {
             Some(path) => self.load_file(path),
-            None => {
-                self.note(Path::new(name), false);
-                Err(Box::new(not_found(what, name, &folders)))
-            }
+            None => Err(Box::new(not_found(what, name, &folders))),
         }
     }
 
     /// Whether there is a file that `#fopen F "name" read` would mean.
     #[must_use]
     pub fn has_data(&mut self, name: &str, asking_file: FileId) -> bool {
-        let found = self
-            .own_file(name)
-            .or_else(|| first_file(name, &self.folders(asking_file)));
-        self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
+        let folders = self.folders(asking_file);
+        let found = self.search(name, &folders, &[""]);
+        if let Some(path) = &found {
+            self.note(path, true);
+        }
         found.is_some()
     }
 
@@ -183,49 +173,6 @@ impl Sources {
         }
         let path = fs::canonicalize(name).ok()?;
         self.written.contains(&path).then(|| PathBuf::from(name))
-    }
-
-    /// Whether a text is that of a file which the scene did not write itself.
-    #[must_use]
-    pub fn is_lasting(&self, file: FileId) -> bool {
-        self.by_path
-            .iter()
-            .any(|(path, id)| *id == file && !self.written.contains(path))
-    }
-
-    /// The same texts for another run, which has asked for no file and written none yet.
-    #[must_use]
-    pub fn for_another_run(mut self) -> Self {
-        let written = std::mem::take(&mut self.written);
-        self.by_path.retain(|path, _| !written.contains(path));
-        self.data.retain(|path, _| !written.contains(path));
-        self.dependencies.clear();
-        self.of_earlier_run = self.by_path.values().copied().collect();
-        self
-    }
-
-    /// Whether the scene has written files.
-    #[must_use]
-    pub fn wrote_files(&self) -> bool {
-        !self.written.is_empty()
-    }
-
-    /// The files that were read or asked for, each once, without those that the scene wrote itself: if one of them
-    /// changes, appears or goes, the picture may change.
-    #[must_use]
-    pub fn dependencies(&self) -> &[Dependency] {
-        &self.dependencies
-    }
-
-    pub(super) fn note(&mut self, path: &Path, is_there: bool) {
-        let is_own = fs::canonicalize(path).is_ok_and(|path| self.written.contains(&path));
-        let dependency = Dependency {
-            path: path.to_owned(),
-            is_there,
-        };
-        if !is_own && !self.dependencies.contains(&dependency) {
-            self.dependencies.push(dependency);
-        }
     }
 
     /// The include file of the library that declares a name, if one of the first `most` files does.

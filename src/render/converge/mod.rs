@@ -84,7 +84,7 @@ pub(super) fn draw(
             };
             for rows in missing.iter().flat_map(|rows| bands(rows, height)) {
                 drawing.draw(&rows, target, progress);
-                if let Some(unfinished) = unfinished {
+                if let Some(unfinished) = unfinished.filter(|_| !options.stop.is_asked()) {
                     unfinished.keep(&drawing.piece(&rows));
                 }
             }
