@@ -46,7 +46,7 @@ Scenes are drawn at 160x120 without antialiasing unless switches or comments in 
 otherwise; both renderers get the same switches and one thread. They PASS if at least 99.9 % of the pixels are equal and
 no channel is more than one step off, or by limits that a scene states (`// compare: channel<=2 pixels<=0.5% because
 \"...\"`); options like --fail take the place of both. WARNING is a difference that is explained: by POV-Ray's least
-distances, or because POV-Ray's own picture is random: drawn again with its blocks in another order it differs as much.
+distances, or because POV-Ray's own picture is random: drawn again with its blocks in other orders it differs as much.
 Pictures of unlike kinds are compared as the one with fewer bits; linear light counts as sRGB beside encoded values.
 Exit code: 0 PASS, 1 WARNING, 2 FAILURE, 3 sizes differ, 4 a file cannot be read or a scene is not drawn; the command
 line at fault: 2."
@@ -351,8 +351,11 @@ fn scenes(wanted: &Wanted) -> Result<(Vec<Row>, About<'static>), CliError> {
     Ok((rows, about))
 }
 
-/// The cases of all scenes that are named, with the folder that holds each; what cannot be read is a row already.
-fn cases(names: &[String]) -> Result<(Vec<(Case, PathBuf)>, Vec<Row>), CliError> {
+/// A case, and the folder that holds it and all it reads.
+type Placed = (Case, PathBuf);
+
+/// The cases of all scenes that are named; what cannot be read is a row already.
+fn cases(names: &[String]) -> Result<(Vec<Placed>, Vec<Row>), CliError> {
     let (mut cases, mut rows) = (Vec::new(), Vec::new());
     for name in names {
         let root = match Path::new(name) {
@@ -386,7 +389,7 @@ fn cases(names: &[String]) -> Result<(Vec<(Case, PathBuf)>, Vec<Row>), CliError>
 }
 
 /// Draws and compares all cases, some side by side.
-fn drawn(wanted: &Wanted, bench: &Bench, cases: &[(Case, PathBuf)]) -> Result<Vec<Row>, CliError> {
+fn drawn(wanted: &Wanted, bench: &Bench, cases: &[Placed]) -> Result<Vec<Row>, CliError> {
     let jobs = wanted.jobs.map_or_else(
         || std::thread::available_parallelism().map_or(1, usize::from),
         usize::from,
@@ -405,7 +408,7 @@ fn drawn(wanted: &Wanted, bench: &Bench, cases: &[(Case, PathBuf)]) -> Result<Ve
         bar
     });
     let side = wanted.shown.unwrap_or(SHOWN);
-    let compared = |(case, root): &(Case, PathBuf)| {
+    let compared = |(case, root): &Placed| {
         if let Some(bar) = &bar {
             bar.set_message(case.name.clone());
         }

@@ -8,8 +8,10 @@
 use super::{compare, steps_apart};
 use image::{DynamicImage, GrayImage};
 
-/// Draws the same picture with its blocks in another order.
-pub(super) const OTHER_ORDER: &str = "+RP1";
+/// Draw the same picture with its blocks in other orders, those first that show most. One order does not show all random
+/// pixels, for two values may be the same by chance: measured on six of Debian's example scenes with area lights, one
+/// other order left up to 3.3 % of the pixels that are random unseen, and all four together none.
+pub(super) const OTHER_ORDERS: [&str; 4] = ["+RP1", "+RP3", "+RP2", "+RP4"];
 
 /// Pixels so near to one that POV-Ray draws differently count as random: its noise may hide in rounding.
 const REACH: u32 = 2;
@@ -17,8 +19,8 @@ const REACH: u32 = 2;
 /// Two samples of the same noise differ by so much in the root mean square of their differences.
 const SPREAD: f64 = 1.25;
 
-/// How far POV-Ray's picture is from one that POV-Ray draws with its blocks in another order.
-#[derive(Clone, Debug, PartialEq)]
+/// How far POV-Ray's picture is from those that POV-Ray draws with its blocks in other orders: the largest of each.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Noise {
     /// Pixels that differ, in percent.
     pub percent: f64,
@@ -31,19 +33,24 @@ pub struct Noise {
 }
 
 impl Noise {
-    /// The noise of a picture, by another drawing of it; none if they are equal.
-    pub(super) fn of(expected: &DynamicImage, again: &DynamicImage) -> Option<Noise> {
+    /// With one more drawing; none if all are equal.
+    pub(super) fn with(mut self, expected: &DynamicImage, again: &DynamicImage) -> Option<Noise> {
         let found = compare(expected, again).ok()?;
         let apart = steps_apart(expected, again).ok()?;
         if found.is_equal() {
-            return None;
+            return (self.max > 0.0).then_some(self);
         }
-        Some(Noise {
-            percent: found.differing_percent(),
-            rms: found.rms,
-            max: found.max(),
-            random: spread(&apart),
-        })
+        self.percent = self.percent.max(found.differing_percent());
+        self.rms = self.rms.max(found.rms);
+        self.max = self.max.max(found.max());
+        let random = spread(&apart);
+        if self.random.dimensions() == random.dimensions() {
+            let pixels = self.random.pixels_mut().zip(random.pixels());
+            pixels.for_each(|(all, new)| all.0[0] |= new.0[0]);
+        } else {
+            self.random = random;
+        }
+        Some(self)
     }
 
     /// The picture in which random pixels are as expected: what is left is not noise.
@@ -123,12 +130,12 @@ mod tests {
         actual.put_pixel(6, 7, Rgb([0, 8, 0]));
         actual.put_pixel(15, 5, Rgb([0, 0, 7]));
         let (expected, actual) = (DynamicImage::from(expected), DynamicImage::from(actual));
-        let noise = Noise::of(&expected, &again.into()).unwrap();
+        let noise = Noise::default().with(&expected, &again.into()).unwrap();
         assert!((noise.percent - 0.25).abs() < 1e-9 && (noise.max - 9.0).abs() < 1e-9);
         let left = noise.without(&expected, &actual).unwrap();
         let left = compare(&expected, &left).unwrap();
         assert_eq!((left.same, left.worst.unwrap().x), (399, 15));
         assert!(noise.covers(1.2 * noise.rms) && !noise.covers(1.3 * noise.rms));
-        assert!(Noise::of(&expected, &expected).is_none());
+        assert!(Noise::default().with(&expected, &expected).is_none());
     }
 }

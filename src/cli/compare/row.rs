@@ -265,7 +265,7 @@ fn explained(compared: &Compared) -> String {
             "POV-Ray loses what is nearer than its least distance; with --pov-distances povr draws the same".to_owned()
         }
         Some(Explanation::Noise(noise)) => format!(
-            "random: drawn again with its blocks in another order, POV-Ray differs from itself in {:.2} % \
+            "random: drawn again with its blocks in other orders, POV-Ray differs from itself in {:.2} % \
              (RMS {:.2}, at most {:.0})",
             noise.percent, noise.rms, noise.max
         ),
