@@ -3,7 +3,7 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
 use rustc_hash::FxHashMap;
@@ -32,7 +32,17 @@ pub(super) struct Record {
 pub(super) struct Fingerprints {
     program: String,
     folder: PathBuf,
-    files: Mutex<FxHashMap<PathBuf, (u64, Option<SystemTime>, String)>>,
+    files: Mutex<Files>,
+}
+
+/// Files by their paths.
+type Files = FxHashMap<PathBuf, Known>;
+
+/// A file in a state in which it was seen.
+#[derive(Clone, Debug)]
+struct Known {
+    state: (u64, Option<SystemTime>),
+    fingerprint: String,
 }
 
 impl Fingerprints {
@@ -116,20 +126,19 @@ impl Fingerprints {
         let about = fs::metadata(path)?;
         let state = (about.len(), about.modified().ok());
         let known = self.lock().get(path).cloned();
-        if let Some((len, modified, fingerprint)) = known
-            && (len, modified) == state
-        {
-            return Ok(fingerprint);
+        if let Some(known) = known.filter(|known| known.state == state) {
+            return Ok(known.fingerprint);
         }
-        let fingerprint = of_bytes(&fs::read(path)?);
-        let entry = (state.0, state.1, fingerprint.clone());
-        self.lock().insert(path.to_owned(), entry);
+        let known = Known {
+            state,
+            fingerprint: of_bytes(&fs::read(path)?),
+        };
+        let fingerprint = known.fingerprint.clone();
+        self.lock().insert(path.to_owned(), known);
         Ok(fingerprint)
     }
 
-    fn lock(
-        &self,
-    ) -> std::sync::MutexGuard<'_, FxHashMap<PathBuf, (u64, Option<SystemTime>, String)>> {
+    fn lock(&self) -> MutexGuard<'_, Files> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -218,7 +218,7 @@ impl Root {
             What::Folder | What::Pattern(_) => scenes_below(folder).map_err(refused)?,
         };
         if let What::Pattern(pattern) = &self.what {
-            let own = Globs::new(&[pattern.clone()], &[]).map_err(refused)?;
+            let own = Globs::new(std::slice::from_ref(pattern), &[]).map_err(refused)?;
             scenes.retain(|scene| meant(scene, &own));
         }
         scenes.retain(|scene| meant(scene, globs));
