@@ -13,6 +13,8 @@
 //! below both wings: one file each, with its mathematics, what it reads through [`args::Args`], and what it answers to
 //! rays.
 //!
+//! [`batch`] draws many pictures in one run: frames side by side, scenes of whole folders. [`cli`] is the command line.
+//!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
 //!   two of them; readers of elements never see a directive.

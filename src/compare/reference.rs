@@ -66,7 +66,8 @@ pub(super) fn drawn(
 
 /// Draws, and is content with nothing less than a picture.
 pub(super) fn draw(renderer: &Renderer, picture: &Picture<'_>) -> Result<Duration, CheckError> {
-    let program = || renderer.program.display().to_string();
+    let name = Path::new(&renderer.program).file_name();
+    let program = || name.unwrap_or_default().display().to_string();
     let Ended {
         status,
         stderr,
