@@ -163,7 +163,10 @@ fn scenes_are_compared_with_povray() {
     assert_eq!(ended.status.code(), Some(1));
     // What was kept is not drawn again; a scene that runs out of time stops nothing.
     let kept = fs::read_dir(here.join("kept")).expect("the folder").count();
-    assert!(kept >= 2 * 4, "three pictures and one in another order: {kept}");
+    assert!(
+        kept >= 2 * 4,
+        "three pictures and one in another order: {kept}"
+    );
     let hasty = povr(here, &[".", "--keep", "other", "--timeout", "1ms"]);
     let text = String::from_utf8_lossy(&hasty.stdout).into_owned();
     assert!(text.contains("4 scenes: 4 TIMEOUT"), "{text}");

@@ -230,12 +230,19 @@ fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
 
 /// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
 pub(super) fn names() -> impl Iterator<Item = (&'static str, bool)> {
-    KEYS.iter().map(|&(name, set)| {
-        let is_idle = [IDLE, SCREEN]
-            .iter()
-            .any(|idle| std::ptr::fn_addr_eq(*idle, set));
-        (name, !is_idle)
-    })
+    KEYS.iter().map(|&(name, set)| (name, acts(set)))
+}
+
+/// Whether an option ever changes what is to be done, or refuses to.
+fn acts(set: Set) -> bool {
+    ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
+        .iter()
+        .any(|value| {
+            let mut typed = Typed::default();
+            let done = set(&mut typed, value, "");
+            typed.idle.clear();
+            done.is_err() || typed != Typed::default()
+        })
 }
 
 /// A known option that differs from `key` in at most two letters.

@@ -328,10 +328,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let keep = kept(&folder);
         let (first, _) = Unfinished::open(&keep, 7, SIZE);
-        first.keep(&piece(0, 1));
-        first.keep(&piece(2, 1));
+        first.keep(&piece(0, 2));
+        first.keep(&piece(2, 2));
         let whole = fs::read(&keep.file).unwrap();
-        let second = 24 + record(7, &piece(0, 1)).len();
+        let second = 24 + record(7, &piece(0, 2)).len();
         for at in second..whole.len() {
             let mut changed = whole.clone();
             changed[at] ^= 0x10;
