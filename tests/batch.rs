@@ -490,9 +490,10 @@ fn frames_that_hand_files_on_are_drawn_in_their_order() {
         ("a.ini", "Final_Frame=9\n"),
         ("b.pov", &scene("")),
     ]);
-    let (out, here, part) = (folder(&[]), folder(&[]), folder(&[]));
+    let (out, part) = (folder(&[]), folder(&[]));
     let run = |out: &Path, more: &[&str]| {
         let mut run = command(&[&[text(scenes.path()), "-o", text(out)], more].concat());
+        let here = folder(&[]);
         ran(run.current_dir(here.path()))
     };
     let whole = run(out.path(), &["--jobs", "4"]);
