@@ -1,5 +1,7 @@
 //! `povr batch`: what it draws, what it leaves alone, and what becomes of it when it is killed or a scene is bad.
 
+#![cfg(unix)]
+
 mod support;
 
 use proptest::prelude::{ProptestConfig, any};
@@ -471,6 +473,38 @@ fn scenes_that_write_files_are_drawn_alone() {
         (Some(0), 12),
         "{}",
         ran.stderr
+    );
+}
+
+/// Frames that hand files on to each other are drawn in their order, and not in parts.
+#[test]
+fn frames_that_hand_files_on_are_drawn_in_their_order() {
+    let counting = scene(
+        "#declare N = 0;
+#if (file_exists(\"count.txt\")) #fopen In \"count.txt\" read #read (In, N) #fclose In #end
+#if (N != frame_number - 1) #error concat(\"found \", str(N, 0, 0)) #end
+#fopen Out \"count.txt\" write #write (Out, N + 1) #fclose Out\n",
+    );
+    let scenes = folder(&[
+        ("a.pov", &counting),
+        ("a.ini", "Final_Frame=9\n"),
+        ("b.pov", &scene("")),
+    ]);
+    let (out, part) = (folder(&[]), folder(&[]));
+    let run = |out: &Path, more: &[&str]| {
+        let mut run = command(&[&[text(scenes.path()), "-o", text(out)], more].concat());
+        let here = folder(&[]);
+        ran(run.current_dir(here.path()))
+    };
+    let whole = run(out.path(), &["--jobs", "4"]);
+    assert_eq!(whole.code, Some(0), "{}", whole.stderr);
+    assert_eq!(pictures(out.path()).len(), 10);
+    let of_two = run(part.path(), &["--shard", "1/2"]);
+    assert_eq!(of_two.code, Some(1));
+    assert!(
+        of_two.why("a.pov").contains("without `--shard`"),
+        "{}",
+        of_two.stderr
     );
 }
 

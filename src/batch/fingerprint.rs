@@ -112,8 +112,9 @@ impl Fingerprints {
             ..
         } = picture;
         let mut render = render.clone();
+        let mut read = read.clone();
         // They make no difference to the picture.
-        (render.threads, render.statistics) = (None, false);
+        (render.threads, render.statistics, read.memory) = (None, false, None);
         let options = format!(
             "{}\n{}\n{scene:?}\n{read:?}\n{render:?}\n{encode:?}",
             self.program,

@@ -121,6 +121,7 @@ pub fn run(
         pool: Arc::new(pool),
         fingerprints: Fingerprints::new(),
         watchdog: Watchdog::new(batch.timeout),
+        is_part: batch.shard.is_some_and(|shard| shard.of > 1),
         timeout: batch.timeout,
         hear,
         state: Mutex::default(),
@@ -145,6 +146,8 @@ struct Run<'a> {
     pool: Arc<rayon::ThreadPool>,
     fingerprints: Fingerprints,
     watchdog: Watchdog,
+    /// Whether other pictures of the list are drawn elsewhere.
+    is_part: bool,
     timeout: Option<Duration>,
     hear: &'a (dyn Fn(News<'_>) + Sync),
     state: Mutex<State>,
@@ -319,6 +322,12 @@ impl Run<'_> {
                 "this animation writes files, but not in its first frame: draw it without `povr batch`"
                     .to_owned(),
             )),
+            Ok(Err(_)) if has(Code::WritesFiles) && self.is_part && self.is_frame(index) => {
+                Status::Failed(Some(
+                    "the frames of this animation write files: draw them without `--shard`"
+                        .to_owned(),
+                ))
+            }
             Ok(Err(_))
                 if beside == Beside::Others && (has(Code::WritesFiles) || has(Code::Memory)) =>
             {
@@ -385,6 +394,13 @@ impl Run<'_> {
 
     fn tell(&self, outcome: Outcome) {
         (self.hear)(News::Done(&outcome));
+    }
+
+    /// Whether a picture is one of several of its scene.
+    fn is_frame(&self, index: usize) -> bool {
+        let series = |index: usize| self.pictures.get(index).map(|picture| picture.series);
+        let own = series(index);
+        index > 0 && series(index - 1) == own || series(index + 1) == own
     }
 
     fn series_of(&self, index: usize) -> usize {

@@ -40,7 +40,7 @@ pub(super) const COMMAND: Command = Command {
 and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command
 line; an animation becomes its frames. +FN, +FJ, ... choose the type of the files.
 A picture is up to date if it and the scene, every file read or looked for, the options and this program are the same
-as when it was drawn. A run that was killed may be started again: it goes on where it was.
+as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it goes on where it was.
 Exit code 0: all pictures are there; 1: some are not; 2: the command line is at fault."
 )]
 struct Face {
