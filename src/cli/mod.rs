@@ -5,10 +5,13 @@
 //! Arguments that begin with `--`, and `-o`, are read by clap; all others as POV-Ray reads them. Both kinds may be mixed.
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
+mod animate;
+mod batch;
 mod check;
 mod curve;
 mod draw;
 mod error;
+mod frames;
 mod ini;
 mod keys;
 mod modern;
@@ -24,6 +27,7 @@ mod words;
 
 pub use draw::{Request, request};
 pub use error::CliError;
+pub use frames::Frames;
 pub use progress::{Progress, ProgressKind};
 pub use report::MessageFormat;
 pub use settings::{Scene, Settings, Talk};
@@ -46,7 +50,12 @@ struct Command {
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
-const COMMANDS: &[Command] = &[check::COMMAND, curve::COMMAND, sheet::COMMAND];
+const COMMANDS: &[Command] = &[
+    batch::COMMAND,
+    check::COMMAND,
+    curve::COMMAND,
+    sheet::COMMAND,
+];
 
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;

@@ -76,6 +76,7 @@ POV-Ray's switches, upper or lower case; later ones win:
   +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock
+  +KFI1 +KFF30 +KC      an animation: first and last frame, cyclic; +KI0 +KF1 its clock, +SF +EF a part of it
   Declare=Name=1.5      declare a number before the scene
   +MV3.6 +HIFILE        language version, file to include first
   +WT4 +V -GA           threads, verbose, quiet

@@ -105,7 +105,7 @@ impl Reporter {
         match event {
             Event::Said(text) if self.debugs => self.said(text),
             Event::Found(message) => self.found(message),
-            Event::Said(_) | Event::Drawn(_) => {}
+            Event::Said(_) | Event::Read { .. } | Event::Drawn(_) => {}
         }
     }
 

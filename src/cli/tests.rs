@@ -301,7 +301,9 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec!["+FTg"], "`+FTg` names no file type\n  hint: N is PNG, N16 with 16 bits, Ng grey; T and C are Targa, B BMP, P PPM, J JPEG, E EXR, H HDR".to_owned()),
         (vec!["File_Gamma=bt709"], "`File_Gamma=bt709` needs `sRGB` or a number greater than 0, found `bt709`".to_owned()),
         (vec![&scene, "+AM5"], "`+AM5`: there is no sampling method 5; there are 1, 2 and 4\n  hint: 4 samples until the error is small, see `--error`".to_owned()),
-        (vec![&scene, "+KFF3"], "`+KFF3`: animation is not built yet\n  hint: draw one picture a call: `+K0.5` sets the clock".to_owned()),
+        (vec![&scene, "+KFF3", "+UO"], "`+UO`: rendering of fields is not built yet\n  hint: use `-UO` (or `Odd_Field=off`)".to_owned()),
+        (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not built yet\n  hint: use `-UF` (or `Field_Render=off`)".to_owned()),
+        (vec![&scene, "Clockless_Animation=on"], "`Clockless_Animation=on`: animation by several cameras is not built yet\n  hint: leave `Clockless_Animation` out and move one camera with `clock`".to_owned()),
         (vec![&scene, "+C"], "`+C`: continuing an interrupted picture is not built yet\n  hint: leave it out to draw the whole picture".to_owned()),
         (vec![&stem], format!("`{stem}` is neither a scene (`.pov`) nor an ini file that can be found\n  hint: is `{scene}` meant?")),
         (vec!["/none.pov"], "cannot find the scene `/none.pov`\n  hint: looked in the current folder".to_owned()),
@@ -320,7 +322,7 @@ fn a_wish_for_what_is_not_built_can_be_taken_back() {
     let here = folder(&[("s.pov", "")]);
     let scene = here.path().join("s.pov").display().to_string();
     settings(&[&scene, "+C", "-C"]);
-    settings(&[&scene, "+KFI1", "+KFF0", "+KI0", "+KF2", "+K0.5"]);
+    settings(&[&scene, "+UF", "+UO", "-UO", "-UF"]);
     assert!(
         refusal(&[&scene, "-C", "Continue_Trace=on"])
             .starts_with("`Continue_Trace=on`: continuing")

@@ -4,6 +4,7 @@ use crate::options::{Antialias, LeastDistance};
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::frames::Wanted;
 use super::report::MessageFormat;
 use crate::color::Gamma;
 use crate::output::Format;
@@ -34,6 +35,7 @@ pub(super) struct Typed {
     pub(super) version: Option<f64>,
     pub(super) include_header: Option<PathBuf>,
     pub(super) clock: Option<f64>,
+    pub(super) frames: Wanted,
     pub(super) verbose: bool,
     pub(super) quiet: bool,
     pub(super) warnings: bool,
@@ -73,10 +75,11 @@ pub(super) enum Output {
 /// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unbuilt {
-    Animation,
+    Clockless,
     Continue,
     Dither,
     Fields,
+    OddField,
     SavedRadiosity,
 }
 
@@ -105,6 +108,7 @@ impl Default for Typed {
             version: None,
             include_header: None,
             clock: None,
+            frames: Wanted::default(),
             verbose: false,
             quiet: false,
             warnings: true,
@@ -146,9 +150,9 @@ impl Unbuilt {
     /// What it is, and how to do without: the two halves of a refusal.
     pub(super) fn refusal(self) -> (&'static str, &'static str) {
         match self {
-            Unbuilt::Animation => (
-                "animation is not built yet",
-                "draw one picture a call: `+K0.5` sets the clock",
+            Unbuilt::Clockless => (
+                "animation by several cameras is not built yet",
+                "leave `Clockless_Animation` out and move one camera with `clock`",
             ),
             Unbuilt::Continue => (
                 "continuing an interrupted picture is not built yet",
@@ -158,6 +162,10 @@ impl Unbuilt {
             Unbuilt::Fields => (
                 "rendering of fields is not built yet",
                 "use `-UF` (or `Field_Render=off`)",
+            ),
+            Unbuilt::OddField => (
+                "rendering of fields is not built yet",
+                "use `-UO` (or `Odd_Field=off`)",
             ),
             Unbuilt::SavedRadiosity => (
                 "radiosity files are not built yet",

@@ -38,7 +38,7 @@ type Pixels = (Vec<Pixel>, Rays);
 /// The picture is the same for any number of threads, unless it is to be stopped at some time.
 #[must_use]
 pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Drawn {
-    let tracer = Tracer::new(world, options.quality);
+    let tracer = Tracer::new(world, options.quality).until(&options.stop);
     if let Sampling::Converging(how) = &options.sampling {
         return converge::draw(&tracer, options, how, progress);
     }
