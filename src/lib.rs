@@ -57,10 +57,12 @@ pub mod trace;
 use compile::World;
 use glam::DVec3;
 use lang::{Heard, Lexicon, Texts};
-use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
+use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling};
+use render::{Found, Unfinished};
 use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};
 use statistics::Watch;
+use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
@@ -161,20 +163,25 @@ fn draw_with(
     kept: Option<&Mutex<Option<Arc<Kept>>>>,
 ) -> Result<Picture, Failure> {
     let mut watch = Watch::start();
-    let (world, working) = with_deep_stack(listen, || {
-        let scene = read_scene(input, read, render.quality, listen, kept)?;
+    let ((world, working), print) = with_deep_stack(listen, || {
+        let (scene, print) = read_scene(input, read, render, listen, kept)?;
         watch.lap("read");
         let prepared = prepared(scene, render);
         watch.lap("compile");
-        Ok(prepared)
+        Ok((prepared, print))
     })?;
+    let unfinished = unfinished(read, render, print, listen);
+    let unfinished = unfinished.as_ref();
     let progress = |pixels| listen(Event::Drawn(pixels));
     let drawn = match pool {
-        None => render::render(&world, render, &progress),
-        Some(pool) => pool.install(|| render::render(&world, render, &progress)),
+        None => render::render(&world, render, unfinished, &progress),
+        Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
     if render.stop.is_asked() {
         return Err(failure("the drawing was stopped".to_owned(), listen));
+    }
+    if let Some(kind) = unfinished.and_then(Unfinished::trouble) {
+        listen(Event::KeepsNothing(kind));
     }
     watch.lap("trace");
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
@@ -186,6 +193,53 @@ fn draw_with(
         working,
         statistics,
     })
+}
+
+/// The unfinished picture of an earlier run, and the one that is about to be drawn.
+fn unfinished(
+    read: &ReadOptions,
+    render: &RenderOptions,
+    print: u64,
+    listen: &Listen<'_>,
+) -> Option<Unfinished> {
+    let keep = render.keep.as_ref()?;
+    if matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some()) {
+        return None;
+    }
+    let ReadOptions {
+        declares,
+        version,
+        clock,
+        clock_on,
+        clock_delta,
+        frame_number,
+        ..
+    } = read;
+    let RenderOptions {
+        columns,
+        rows,
+        quality,
+        alpha,
+        least_distance,
+        sampling,
+        ..
+    } = render;
+    let size = (render.width, render.height);
+    // All that decides about the pixels, but for the number of threads.
+    let all = format!(
+        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {sampling:?} {declares:?} \
+         {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
+        keep.build
+    );
+    let mut hasher = rustc_hash::FxHasher::default();
+    all.hash(&mut hasher);
+    let (unfinished, found) = Unfinished::open(keep, hasher.finish(), size);
+    match found {
+        Found::Nothing => {}
+        Found::Other => listen(Event::StartsAnew),
+        Found::Pixels(pixels) => listen(Event::GoesOn(pixels)),
+    }
+    Some(unfinished)
 }
 
 /// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
@@ -205,9 +259,9 @@ fn forget(world: World) {
 /// # Errors
 /// When the scene could not be drawn.
 pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
-    let quality = RenderOptions::default().quality;
     with_deep_stack(listen, || {
-        read_scene(input, read, quality, listen, None).map(drop)
+        let render = RenderOptions::default();
+        read_scene(input, read, &render, listen, None).map(drop)
     })
 }
 
@@ -260,14 +314,15 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma
     (compile::compile(scene, render), working)
 }
 
-/// Reads a scene; what drawing cannot do yet is an error if it would be seen at this quality.
+/// Reads a scene; what drawing cannot do yet is an error if it would be seen at the quality asked for. With it comes what
+/// tells its texts from others, if an unfinished picture is to be kept.
 fn read_scene(
     input: &Input,
     options: &ReadOptions,
-    quality: u8,
+    render: &RenderOptions,
     listen: &Listen<'_>,
     kept: Option<&Mutex<Option<Arc<Kept>>>>,
-) -> Result<Scene, Failure> {
+) -> Result<(Scene, u64), Failure> {
     let earlier = kept.and_then(|kept| lock(kept).clone());
     let mut lexicon = kept.map(|_| Lexicon::default());
     let mut sources = Sources::new(options.library_paths.clone());
@@ -275,6 +330,7 @@ fn read_scene(
         sources = earlier.sources.clone();
         lexicon = Some(earlier.lexicon.clone());
     }
+    let mut print = 0;
     let mut errors = Vec::new();
     let mut found = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
@@ -303,7 +359,7 @@ fn read_scene(
                 lexicon: lexicon.as_mut(),
             };
             let reading = lang::evaluate_with(texts, options, &mut probe, &mut hear);
-            if quality >= QUALITY_OF_RADIOSITY {
+            if render.quality >= QUALITY_OF_RADIOSITY {
                 for undrawn in &reading.undrawn {
                     found(undrawn, &sources);
                 }
@@ -312,6 +368,9 @@ fn read_scene(
                 dependencies: &reading.dependencies,
                 wrote_files: sources.wrote_files(),
             });
+            if render.keep.is_some() {
+                print = sources.fingerprint();
+            }
             if let (Some(kept), Some(lexicon), true) = (kept, lexicon, reading.has_learnt) {
                 keep(kept, earlier.as_ref(), file, sources, lexicon);
             }
@@ -323,7 +382,7 @@ fn read_scene(
         }
     };
     match scene {
-        Some(scene) if errors.is_empty() => Ok(scene),
+        Some(scene) if errors.is_empty() => Ok((scene, print)),
         None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),
     }

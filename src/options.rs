@@ -28,6 +28,12 @@ pub enum Event<'a> {
         /// Whether the scene wrote files itself.
         wrote_files: bool,
     },
+    /// The drawing goes on with so many pixels of an unfinished picture.
+    GoesOn(u64),
+    /// There is an unfinished picture, of another scene, with other options or by another program: it is given up.
+    StartsAnew,
+    /// The unfinished picture cannot be kept.
+    KeepsNothing(std::io::ErrorKind),
     /// So many pixels have been finished since the last event of this kind. Comes from any thread.
     Drawn(u64),
 }
@@ -141,8 +147,23 @@ pub struct RenderOptions {
     pub statistics: bool,
     /// How pixels are sampled.
     pub sampling: Sampling,
+    /// Where what has been drawn is kept until all is.
+    pub keep: Option<Keep>,
     /// Ends drawing.
     pub stop: Stop,
+}
+
+/// An unfinished picture, with which a later run can go on. Drawing with a time limit keeps none: what it draws depends
+/// on the speed of the machine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Keep {
+    /// The file. It stays until somebody removes it.
+    pub file: PathBuf,
+    /// Whether to go on with what is there and to keep everything from the beginning on. Otherwise what is there is
+    /// replaced as soon as the drawing has taken two seconds.
+    pub continues: bool,
+    /// What tells this program from others, which may draw other pictures.
+    pub build: String,
 }
 
 /// How pixels are sampled.
@@ -362,6 +383,7 @@ impl Default for RenderOptions {
             least_distance: LeastDistance::default(),
             statistics: false,
             sampling: Sampling::Centres,
+            keep: None,
             stop: Stop::default(),
         }
     }

@@ -433,7 +433,7 @@ impl Heard {
                 self.dependencies = dependencies.to_vec();
                 self.wrote_files = wrote_files;
             }
-            Event::Found(_) | Event::Said(_) | Event::Drawn(_) => {}
+            _ => {}
         }
     }
 }

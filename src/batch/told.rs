@@ -23,7 +23,7 @@ impl Told {
         let heard = match event {
             Event::Said(text) => Heard::Said(text.to_owned()),
             Event::Found(message) => Heard::Found(Box::new(message.clone())),
-            Event::Read { .. } | Event::Drawn(_) => return,
+            _ => return,
         };
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
         // A scene that says a character at a time says one text.

@@ -27,6 +27,7 @@ pub(super) const COMMAND: Command = Command {
     name: "batch",
     about: "draw all scenes of folders, what is up to date not again",
     run,
+    face: <Face as clap::CommandFactory>::command,
 };
 
 /// Draws all scenes of folders into a tree like theirs.

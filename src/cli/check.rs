@@ -25,6 +25,7 @@ pub(super) const COMMAND: Command = Command {
     name: "check",
     about: "read scenes and say what is wrong with them",
     run,
+    face: <Face as clap::CommandFactory>::command,
 };
 
 /// Reads scenes without drawing them and says what is wrong with them.
@@ -157,7 +158,10 @@ fn read_word(
 }
 
 /// The scenes that the names stand for: files in the order given, those of a folder sorted, none twice.
-fn find_scenes(names: &[String], library_paths: &[PathBuf]) -> Result<Vec<Scene>, CliError> {
+pub(super) fn find_scenes(
+    names: &[String],
+    library_paths: &[PathBuf],
+) -> Result<Vec<Scene>, CliError> {
     let mut scenes = Vec::new();
     for name in names {
         let path = Path::new(name);

@@ -12,6 +12,7 @@ use super::progress::{Progress, ProgressKind};
 use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
 use super::surroundings::Surroundings;
+use super::unfinished;
 use super::words;
 use crate::options::{
     Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions, Statistics,
@@ -41,9 +42,13 @@ pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCod
             say(text.trim_end());
             Ok(ExitCode::SUCCESS)
         }
-        Request::Draw(settings) => match &settings.frames {
+        Request::Draw(mut settings) => match &settings.frames {
             Some(frames) => animate::run(&settings, frames),
-            None => carry_out(&settings, &crate::draw),
+            None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
+            None => {
+                unfinished::keep(&mut settings);
+                carry_out(&settings, &crate::draw)
+            }
         },
     }
 }
@@ -115,6 +120,7 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
             ..options.clone()
         };
         output::write(&picture.film, target, &options).map_err(refused)?;
+        unfinished::forget(settings);
     }
     tell_statistics(&picture.statistics, talk, &reporter);
     Ok(ExitCode::SUCCESS)

@@ -60,7 +60,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
     ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
-    ("Continue_Trace", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Continue, on, s); Ok(()) }),
+    ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
     ("Create_Ini", IDLE),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),
@@ -226,6 +226,23 @@ fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
     typed.declares.retain(|(declared, _)| declared != name);
     typed.declares.push((name.to_owned(), value));
     Ok(())
+}
+
+/// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
+pub(super) fn names() -> impl Iterator<Item = (&'static str, bool)> {
+    KEYS.iter().map(|&(name, set)| (name, acts(set)))
+}
+
+/// Whether an option ever changes what is to be done, or refuses to.
+fn acts(set: Set) -> bool {
+    ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
+        .iter()
+        .any(|value| {
+            let mut typed = Typed::default();
+            let done = set(&mut typed, value, "");
+            typed.idle.clear();
+            done.is_err() || typed != Typed::default()
+        })
 }
 
 /// A known option that differs from `key` in at most two letters.

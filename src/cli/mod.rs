@@ -8,12 +8,15 @@
 mod animate;
 mod batch;
 mod check;
+mod compare;
+mod completions;
 mod curve;
 mod draw;
 mod error;
 mod frames;
 mod ini;
 mod keys;
+mod man;
 mod modern;
 mod progress;
 mod report;
@@ -22,7 +25,9 @@ mod sheet;
 mod surroundings;
 mod switches;
 mod typed;
+mod unfinished;
 mod values;
+mod watch;
 mod words;
 
 pub use draw::{Request, request};
@@ -45,6 +50,8 @@ struct Command {
     about: &'static str,
     /// Does it, with the arguments behind the name.
     run: Run,
+    /// Its options.
+    face: fn() -> clap::Command,
 }
 
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
@@ -53,8 +60,12 @@ type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 const COMMANDS: &[Command] = &[
     batch::COMMAND,
     check::COMMAND,
+    compare::COMMAND,
+    completions::COMMAND,
     curve::COMMAND,
+    man::COMMAND,
     sheet::COMMAND,
+    watch::COMMAND,
 ];
 
 /// The exit code of a command that could not begin.

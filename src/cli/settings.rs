@@ -26,6 +26,8 @@ pub struct Settings {
     pub render: RenderOptions,
     /// The frames of an animation; `None` for a still picture.
     pub frames: Option<Frames>,
+    /// Whether to go on with an unfinished picture.
+    pub continues: bool,
     /// Where the picture goes and how; `None` draws it without keeping it. The working space is the scene's to tell.
     pub output: Option<(Target, EncodeOptions)>,
     /// What is said on the way.
@@ -77,6 +79,12 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
     })?;
     let output = output(&typed, &name, &mut warnings)?;
     let frames = Frames::of(&typed.frames);
+    if frames.is_some() && typed.continues {
+        return Err(
+            CliError::new("`+C`: continuing an animation is not built yet")
+                .with_hint("draw the frames that are missing: `+SF` is the first, `+EF` the last"),
+        );
+    }
     if frames.is_some_and(|frames| frames.is_single()) {
         warnings.push(
             "an animation of one frame has no step: its clock is `Initial_Clock` (in POV-Ray it is no number)".to_owned(),
@@ -91,6 +99,7 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
         scene,
         read: read_options(&typed, library_paths),
         render,
+        continues: typed.continues,
         frames,
         output,
         talk: Talk {
@@ -149,6 +158,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         least_distance: typed.least_distance,
         statistics: typed.stats || typed.json,
         sampling: sampling(typed),
+        keep: None,
         stop: Stop::default(),
     })
 }

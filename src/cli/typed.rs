@@ -44,6 +44,8 @@ pub(super) struct Typed {
     pub(super) stats: bool,
     pub(super) json: bool,
     pub(super) least_distance: LeastDistance,
+    /// Whether to go on with an unfinished picture.
+    pub(super) continues: bool,
     pub(super) is_antialiased: bool,
     pub(super) is_jittered: bool,
     /// How, if it is antialiased.
@@ -76,7 +78,6 @@ pub(super) enum Output {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unbuilt {
     Clockless,
-    Continue,
     Dither,
     Fields,
     OddField,
@@ -117,6 +118,7 @@ impl Default for Typed {
             stats: false,
             json: false,
             least_distance: LeastDistance::default(),
+            continues: false,
             is_antialiased: false,
             is_jittered: true,
             antialias: Antialias::default(),
@@ -153,10 +155,6 @@ impl Unbuilt {
             Unbuilt::Clockless => (
                 "animation by several cameras is not built yet",
                 "leave `Clockless_Animation` out and move one camera with `clock`",
-            ),
-            Unbuilt::Continue => (
-                "continuing an interrupted picture is not built yet",
-                "leave it out to draw the whole picture",
             ),
             Unbuilt::Dither => ("dithering is not built yet", "use `-TH` (or `Dither=off`)"),
             Unbuilt::Fields => (

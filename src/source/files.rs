@@ -282,6 +282,11 @@ impl Sources {
         source.lines.get_or_init(|| line_starts(&source.text))
     }
 
+    /// All texts, in the order in which they were read.
+    pub(super) fn all_texts(&self) -> impl Iterator<Item = &str> {
+        self.texts.iter().map(|source| source.text.as_str())
+    }
+
     fn source(&self, file: FileId) -> &Source {
         &self.texts[file.0 as usize]
     }

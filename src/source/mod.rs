@@ -4,6 +4,7 @@ mod data;
 mod dependency;
 mod diagnostic;
 mod files;
+mod fingerprint;
 mod message;
 pub mod print;
 mod search;
