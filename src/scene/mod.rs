@@ -4,6 +4,7 @@
 mod extent;
 mod globals;
 mod object;
+mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
