@@ -22,7 +22,20 @@ const HEIGHT: u32 = 36;
 const POWERS: [i32; 2] = [-60, 60];
 
 /// Scenes that say lengths in a way that no transform reaches, with the reason.
-const EXCEPT: &[(&str, &str)] = &[];
+const EXCEPT: &[(&str, &str)] = &[
+    (
+        "finish/irid_turbulence",
+        "the film's turbulence is that of the place in the world, as in POV-Ray",
+    ),
+    (
+        "pattern/slope_altitude",
+        "the range of heights is in units of the world, as in POV-Ray",
+    ),
+    (
+        "pattern/slope_waves",
+        "the range of heights is in units of the world, as in POV-Ray",
+    ),
+];
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();

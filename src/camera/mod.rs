@@ -173,8 +173,13 @@ impl Camera {
     /// The same with every length times a factor.
     #[must_use]
     pub(crate) fn scaled(mut self, factor: f64) -> Camera {
-        self.transform(&Transform::scaling(DVec3::splat(factor)));
+        self.frame.location *= factor;
         self.look_at *= factor;
+        // Elsewhere these are directions, or count angles.
+        if !self.has_one_origin() {
+            self.frame.right *= factor;
+            self.frame.up *= factor;
+        }
         self.blur.scale(factor);
         self
     }

@@ -7,8 +7,9 @@
 use super::{Kind, Object, Scene};
 use crate::interior::Interior;
 use crate::light::{Beam, Light};
-use crate::math::{Step, Transform};
 use crate::math::conditioning::power_of_two;
+use crate::math::{Step, Transform};
+use crate::shape::Geometry;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -40,6 +41,7 @@ impl Scene {
         for rainbow in &mut self.atmosphere.rainbows {
             rainbow.distance *= factor;
         }
+        self.globals.unit *= factor;
         self
     }
 
@@ -80,7 +82,7 @@ impl Object {
             bound.what = scaled_child(&bound.what, factor, known);
         }
         match &mut self.kind {
-            Kind::Shape(_) => {}
+            Kind::Shape(shape) => Arc::make_mut(shape).change_unit(factor),
             Kind::Light {
                 light,
                 looks_like,

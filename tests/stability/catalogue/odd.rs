@@ -70,7 +70,12 @@ pub(crate) fn add(all: &mut Vec<Case>) {
             "",
         ));
     }
-    all.push(same(30, "a radius of acos(2)", "sphere { 0, acos(2) }", NOTHING));
+    all.push(same(
+        30,
+        "a radius of acos(2)",
+        "sphere { 0, acos(2) }",
+        NOTHING,
+    ));
     for (name, text) in [
         ("sphere", "sphere { 0, 0 }"),
         ("cylinder", "cylinder { -y, y, 0 }"),
