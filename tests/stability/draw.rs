@@ -1,6 +1,6 @@
 //! Pictures of scene texts by povr, within this process, and by POV-Ray.
 
-use crate::support;
+use crate::process;
 use povr::options::{Event, Input, ReadOptions, RenderOptions};
 use std::path::Path;
 use std::process::Command;
@@ -97,7 +97,7 @@ pub(crate) fn by_pov_ray(text: &str, size: (u32, u32), folder: &Path) -> Drawn {
         .arg(format!("+H{}", size.1))
         .args(["-D", "-A", "+WT1", "+FN16", "File_Gamma=1.0"])
         .arg(format!("+L{INCLUDES}"));
-    let ended = support::run(&mut command, TIME_LIMIT);
+    let ended = process::run(&mut command, TIME_LIMIT);
     let said = match &ended {
         Ok(ended) => ended.stderr.clone(),
         Err(error) => return failed(format!("`povray` does not run: {error}")),

@@ -10,11 +10,13 @@ mod catalogue;
 mod draw;
 mod model;
 mod oracle;
+mod rays;
 mod sheet;
 mod wide;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::process::ExitCode;
+use support::process;
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
