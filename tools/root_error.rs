@@ -114,7 +114,11 @@ fn section(
         .iter()
         .map(|family| {
             let questions = family.rays(rays);
-            let scores: Vec<Score> = ways.iter().map(|way| score(&questions, way.1)).collect();
+            let exact: Vec<usize> = questions.iter().map(Question::roots).collect();
+            let scores: Vec<Score> = ways
+                .iter()
+                .map(|way| score(&questions, &exact, way.1))
+                .collect();
             let told: Vec<String> = scores
                 .iter()
                 .map(|score| format!("{}/{:.1}/{:.0}", score.bad, score.worst, score.nanoseconds))
@@ -187,7 +191,7 @@ fn table(
     *page += "</tbody></table></div>\n";
 }
 
-fn score(questions: &[Question], solve: Solve) -> Score {
+fn score(questions: &[Question], exact: &[usize], solve: Solve) -> Score {
     let mut roots = Vec::with_capacity(8);
     let mut score = Score {
         nanoseconds: f64::INFINITY,
@@ -203,10 +207,10 @@ fn score(questions: &[Question], solve: Solve) -> Score {
         let each = start.elapsed().as_secs_f64() * 1e9 / count(questions.len());
         score.nanoseconds = score.nanoseconds.min(each);
     }
-    for question in questions {
+    for (question, exact) in questions.iter().zip(exact) {
         roots.clear();
         solve(question, &mut roots);
-        let verdict = question.verdict(&roots);
+        let verdict = question.verdict(&roots, *exact);
         score.worst_of_all = score.worst_of_all.max(verdict.worst);
         if verdict.is_bad {
             score.bad += 1;

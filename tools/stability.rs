@@ -6,6 +6,7 @@
     clippy::print_stderr,
     reason = "a program for the terminal"
 )]
+#![allow(dead_code, reason = "the suite's test uses the rest")]
 
 #[path = "../tests/support/process.rs"]
 mod process;

@@ -7,7 +7,7 @@ use super::leaf::{Extent, Leaf};
 use super::lights::{LightList, Lights};
 use super::surface::{Flags, Surface};
 use crate::light::Light;
-use crate::math::{Bounds, Step};
+use crate::math::{Bounds, Step, Transform};
 use crate::pattern::Settings;
 use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::{Geometry, Skin};
@@ -491,10 +491,18 @@ fn push_node(program: &mut Program, combine: Combine, is_inverse: bool, parent: 
     node
 }
 
+/// With more steps above than this they are made one, so that objects in objects in objects do not each keep the steps
+/// of all around them. No scene written by hand comes near.
+const KEPT_STEPS: usize = 250;
+
 /// The steps of an object, then those of everything above it.
 fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
     if own.is_empty() {
         return Arc::clone(above);
+    }
+    if above.len() > KEPT_STEPS {
+        let one = Step::General(Arc::new(Transform::from_steps(above)));
+        return own.iter().cloned().chain([one]).collect();
     }
     own.iter().chain(above.iter()).cloned().collect()
 }

@@ -39,8 +39,8 @@ pub(crate) enum Asks {
         color: [f32; 3],
         within: f32,
     },
-    /// That so many pixels are lit, and no other number.
-    Lit { text: String, pixels: usize },
+    /// That each scene is refused with an error, or drawn without a pixel that is no number.
+    Sound(Vec<String>),
     /// That the scene is refused with these words.
     Refused { text: String, says: &'static str },
     /// Families of rays, each asked of a routine of povr: rays, and those answered wrong.
@@ -156,13 +156,27 @@ impl Case {
             } => judged(draw(text, size), size, |_, _, found| {
                 Some((0..3).any(|i| (found[i] - color[i]).abs() > *within))
             }),
-            Asks::Lit { text, pixels } => {
-                let mut outcome = judged(draw(text, size), size, |_, _, color| {
-                    Some(color.iter().any(|c| *c > 0.5))
-                });
-                if outcome.picture.is_some() {
-                    outcome.wrong = outcome.wrong.abs_diff(*pixels);
-                    outcome.map.clear();
+            Asks::Sound(texts) => {
+                let mut outcome = Outcome {
+                    decided: texts.len(),
+                    ..Outcome::default()
+                };
+                for text in texts {
+                    let drawn = draw(text, size);
+                    let is_sound = match &drawn.picture {
+                        None => drawn.said.contains("Error"),
+                        Some(picture) => {
+                            picture.pixels.as_flattened().iter().all(|c| c.is_finite())
+                        }
+                    };
+                    if !is_sound {
+                        outcome.wrong += 1;
+                        outcome
+                            .said
+                            .push_str(text.lines().last().unwrap_or_default());
+                        outcome.said.push('\n');
+                        outcome.said.push_str(&drawn.said);
+                    }
                 }
                 outcome
             }

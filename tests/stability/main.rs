@@ -2,6 +2,8 @@
 //!
 //! The catalogue has 54 items. Those marked slow, and POV-Ray's answers beside povr's, come with `tools/stability`.
 
+#![allow(dead_code, reason = "tools/stability uses the rest")]
+
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -113,14 +113,6 @@ impl Camera {
         }
     }
 
-    /// The same with parallel rays.
-    pub(crate) fn flat(self) -> Camera {
-        Camera {
-            is_flat: true,
-            ..self
-        }
-    }
-
     fn scaled(&self, by: f64) -> Camera {
         let times = |v: V| v.map(|x| x * by);
         // A window and its distance scaled alike show the same.

@@ -112,7 +112,10 @@ fn summary(answered: &[Answered]) -> String {
 
 /// Whether there are pictures worth a look.
 fn is_shown(one: &Answered) -> bool {
-    let has_picture = !matches!(one.case.asks, Asks::Rays(_) | Asks::Refused { .. });
+    let has_picture = !matches!(
+        one.case.asks,
+        Asks::Rays(_) | Asks::Refused { .. } | Asks::Sound(_)
+    );
     let is_wrong = |outcome: &Outcome| outcome.wrong > 0;
     has_picture && (is_wrong(&one.povr) || one.pov_ray.as_ref().is_some_and(is_wrong))
 }

@@ -1,6 +1,7 @@
 //! The catalogue: 54 items, each with its scenes or families of rays.
 
 mod csg;
+mod extreme;
 pub(crate) mod far;
 mod odd;
 mod plates;
@@ -17,6 +18,7 @@ pub(crate) fn all() -> Vec<Case> {
     csg::add(&mut all);
     plates::add(&mut all);
     odd::add(&mut all);
+    extreme::add(&mut all);
     for (item, name, family) in [
         (
             5,

@@ -63,12 +63,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         ("ln(0)", "ln(0)"),
         ("pow(0,-1)", "pow(0,-1)"),
     ] {
-        all.push(refused(
+        let case = refused(
             30,
             &format!("a radius of {name}"),
             &format!("sphere {{ 0, {radius} }}"),
-            "",
-        ));
+            "error",
+        );
+        all.push(case.without_pov_ray("it warns, or refuses too, and draws nothing"));
     }
     all.push(same(
         30,
@@ -92,13 +93,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         31,
         "cylinder of no length",
         "cylinder { 0, 0, 1 }",
-        "degenerate cylinder",
+        "degenerate c",
     ));
     all.push(refused(
         31,
         "cone of no length",
         "cone { 0, 1, 0, 2 }",
-        "degenerate cone",
+        "degenerate c",
     ));
     let flat = Model::flat(
         Camera::at([0.6, 0.4, -4.0], [0.0; 3], 0.8),

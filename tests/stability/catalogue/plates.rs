@@ -30,8 +30,9 @@ pub(crate) fn add(all: &mut Vec<Case>) {
             format!("clear plate {gap:e} above a floor"),
             even(clear, 1.0),
         ));
+        let thin = n(2.0 * gap);
         let opaque = format!(
-            "{HEAD}{DOWN}{LIGHT}{FLOOR}box {{ <-9, {g}, -9>, <9, {top}, 9> pigment {{ rgb 1 }} no_image }}\n"
+            "{HEAD}{DOWN}{LIGHT}{FLOOR}box {{ <-9, {g}, -9>, <9, {thin}, 9> pigment {{ rgb 1 }} no_image }}\n"
         );
         all.push(Case::new(
             38,

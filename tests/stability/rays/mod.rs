@@ -93,8 +93,13 @@ impl Question {
         off.abs().to_f64()
     }
 
-    /// How good the roots `found` are.
-    pub(crate) fn verdict(&self, found: &[f64]) -> Verdict {
+    /// How many roots there are.
+    pub(crate) fn roots(&self) -> usize {
+        self.count(&self.line(), 0.0)
+    }
+
+    /// How good the roots `found` are, of `exact` that there are.
+    pub(crate) fn verdict(&self, found: &[f64], exact: usize) -> Verdict {
         let line = self.line();
         let worst = found.iter().fold(0.0, |worst: f64, &t| {
             let off = if t.is_finite() {
@@ -105,7 +110,7 @@ impl Question {
             worst.max(off)
         });
         let mut is_bad = worst > TOLERANCE;
-        if !is_bad && found.len() != self.count(&line, 0.0) {
+        if !is_bad && found.len() != exact {
             let nearest = -self.ray.origin.dot(self.ray.dir) / self.ray.dir.length_squared();
             let slack = TOLERANCE * self.rounding(nearest);
             let counts = [-slack, 0.0, slack].map(|by| self.count(&line, by));
@@ -143,7 +148,7 @@ fn asked(family: &Family, answer: fn(&Question, &mut Vec<Root>)) -> (usize, usiz
         let mut roots = Vec::new();
         answer(question, &mut roots);
         let found: Vec<f64> = roots.iter().map(|root| root.t).collect();
-        question.verdict(&found).is_bad
+        question.verdict(&found, question.roots()).is_bad
     });
     (RAYS, bad.count())
 }
