@@ -114,7 +114,7 @@ pub fn draw(
 /// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
 /// that ends then need not wait.
 fn forget(world: World) {
-    if world.leaves().len() < LARGE_WORLD {
+    if (world.shown() as usize) < LARGE_WORLD {
         return;
     }
     // Without a thread it goes here and now.

@@ -246,6 +246,12 @@ pub struct Plan {
     pub primitives: BTreeMap<&'static str, usize>,
     /// How many combinations there are.
     pub combinations: usize,
+    /// Unions that are prepared once for several copies.
+    pub shared: usize,
+    /// The copies of them.
+    pub instances: usize,
+    /// Bytes for each copy, without its looks and its part of the tree.
+    pub instance_bytes: usize,
     /// Objects that no box holds; every ray tries them.
     pub unbounded: usize,
     /// Primitives that stand behind a matrix; the others are in the world's own coordinates.

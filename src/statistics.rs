@@ -116,6 +116,13 @@ impl fmt::Display for Statistics {
             plan.combinations,
             plan.unbounded
         )?;
+        if plan.instances > 0 {
+            writeln!(
+                f,
+                "copies      {} of {} shared unions, {} bytes each",
+                plan.instances, plan.shared, plan.instance_bytes
+            )?;
+        }
         writeln!(
             f,
             "looks       {}, lights {}, tree {} bytes",

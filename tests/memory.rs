@@ -1,6 +1,6 @@
 //! What an object keeps after compile: its inverse matrix or less, never the forward one.
 
-use povr::compile::{Leaf, compile};
+use povr::compile::{Leaf, World, compile};
 use povr::options::{ReadOptions, RenderOptions};
 use povr::shape::Shape;
 use povr::source::Sources;
@@ -8,15 +8,20 @@ use povr::source::Sources;
 /// The bytes of a matrix of three rows and four columns.
 const MATRIX: usize = 12 * size_of::<f64>();
 
-/// The primitives of a scene as they are kept for tracing.
-fn leaves(scene: &str) -> Vec<Leaf> {
+/// A scene ready for tracing.
+fn world(scene: &str) -> World {
     let mut sources = Sources::new(Vec::new());
     let file = sources.add_text("memory.pov", scene);
     let reading = povr::lang::evaluate(file, &mut sources, &ReadOptions::default());
     let scene = reading
         .scene
         .unwrap_or_else(|| panic!("{:?}", reading.findings));
-    compile(scene, &RenderOptions::default()).leaves().to_vec()
+    compile(scene, &RenderOptions::default())
+}
+
+/// The primitives of a scene as they are kept for tracing.
+fn leaves(scene: &str) -> Vec<Leaf> {
+    world(scene).leaves().to_vec()
 }
 
 /// The one primitive of a scene.
@@ -80,4 +85,41 @@ fn a_primitive_takes_no_more_than_its_numbers() {
 fn objects_with_the_same_texture_share_one_surface() {
     let scene = "union { sphere { 0, 1 } sphere { x, 1 } sphere { 2*x, 1 } pigment { rgb 1 } }";
     assert!(leaves(scene).iter().all(|leaf| leaf.surface == 0));
+}
+
+/// A hundred spheres, and a thousand copies of them.
+const COPIES: &str = "#declare Part = union { #for (I, 1, 100) sphere { I * x, 1 } #end }
+#for (I, 1, 1000) object { Part rotate I * y translate I * z } #end";
+
+#[test]
+fn copies_of_a_large_union_share_its_parts() {
+    let world = world(COPIES);
+    let plan = world.plan();
+    assert_eq!(world.leaves().len(), 0);
+    assert_eq!(world.shown(), 100_000);
+    assert_eq!((plan.shared, plan.instances), (1, 1000));
+    assert_eq!(plan.primitives.get("sphere"), Some(&100));
+    // The inverse matrix, what it shows, and where its numbers begin.
+    assert_eq!(plan.instance_bytes, MATRIX + 2 * size_of::<usize>());
+    assert_eq!(plan.surfaces, 1);
+}
+
+#[test]
+fn copies_of_copies_share_at_each_level() {
+    let doubled = "#declare U = union { #for (I, 1, 100) sphere { I * x, 0.1 } #end }
+        #for (I, 1, 24) #declare U = union { object { U } object { U translate I * z } } #end
+        object { U }";
+    let world = world(doubled);
+    let plan = world.plan();
+    assert_eq!(world.shown(), 100 << 24);
+    assert!(plan.instances < 100, "{}", plan.instances);
+    let spheres = plan.primitives["sphere"];
+    assert!(spheres < 20_000, "{spheres}");
+}
+
+#[test]
+fn few_copies_are_taken_apart() {
+    let world = world(&COPIES.replace("1000", "10"));
+    assert_eq!(world.leaves().len(), 1000);
+    assert_eq!(world.plan().instances, 0);
 }

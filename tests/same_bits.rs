@@ -18,7 +18,11 @@ difference {
   torus { 0.8, 0.2 rotate 90*x }
   rotate <20, 30, 0> translate 1.2*x
   pigment { rgb <0.8, 0.5, 0.2> } finish { phong 0.8 reflection 0.1 }
-}";
+}
+#declare Part = union { #for (I, 1, 20) sphere { <cos(I), 0.1 * I, sin(I)>, 0.2 } #end }
+#for (I, 1, 600)
+  object { Part pigment { rgb <0.2, 0.6, 0.3> } scale 0.1 rotate I * y translate <sin(9 * I) * 3, -0.9, 2 * cos(7 * I)> }
+#end";
 
 const CONVERGING: Sampling = Sampling::Converging(Converging {
     error: 2.0,

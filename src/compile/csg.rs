@@ -55,14 +55,14 @@ pub(super) struct Operand {
     pub(super) is_hidden: bool,
 }
 
-/// A combination of the leaves `first .. first + operands.len()` of the world.
+/// A combination of the leaves `first .. first + operands.len()` of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Program {
     /// The nodes, parents before children.
     pub(super) nodes: Vec<Node>,
     /// The leaves in order.
     pub(super) operands: Vec<Operand>,
-    /// The world's number of the first leaf.
+    /// The number of the first leaf.
     pub(super) first: u32,
     /// What `bounded_by` says.
     pub(super) gates: Vec<Gate>,
@@ -125,8 +125,10 @@ pub(super) struct Sweep {
 pub(super) struct Found {
     /// The root.
     pub(super) root: Root,
-    /// The world's number of the leaf.
+    /// The number of the leaf.
     pub(super) leaf: u32,
+    /// The number of its surface.
+    pub(super) surface: u32,
 }
 
 impl Program {
@@ -198,9 +200,11 @@ impl Program {
             for index in (at..end).rev() {
                 let event = sweep.events[index];
                 let is_seen = sweep.kept[index - at] && event.root.is_visible && t > from;
+                let leaf = self.first + event.leaf;
                 let found = Found {
                     root: event.root,
-                    leaf: self.first + event.leaf,
+                    leaf,
+                    surface: leaves[leaf as usize].surface,
                 };
                 if is_seen && !self.operands[event.leaf as usize].is_hidden && wanted(&found) {
                     return Some(found);

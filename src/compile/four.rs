@@ -226,7 +226,7 @@ impl World {
         scratch: &mut Scratch,
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
-        let program = &self.programs[number as usize];
+        let program = &self.model.programs[number as usize];
         let at = |lane: usize| &queries[lane.min(queries.len() - 1)];
         let each = |of: &dyn Fn(&Query) -> f64| std::array::from_fn(|lane| of(at(lane)));
         let mut left = [f64::NAN; 4];
@@ -237,7 +237,7 @@ impl World {
         }
         let passing = Passing {
             program,
-            leaves: &self.leaves,
+            leaves: &self.model.leaves,
             origin: [0, 1, 2].map(|axis| each(&|query| query.ray.origin[axis])),
             dir: [0, 1, 2].map(|axis| each(&|query| query.ray.dir[axis])),
             from: each(&|query| self.least_distance(query)),
@@ -258,9 +258,18 @@ impl World {
             let leaf = program.first + found.operand[lane] as u32;
             let roots = &mut scratch.roots;
             roots.clear();
-            self.leaves[leaf as usize].roots(&at(lane).ray, roots);
+            let found_leaf = &self.model.leaves[leaf as usize];
+            found_leaf.roots(&at(lane).ray, roots);
+            let surface = found_leaf.surface;
             match roots.iter().find(|root| root.t == found.t[lane]) {
-                Some(&root) => take(lane, Found { root, leaf }),
+                Some(&root) => take(
+                    lane,
+                    Found {
+                        root,
+                        leaf,
+                        surface,
+                    },
+                ),
                 None => found.unknown |= 1 << lane,
             }
         }
@@ -277,7 +286,7 @@ impl World {
         far: impl Fn(usize) -> f64,
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
-        let leaf = &self.leaves[number as usize];
+        let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
         let mut rays = FourOfLeaf {
             leaf,
@@ -319,7 +328,15 @@ impl World {
                 face: 0,
                 is_visible: true,
             };
-            take(lane, Found { root, leaf: number });
+            let surface = leaf.surface;
+            take(
+                lane,
+                Found {
+                    root,
+                    leaf: number,
+                    surface,
+                },
+            );
         }
         unknown
     }
@@ -333,7 +350,7 @@ impl World {
         if !(program.first..program.first + program.len()).contains(&left.leaf) {
             return f64::NAN;
         }
-        let leaf = &self.leaves[left.leaf as usize];
+        let leaf = &self.model.leaves[left.leaf as usize];
         let roots = &mut scratch.roots;
         roots.clear();
         leaf.roots(&query.ray, roots);

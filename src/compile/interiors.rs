@@ -14,6 +14,11 @@ const UNNAMED: u32 = 1 << 31;
 impl InteriorId {
     /// The interior of what has none.
     pub const AIR: InteriorId = InteriorId(UNNAMED);
+
+    /// Whether no scene has written it.
+    pub(super) fn is_unnamed(self) -> bool {
+        self.0 >= UNNAMED
+    }
 }
 
 /// All interiors of a world.

@@ -1,11 +1,16 @@
 //! From the description of a scene to the world that rays need.
 
+mod combine;
 mod csg;
+mod find;
 mod flatten;
 mod four;
+mod instance;
 mod interiors;
 mod leaf;
 mod lights;
+mod looks;
+mod model;
 mod order;
 mod passed;
 mod plan;
@@ -14,6 +19,7 @@ mod query;
 mod rays;
 mod search;
 mod shadow;
+mod share;
 mod simplify;
 mod surface;
 mod together;

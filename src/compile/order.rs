@@ -1,8 +1,11 @@
-//! The tree over the items of a world, and their leaves in its order: what lies together in space lies together in
+//! The tree over the items of a model, and their leaves in its order: what lies together in space lies together in
 //! memory.
 
-use super::flatten::{Flat, Item};
+use super::csg::Program;
+use super::instance::Instance;
+use super::model::{Item, Parts};
 use crate::accel::Bvh;
+use glam::DVec3;
 
 /// An item with its number, which is its place in the file.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +14,7 @@ pub(super) struct Numbered {
     pub(super) item: Item,
 }
 
-/// How the items of a world are found.
+/// How the items of a model are found.
 #[derive(Debug)]
 pub(super) struct Finder {
     /// Over `bounded`.
@@ -23,19 +26,22 @@ pub(super) struct Finder {
 }
 
 impl Finder {
-    /// Builds the tree and brings the leaves of `flat` into its order.
-    pub(super) fn new(flat: &mut Flat) -> Self {
+    /// Builds the tree and brings what `parts` holds into its order; `projectors` follow their leaves.
+    pub(super) fn new<'p>(
+        parts: &mut Parts,
+        projectors: impl Iterator<Item = &'p mut Program>,
+    ) -> Self {
         let numbers = 0u32..;
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
-            .take(flat.items.len())
-            .partition(|&number| flat.bounds[number as usize].is_finite());
+            .take(parts.items.len())
+            .partition(|&number| parts.bounds[number as usize].is_finite());
         let boxes: Vec<_> = bounded
             .iter()
-            .map(|&number| flat.bounds[number as usize])
+            .map(|&number| parts.bounds[number as usize])
             .collect();
-        let radius = |place: usize| match flat.items[bounded[place] as usize] {
-            Item::Leaf(leaf) => flat.leaves[leaf as usize].ball_radius(),
-            Item::Program(_) => None,
+        let radius = |place: usize| match parts.items[bounded[place] as usize] {
+            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_radius(),
+            Item::Program(_) | Item::Instance(_) => None,
         };
         let (tree, order) = Bvh::build_in_order(&boxes, radius);
         drop(boxes);
@@ -43,10 +49,10 @@ impl Finder {
             .into_iter()
             .map(|place| bounded[place as usize])
             .collect();
-        sort_leaves(flat, unbounded.iter().chain(&bounded));
+        sort_leaves(parts, projectors, unbounded.iter().chain(&bounded));
         let numbered = |&number: &u32| Numbered {
             number,
-            item: flat.items[number as usize],
+            item: parts.items[number as usize],
         };
         Finder {
             tree,
@@ -54,11 +60,25 @@ impl Finder {
             unbounded: unbounded.iter().map(numbered).collect(),
         }
     }
+
+    /// The items that may hold a point.
+    pub(super) fn around(&self, point: DVec3) -> Vec<Numbered> {
+        let mut items = self.unbounded.clone();
+        self.tree.around(point, |place| {
+            items.push(self.bounded[place as usize]);
+            false
+        });
+        items
+    }
 }
 
-/// Moves leaves and combinations to the order of their items.
-fn sort_leaves<'n>(flat: &mut Flat, order: impl Iterator<Item = &'n u32>) {
-    let mut places = vec![u32::MAX; flat.leaves.len()];
+/// Moves leaves, combinations and instances to the order of their items.
+fn sort_leaves<'n, 'p>(
+    parts: &mut Parts,
+    projectors: impl Iterator<Item = &'p mut Program>,
+    order: impl Iterator<Item = &'n u32>,
+) {
+    let mut places = vec![u32::MAX; parts.leaves.len()];
     let mut next = 0;
     let mut place_range = |first: u32, count: u32| {
         for place in &mut places[first as usize..][..count as usize] {
@@ -66,15 +86,22 @@ fn sort_leaves<'n>(flat: &mut Flat, order: impl Iterator<Item = &'n u32>) {
             next += 1;
         }
     };
-    let mut programs = Vec::with_capacity(flat.programs.len());
+    let mut programs = Vec::with_capacity(parts.programs.len());
+    let mut instances = Vec::with_capacity(parts.instances.len());
+    let mut unsorted: Vec<Option<Instance>> = parts.instances.drain(..).map(Some).collect();
     for &number in order {
-        match &mut flat.items[number as usize] {
+        match &mut parts.items[number as usize] {
             Item::Leaf(leaf) => place_range(*leaf, 1),
             Item::Program(at) => {
-                let program = std::mem::take(&mut flat.programs[*at as usize]);
+                let program = std::mem::take(&mut parts.programs[*at as usize]);
                 place_range(program.first, program.len());
                 *at = u32::try_from(programs.len()).expect("no more than before");
                 programs.push(program);
+            }
+            Item::Instance(at) => {
+                let instance = unsorted[*at as usize].take();
+                *at = u32::try_from(instances.len()).expect("no more than before");
+                instances.extend(instance);
             }
         }
     }
@@ -85,12 +112,17 @@ fn sort_leaves<'n>(flat: &mut Flat, order: impl Iterator<Item = &'n u32>) {
             next += 1;
         }
     }
-    flat.programs = programs;
-    let projectors = flat.lights.projectors_mut();
-    for program in flat.programs.iter_mut().chain(projectors) {
+    parts.programs = programs;
+    for instance in &mut instances {
+        instance.first = next;
+        next += instance.model.len();
+    }
+    parts.instances = instances;
+    for program in &mut parts.programs {
         program.move_leaves(&places);
     }
-    for item in &mut flat.items {
+    projectors.for_each(|program| program.move_leaves(&places));
+    for item in &mut parts.items {
         if let Item::Leaf(leaf) = item {
             *leaf = places[*leaf as usize];
         }
@@ -98,7 +130,7 @@ fn sort_leaves<'n>(flat: &mut Flat, order: impl Iterator<Item = &'n u32>) {
     for at in 0..places.len() {
         while places[at] as usize != at {
             let to = places[at] as usize;
-            flat.leaves.swap(at, to);
+            parts.leaves.swap(at, to);
             places.swap(at, to);
         }
     }

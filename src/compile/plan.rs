@@ -1,9 +1,12 @@
 //! The plan: what a scene needs of all that a tracer can do. What it does not need is left out once, when the world is
 //! made, not asked about at every ray.
 
-use super::flatten::Item;
+use super::instance::Instance;
+use super::model::Model;
 use super::world::World;
+use crate::accel::Bvh;
 use crate::options::Plan;
+use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 impl World {
@@ -11,30 +14,44 @@ impl World {
     #[must_use]
     pub fn plan(&self) -> Plan {
         let mut primitives: BTreeMap<&'static str, usize> = BTreeMap::new();
-        for leaf in self.leaves() {
+        let models = self.models();
+        let leaves = || models.iter().flat_map(|model| &model.leaves);
+        for leaf in leaves() {
             *primitives.entry(leaf.shape.word().spelling()).or_default() += 1;
         }
-        let items = self.items();
-        let combinations = items
-            .iter()
-            .filter(|item| matches!(item, Item::Program(_)))
-            .count();
-        let finder = self.finder();
-        let behind_matrix = self
-            .leaves()
-            .iter()
+        let combinations = models.iter().map(|model| model.programs.len()).sum();
+        let behind_matrix = leaves()
             .filter(|leaf| leaf.object_from_world.is_some())
             .count();
+        let trees = models.iter().map(|model| &model.finder.tree);
         Plan {
             combinations,
-            unbounded: finder.unbounded.len(),
+            shared: models.len() - 1,
+            instances: models.iter().map(|model| model.instances.len()).sum(),
+            instance_bytes: size_of::<Instance>(),
+            unbounded: self.finder().unbounded.len(),
             behind_matrix,
             surfaces: self.surfaces.len(),
             lights: self.lights.len(),
-            tree_bytes: finder.tree.bytes(),
+            tree_bytes: trees.map(Bvh::bytes).sum(),
             left_out: self.left_out(combinations, &primitives),
             primitives,
         }
+    }
+
+    /// The model of the world and those of all instances, each once.
+    fn models(&self) -> Vec<&Model> {
+        let mut models = vec![&self.model];
+        let mut known = FxHashSet::default();
+        let mut at = 0;
+        while let Some(&model) = models.get(at) {
+            let inner = model.instances.iter().map(|instance| &*instance.model);
+            let fresh = inner.filter(|&model| known.insert(std::ptr::from_ref(model)));
+            let fresh: Vec<_> = fresh.collect();
+            models.extend(fresh);
+            at += 1;
+        }
+        models
     }
 
     fn left_out(
@@ -57,6 +74,7 @@ impl World {
         let areas = areas.filter(|&light| self.lights.get(light).area.is_some());
         [
             has(combinations > 0, "combinations"),
+            has(!self.model.instances.is_empty(), "shared unions"),
             has(!self.is_opaque(), "transparency"),
             has(mirrors, "mirror images"),
             has(self.hides_some(), "objects hidden from some rays"),

@@ -1,15 +1,15 @@
 //! Rays and points at single objects, before there is a world.
 
-use super::flatten::{Flat, Item};
+use super::flatten::Flat;
 use super::query::{Query, Scratch, Seen};
 use super::world::World;
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
-use crate::math::{Bounds, Ray};
+use crate::math::Ray;
 use crate::options::{LeastDistance, RenderOptions};
 use crate::pattern::Solid;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::shape::{Geometry, Shape};
+use crate::shape::Shape;
 use glam::DVec3;
 use std::any::Any;
 use std::sync::Arc;
@@ -102,15 +102,8 @@ pub(super) fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn So
 /// A world of one object that hides from nobody.
 fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Flat::default();
+    flat.asks_insides = true;
     flat.add(object);
-    // The inside of a disc is a half-space, far beyond its surface.
-    for (item, bounds) in flat.items.iter().zip(&mut flat.bounds) {
-        if let Item::Leaf(leaf) = item
-            && !flat.leaves[*leaf as usize].shape.solid_bounds().is_finite()
-        {
-            *bounds = Bounds::EVERYTHING;
-        }
-    }
     for surface in &mut flat.surfaces {
         surface.flags.no_image = false;
     }

@@ -1,15 +1,14 @@
 //! The nearest surface on a ray, and what is known of the place where it is met.
 
-use super::csg::{Found, hide_departure};
-use super::flatten::Item;
-use super::leaf::Leaf;
+use super::csg::Found;
+use super::find::{Search, Start, Wants};
 use super::order::Numbered;
 use super::query::{Best, Departure, Hit, Query, Scratch, Seen};
 use super::world::World;
 use crate::math::lanes::with_widest;
 use crate::math::{Bounds, Ray};
 use crate::options::LeastDistance;
-use crate::shape::{Geometry, Root};
+use crate::shape::Root;
 
 /// Below this share of the coordinates' size two surfaces are not told apart by a ray that leaves one of them:
 /// 4096 roundings of a double, which covers a chain of transforms and a slanted hit.
@@ -17,6 +16,21 @@ pub(super) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
 /// POV-Ray's least distances, in units of the scene: for shadows and for all other rays.
 pub(super) const POV_RAY_SHADOW: f64 = 1e-3;
 const POV_RAY_LEAST: f64 = 1e-4;
+
+/// Asks for the first surface that can be seen.
+struct Seeing<'w> {
+    world: &'w World,
+    seen: Seen,
+}
+
+impl Wants for Seeing<'_> {
+    const ANY: bool = false;
+
+    #[inline(always)]
+    fn takes(&mut self, found: &Found) -> bool {
+        self.world.is_seen(found, self.seen)
+    }
+}
 
 impl World {
     /// The nearest visible surface on a ray.
@@ -34,7 +48,7 @@ impl World {
     fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
-        for &item in &self.finder.unbounded {
+        for &item in &self.model.finder.unbounded {
             far = self.try_item(item, query, far, &mut best, scratch);
         }
         self.nearest_bounded(query, &mut best, scratch);
@@ -50,19 +64,18 @@ impl World {
         scratch: &mut Scratch,
     ) {
         let far = best.map_or(query.far, |best| best.found.root.t);
-        self.finder.tree.nearest(
+        self.model.finder.tree.nearest(
             &query.ray,
             0.0,
             far,
             #[inline(always)]
             |number, far| {
-                let item = self.finder.bounded[number as usize];
+                let item = self.model.finder.bounded[number as usize];
                 self.try_item(item, query, far, best, scratch)
             },
         );
     }
 
-    /// How the items are found.
     /// Tries one item; gives the new far limit.
     #[inline(always)]
     pub(super) fn try_item(
@@ -73,7 +86,11 @@ impl World {
         best: &mut Option<Best>,
         scratch: &mut Scratch,
     ) -> f64 {
-        match self.find(item, query, far, scratch, |_| true) {
+        let mut wants = Seeing {
+            world: self,
+            seen: query.seen,
+        };
+        match self.find(item, query, far, scratch, &mut wants) {
             None => far,
             Some(found) => self.offer(item.number, found, query, far, best),
         }
@@ -116,47 +133,23 @@ impl World {
         }
     }
 
-    /// The first surface of an item up to and including `far` that the asker can see and wants.
+    /// The first surface of an item up to and including `far` that is wanted.
     #[inline(always)]
-    pub(super) fn find(
+    pub(super) fn find<W: Wants>(
         &self,
         item: Numbered,
         query: &Query,
         far: f64,
         scratch: &mut Scratch,
-        mut wanted: impl FnMut(&Found) -> bool,
+        wants: &mut W,
     ) -> Option<Found> {
-        let from = self.least_distance(query);
-        let mut wanted = |found: &Found| self.is_seen(found, query.seen) && wanted(found);
-        match item.item {
-            Item::Program(number) => {
-                let program = &self.programs[number as usize];
-                let departure = query.from.as_ref();
-                let sweep = &mut scratch.sweep;
-                program.nearest(
-                    &self.leaves,
-                    &query.ray,
-                    (from, far),
-                    departure,
-                    sweep,
-                    wanted,
-                )
-            }
-            Item::Leaf(number) => {
-                let leaf = &self.leaves[number as usize];
-                let root = match &query.from {
-                    Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
-                        leaf.nearest_beside(&query.ray, from, next_after(far), left.face)?
-                    }
-                    Some(left) if left.leaf == number => {
-                        nearest_but(leaf, left, query, from, &mut scratch.roots)?
-                    }
-                    _ => leaf.nearest(&query.ray, from, next_after(far))?,
-                };
-                let found = Found { root, leaf: number };
-                (root.t <= far && wanted(&found)).then_some(found)
-            }
-        }
+        let search = Search {
+            ray: &query.ray,
+            from: query.from.as_ref(),
+            least: self.least_distance(query),
+            start: Start::default(),
+        };
+        self.model.find(item.item, &search, far, scratch, wants)
     }
 
     /// Which of two items at exactly the same distance is drawn: unbounded ones come first, then the one whose box
@@ -181,12 +174,11 @@ impl World {
     }
 
     pub(super) fn hit(&self, query: &Query, found: &Found) -> Hit {
-        let leaf = &self.leaves[found.leaf as usize];
         let Root {
             t, face, crossing, ..
         } = found.root;
         let point = query.ray.at(t);
-        let (normal, shading_normal) = leaf.normals(point, face);
+        let (normal, shading_normal) = self.model.normals(found.leaf, point, face);
         let blur = BLUR * point.abs().max_element().max(t);
         let departure = Departure {
             leaf: found.leaf,
@@ -200,37 +192,10 @@ impl World {
             point,
             normal,
             shading_normal,
-            surface: leaf.surface,
+            surface: found.surface,
             departure,
         }
     }
-}
-
-/// The first visible root beyond `from`, on the leaf that the ray has just left.
-#[inline(never)]
-fn nearest_but(
-    leaf: &Leaf,
-    left: &Departure,
-    query: &Query,
-    from: f64,
-    roots: &mut Vec<Root>,
-) -> Option<Root> {
-    // From a convex solid outward: the one place where the line leaves it is the one just left.
-    if left.normal.dot(query.ray.dir) > 0.0 && leaf.is_left_behind(&query.ray) {
-        return None;
-    }
-    roots.clear();
-    leaf.roots(&query.ray, roots);
-    hide_departure(roots, left, leaf, query.ray.dir);
-    roots
-        .iter()
-        .find(|root| root.is_visible && root.t > from)
-        .copied()
-}
-
-/// The next larger number, so that a limit that is left out takes `far` in.
-fn next_after(far: f64) -> f64 {
-    far.next_up()
 }
 
 /// Where the line of a ray enters a box, not clamped at its start.

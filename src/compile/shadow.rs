@@ -1,6 +1,7 @@
 //! What lies between a point and a light.
 
 use super::csg::Found;
+use super::find::Wants;
 use super::order::Numbered;
 use super::query::{Query, Scratch, Way};
 use super::search::{BLUR, POV_RAY_SHADOW};
@@ -8,6 +9,30 @@ use super::world::World;
 use crate::math::lanes::with_widest;
 use crate::options::LeastDistance;
 use glam::DVec3;
+
+/// Asks for a surface that lets no light through; notes those that may.
+struct Blocking<'w> {
+    world: &'w World,
+    query: &'w Query,
+    way: &'w mut Way,
+}
+
+impl Wants for Blocking<'_> {
+    const ANY: bool = true;
+
+    #[inline(always)]
+    fn takes(&mut self, found: &Found) -> bool {
+        let world = self.world;
+        if !world.is_seen(found, self.query.seen) || found.root.t >= self.query.far {
+            return false;
+        }
+        let is_opaque = world.is_opaque || world.opaque[found.surface as usize];
+        if !is_opaque {
+            *self.way = Way::Filtered;
+        }
+        is_opaque
+    }
+}
 
 impl World {
     /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
@@ -23,7 +48,7 @@ impl World {
     /// the ray, since it misses what the light is projected through.
     #[must_use]
     pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
-        self.lights.reach(light, &self.leaves, query, scratch)
+        self.lights.reach(light, &self.model.leaves, query, scratch)
     }
 
     /// What lies on a ray to the light of this number.
@@ -50,19 +75,19 @@ impl World {
         {
             return Way::Blocked;
         }
-        for &item in &self.finder.unbounded {
+        for &item in &self.model.finder.unbounded {
             if self.blocks(item, query, &mut way, scratch) {
                 scratch.blockers[light] = item.number;
                 return Way::Blocked;
             }
         }
-        let is_blocked = self.finder.tree.any(
+        let is_blocked = self.model.finder.tree.any(
             &query.ray,
             0.0,
             query.far,
             #[inline(always)]
             |number| {
-                let item = self.finder.bounded[number as usize];
+                let item = self.model.finder.bounded[number as usize];
                 let blocks = self.blocks(item, query, &mut way, scratch);
                 if blocks {
                     scratch.blockers[light] = item.number;
@@ -82,20 +107,12 @@ impl World {
         way: &mut Way,
         scratch: &mut Scratch,
     ) -> bool {
-        let found = self.find(
-            item,
+        let mut wants = Blocking {
+            world: self,
             query,
-            query.far,
-            scratch,
-            #[inline(always)]
-            |found: &Found| {
-                let is_opaque = self.is_opaque || self.opaque[self.surface_number(found)];
-                if !is_opaque && found.root.t < query.far {
-                    *way = Way::Filtered;
-                }
-                is_opaque
-            },
-        );
-        found.is_some_and(|found| found.root.t < query.far)
+            way,
+        };
+        let found = self.find(item, query, query.far, scratch, &mut wants);
+        found.is_some()
     }
 }

@@ -101,8 +101,10 @@ impl Surface {
         self.traits.has_fresnel
     }
 
-    /// Whether the two need not be told apart.
+    /// Whether the two need not be told apart. Into what is opaque no ray goes, so that all interiors are alike there
+    /// that no scene has written.
     pub(super) fn is_same(&self, other: &Surface) -> bool {
+        let has_no_inside = |one: &Surface| one.is_opaque() && one.interior.is_unnamed();
         let same_inside = match (&self.inside_texture, &other.inside_texture) {
             (None, None) => true,
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -112,7 +114,7 @@ impl Surface {
         same_inside
             && same_skins
             && Arc::ptr_eq(&self.texture, &other.texture)
-            && self.interior == other.interior
+            && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
             && self.flags == other.flags
     }

@@ -1,7 +1,7 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::csg::Found;
-use super::flatten::Item;
+use super::model::Item;
 use super::order::Numbered;
 use super::query::{Best, Hit, Query, Scratch, Way};
 use super::world::World;
@@ -210,6 +210,7 @@ impl World {
             let unknown = match item.item {
                 Item::Program(program) => self.ask_four(program, asked, far, scratch, take),
                 Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, far, take),
+                Item::Instance(_) => some,
             };
             left |= unknown << half;
         }

@@ -1,10 +1,11 @@
 //! What rays need and no more: prepared surfaces, a tree over them, lights, camera, and the settings of shading.
 
-use super::csg::{Found, Program};
-use super::flatten::{Flat, Item};
+use super::csg::Found;
+use super::flatten::Flat;
 use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::Lights;
+use super::model::{Item, Model};
 use super::order::Finder;
 use super::query::{Departure, Hit, Seen};
 use super::surface::Surface;
@@ -66,14 +67,12 @@ pub struct World {
     pub rainbows: Vec<Rainbow>,
     /// The settings of shading.
     pub globals: Globals,
-    pub(super) leaves: Vec<Leaf>,
-    pub(super) programs: Vec<Program>,
-    /// For each program, whether four rays can be asked about at once.
-    pub(super) suits_four: Vec<bool>,
+    /// All objects.
+    pub(super) model: Model,
+    /// Them, by number.
     pub(super) items: Vec<Item>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     pub(super) boxes: Vec<Bounds>,
-    pub(super) finder: Finder,
     pub(super) ties_by_box: bool,
     pub(super) is_opaque: bool,
     /// For each surface, whether nothing can be seen through it.
@@ -85,7 +84,10 @@ pub struct World {
 
 impl World {
     pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
-        let finder = Finder::new(&mut flat);
+        let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
+        let boxes = flat.parts.bounds.iter().map(single_precision).collect();
+        let parts = std::mem::take(&mut flat.parts);
+        let (model, items) = Model::new(parts, flat.lights.projectors_mut());
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
@@ -117,7 +119,7 @@ impl World {
                 rules_37: scene.version >= 3.7,
                 has_alpha: options.alpha,
             },
-            ties_by_box: flat.items.len() + flat.lights.len() >= TREE_FROM,
+            ties_by_box: has_tree,
             least_distance: options.least_distance,
             is_opaque: flat.surfaces.iter().all(Surface::is_opaque),
             opaque: flat.surfaces.iter().map(Surface::is_opaque).collect(),
@@ -125,36 +127,25 @@ impl World {
                 let flags = &surface.flags;
                 flags.no_image || flags.no_reflection || flags.no_shadow
             }),
-            boxes: flat.bounds.iter().map(single_precision).collect(),
+            boxes,
             lights: flat.lights,
             surfaces: flat.surfaces,
             interiors: flat.interiors,
-            suits_four: flat
-                .programs
-                .iter()
-                .map(|program| program.suits_four(&flat.leaves))
-                .collect(),
-            leaves: flat.leaves,
-            programs: flat.programs,
-            items: flat.items,
-            finder,
+            model,
+            items,
         }
     }
 
     #[inline(always)]
     pub(super) fn finder(&self) -> &Finder {
-        &self.finder
+        &self.model.finder
     }
 
     /// Whether four rays can be asked about an item at once: they see all surfaces alike, and its form is a simple one.
     #[inline(always)]
     pub(super) fn suits_four(&self, item: Item, seen: Seen) -> bool {
         let sees_all = !self.hides_some && (seen != Seen::Shadow || self.is_opaque);
-        sees_all
-            && match item {
-                Item::Program(program) => self.suits_four[program as usize],
-                Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
-            }
+        sees_all && self.model.suits_four(item)
     }
 
     /// Whether nothing in the scene lets light through.
@@ -167,70 +158,40 @@ impl World {
     /// of the file. Where POV-Ray keeps no tree, all are in the order of the file.
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
-        let mut interiors = SmallVec::new();
-        let mut numbers: Vec<u32> = Vec::new();
-        self.finder.tree.around(point, |number| {
-            numbers.push(self.finder.bounded[number as usize].number);
-            false
-        });
-        numbers.extend(self.finder.unbounded.iter().map(|item| item.number));
+        let mut items = self.model.finder.around(point);
         let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
-        numbers.sort_unstable_by_key(|&number| (is_bounded(number), number));
-        for number in numbers {
-            let (holds, first) = match self.items[number as usize] {
-                Item::Leaf(leaf) => (self.leaves[leaf as usize].contains(point), leaf),
-                Item::Program(program) => {
-                    let program = &self.programs[program as usize];
-                    (program.contains(&self.leaves, point), program.first)
-                }
-            };
-            if holds {
-                interiors
-                    .push(self.surfaces[self.leaves[first as usize].surface as usize].interior);
-            }
+        items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
+        let mut surfaces = Vec::new();
+        for item in items {
+            self.model
+                .surfaces_around(item.item, point, 0, &mut surfaces);
         }
-        interiors
+        let interior = |surface: u32| self.surfaces[surface as usize].interior;
+        surfaces.into_iter().map(interior).collect()
     }
 
     /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
     /// away.
     pub(super) fn is_inverse(&self, leaf: u32) -> bool {
-        let behind = self
-            .programs
-            .partition_point(|program| program.first <= leaf);
-        let program = behind.checked_sub(1).map(|at| &self.programs[at]);
-        program.is_some_and(|program| program.is_inverse(leaf - program.first))
+        self.model.is_inverse(leaf)
     }
 
     /// The shape of a primitive.
     pub(super) fn shape(&self, leaf: u32) -> &Shape {
-        &self.leaves[leaf as usize].shape
+        self.model.shape(leaf)
     }
 
     /// Whether a point lies in any object.
     #[must_use]
     pub fn holds(&self, point: DVec3) -> bool {
-        let holds = |number: u32| match self.items[number as usize] {
-            Item::Leaf(leaf) => self.leaves[leaf as usize].contains(point),
-            Item::Program(program) => self.programs[program as usize].contains(&self.leaves, point),
-        };
-        let mut unbounded = self.finder.unbounded.iter();
-        unbounded.any(|item| holds(item.number))
-            || self.finder.tree.around(point, |place| {
-                holds(self.finder.bounded[place as usize].number)
-            })
+        self.model.holds(point)
     }
 
     /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
     #[must_use]
     pub fn shares(&self, hit: &Hit) -> Shares {
         let Departure { leaf, face, .. } = hit.departure;
-        self.leaves[leaf as usize].shares(hit.point, face)
-    }
-
-    /// What the tree holds.
-    pub(super) fn items(&self) -> &[Item] {
-        &self.items
+        self.model.shares(leaf, hit.point, face)
     }
 
     /// Whether some surface cannot be seen by some rays.
@@ -238,23 +199,21 @@ impl World {
         self.hides_some
     }
 
-    /// The primitives of the world.
+    /// The primitives of the world, without those of instances.
     #[must_use]
     pub fn leaves(&self) -> &[Leaf] {
-        &self.leaves
+        &self.model.leaves
     }
 
-    #[inline(always)]
-    pub(super) fn surface_number(&self, found: &Found) -> usize {
-        self.leaves[found.leaf as usize].surface as usize
+    /// How many primitives there are to be seen, those of instances included.
+    #[must_use]
+    pub fn shown(&self) -> u32 {
+        self.model.len()
     }
 
     #[inline(always)]
     pub(super) fn is_seen(&self, found: &Found, seen: Seen) -> bool {
-        !self.hides_some
-            || self.surfaces[self.surface_number(found)]
-                .flags
-                .is_seen(seen)
+        !self.hides_some || self.surfaces[found.surface as usize].flags.is_seen(seen)
     }
 }
 

@@ -86,7 +86,10 @@ impl Args for Reader<'_> {
             None => self.object_of_name()?,
         };
         match found {
-            Some(object) => Ok(object),
+            Some(object) => {
+                self.check_probed(&object)?;
+                Ok(object)
+            }
             None => Err(self.expected_here("an object")),
         }
     }

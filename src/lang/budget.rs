@@ -7,9 +7,11 @@ use super::cursor::Start;
 use super::limits;
 use super::reader::Reader;
 use crate::args::Parse;
-use crate::scene::Object;
+use crate::scene::{Children, Object};
 use crate::source::{Code, Diagnostic, Span};
+use rustc_hash::FxHashMap;
 use std::fs;
+use std::sync::Arc;
 
 /// What a run may take, and what it has taken.
 #[derive(Debug)]
@@ -17,8 +19,11 @@ pub(super) struct Budget {
     /// Tokens read again so far.
     again: u64,
     objects: u64,
-    /// Shapes and lights of the scene, each as often as it is drawn.
+    /// Shapes and lights of the scene as they are prepared for rays.
     leaves: u64,
+    /// The same, each as often as it is drawn.
+    shown: u64,
+    shared: Shared,
     /// Bytes taken since memory was last looked at.
     unseen: u64,
     memory: Memory,
@@ -31,6 +36,8 @@ impl Budget {
             again: 0,
             objects: 0,
             leaves: 0,
+            shown: 0,
+            shared: Shared::default(),
             unseen: 0,
             memory: Memory::now(),
         }
@@ -40,6 +47,29 @@ impl Budget {
     pub(super) fn has_room_for(&self, text: &str) -> bool {
         let bytes = text.len() as u64 * limits::FILE_BYTES;
         bytes < limits::MEMORY_STEP || self.memory.allows(bytes, self.leaves)
+    }
+}
+
+/// The parts that several objects share, as far as they were counted, by address; holding them keeps that taken.
+#[derive(Debug, Default)]
+struct Shared(FxHashMap<usize, Children>);
+
+impl Shared {
+    /// How many shapes and copies must be prepared for an object beyond what was counted before.
+    fn stored(&mut self, object: &Object) -> u64 {
+        let Some(children) = object.plain_union() else {
+            return u64::from(object.size().leaves);
+        };
+        let mut leaves = 0;
+        if let Some(shared) = object.shared_parts() {
+            leaves = 1;
+            let key = Arc::as_ptr(shared).addr();
+            if self.0.insert(key, Arc::clone(shared)).is_some() {
+                return leaves;
+            }
+        }
+        let of_children = children.iter().map(|child| self.stored(child));
+        of_children.fold(leaves, u64::saturating_add)
     }
 }
 
@@ -150,17 +180,32 @@ impl Reader<'_> {
     /// Counts what an object of the scene itself comes to.
     pub(super) fn count_leaves(&mut self, object: &Object) -> Parse<()> {
         self.count_object()?;
-        let leaves = u64::from(object.size().leaves);
+        let leaves = self.budget.shared.stored(object);
         self.budget.leaves += leaves;
-        if self.budget.leaves > limits::LEAVES {
-            let error = Diagnostic::error(
-                self.taken_span(),
-                format!("a scene has at most {} shapes", limits::LEAVES),
-            )
+        self.budget.shown += u64::from(object.size().leaves);
+        let many = if self.budget.leaves > limits::LEAVES {
+            format!("a scene has at most {} shapes", limits::LEAVES)
+        } else if self.budget.shown > limits::SHOWN {
+            format!("a scene shows at most {} shapes", limits::SHOWN)
+        } else {
+            return self.take_memory_at(leaves * limits::LEAF_BYTES, Self::taken_span);
+        };
+        let error = Diagnostic::error(self.taken_span(), many)
             .with_hint("Objects that hold each other twice double their shapes each time.");
-            return Err(self.fatal(error));
+        Err(self.fatal(error))
+    }
+
+    /// Checks that there is memory to look into an object.
+    pub(super) fn check_probed(&mut self, object: &Object) -> Parse<()> {
+        if object.size().leaves < limits::PROBED {
+            return Ok(());
         }
-        self.take_memory_at(leaves * limits::LEAF_BYTES, Self::taken_span)
+        let leaves = Shared::default().stored(object);
+        if leaves <= limits::LEAVES && self.budget.memory.allows(0, leaves) {
+            return Ok(());
+        }
+        let message = format!("this object comes to {leaves} shapes, too many to look into");
+        Err(self.with_trace(Diagnostic::error(self.taken_span(), message)))
     }
 
     /// Checks how deep an object's parts lie in each other, and how many they are.
@@ -171,8 +216,8 @@ impl Reader<'_> {
                 "objects lie inside each other more than {} deep",
                 limits::HEIGHT
             )
-        } else if u64::from(size.leaves) > limits::LEAVES {
-            format!("this object comes to more than {} shapes", limits::LEAVES)
+        } else if u64::from(size.leaves) > limits::SHOWN {
+            format!("this object comes to more than {} shapes", limits::SHOWN)
         } else {
             return Ok(());
         };

@@ -37,6 +37,15 @@ fn scenes(folder: &Path, to: &mut Vec<PathBuf>) {
 
 #[test]
 fn broken_scenes_are_read_to_an_end() {
+    // Scenes nest as deep as limits allow, on the stack that reading has everywhere.
+    let reader = std::thread::Builder::new().stack_size(crate::STACK_BYTES);
+    let read = reader.spawn(read_broken_scenes).expect("a thread");
+    if let Err(panic) = read.join() {
+        std::panic::resume_unwind(panic);
+    }
+}
+
+fn read_broken_scenes() {
     let mut paths = Vec::new();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     scenes(&root.join("pov_scenes"), &mut paths);

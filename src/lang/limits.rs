@@ -30,8 +30,12 @@ pub(super) const TRACE: usize = 6;
 pub(super) const TOLD: usize = 4;
 /// Characters of the scene quoted in one message.
 pub(super) const QUOTED: usize = 60;
-/// Shapes of one scene, each counted as often as it is drawn.
+/// Shapes of one scene; what large unions share, and each copy of them, counts once.
 pub(super) const LEAVES: u64 = 200_000_000;
+/// Shapes of one scene, each counted as often as it is drawn: they are numbered.
+pub(super) const SHOWN: u64 = 4_000_000_000;
+/// Objects with fewer shapes are looked into by `trace`, `inside` and patterns without counting more closely.
+pub(super) const PROBED: u32 = 1_000_000;
 /// Layers of one texture.
 pub(super) const LAYERS: usize = 100_000;
 /// Files that a scene has open at once.

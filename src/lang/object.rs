@@ -145,7 +145,7 @@ impl Reader<'_> {
         let is_lone = children.len() < 2;
         let mut object = Object::new(Kind::Csg {
             operation,
-            children,
+            children: Arc::new(children),
         });
         let is_group = word == Word::LightGroup.spelling();
         object.light_group = is_group.then(LightGroup::default);

@@ -77,7 +77,10 @@ impl Reader<'_> {
 
     fn probed_object(&mut self, function: &str) -> Parse<Arc<Object>> {
         match self.object_of_name()? {
-            Some(object) => Ok(object),
+            Some(object) => {
+                self.check_probed(&object)?;
+                Ok(object)
+            }
             None => Err(self.expected_here(&format!("the name of an object in `{function}`"))),
         }
     }

@@ -7,7 +7,7 @@ mod object;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
-pub use object::{Attached, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
 
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;

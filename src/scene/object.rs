@@ -7,6 +7,12 @@ use crate::shape::{Geometry, Shape};
 use crate::texture::Texture;
 use std::sync::Arc;
 
+/// Of smaller unions each copy is prepared by itself.
+const SHARED_LEAVES: u32 = 4;
+
+/// Unions with more in each other are prepared by themselves, so that rays need not go that deep.
+const SHARED_HEIGHT: u32 = 64;
+
 /// An object of a scene. Copies share their children.
 #[derive(Clone, Debug)]
 pub struct Object {
@@ -43,6 +49,8 @@ pub struct Size {
     pub height: u32,
     /// Shapes and lights, each counted as often as it is drawn; `u32::MAX` for that many and more.
     pub leaves: u32,
+    /// Whether lights are among them.
+    pub has_lights: bool,
 }
 
 /// Something that an object was given after its first `after` transforms, so that only the later ones move it.
@@ -73,9 +81,13 @@ pub enum Kind {
         /// How.
         operation: Operation,
         /// Of what, in the order of the file.
-        children: Vec<Arc<Object>>,
+        children: Children,
     },
 }
+
+/// The parts of a combination. Copies of it hold the same list, so that whoever prepares them for rays can see what
+/// they have in common.
+pub type Children = Arc<Vec<Arc<Object>>>;
 
 /// What a `light_group` says of the lights outside of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -119,6 +131,7 @@ impl Object {
         let leaf = Size {
             height: 1,
             leaves: 1,
+            has_lights: matches!(kind, Kind::Light { .. }),
         };
         let size = match &kind {
             Kind::Shape(_) => leaf,
@@ -134,6 +147,7 @@ impl Object {
                 Size {
                     height: 1,
                     leaves: 0,
+                    has_lights: false,
                 },
                 |sum, child| sum.with_inside(child.size),
             ),
@@ -173,6 +187,29 @@ impl Object {
         }
     }
 
+    /// The parts of a union that is no more than all of them: neither inverse, nor clipped or bounded.
+    #[must_use]
+    pub fn plain_union(&self) -> Option<&Children> {
+        let is_plain = !self.is_inverse && self.clipped_by.is_empty() && self.bounded_by.is_empty();
+        match &self.kind {
+            Kind::Csg {
+                operation: Operation::Union,
+                children,
+            } if is_plain => Some(children),
+            _ => None,
+        }
+    }
+
+    /// The parts of a plain union that other objects hold too, if they can be prepared once for all of them.
+    #[must_use]
+    pub fn shared_parts(&self) -> Option<&Children> {
+        let is_suited = !self.size.has_lights
+            && self.size.leaves >= SHARED_LEAVES
+            && self.size.height <= SHARED_HEIGHT;
+        self.plain_union()
+            .filter(|children| is_suited && Arc::strong_count(children) > 1)
+    }
+
     /// How much it holds: its children as they were when it was made, and what [`Object::clip`] and [`Object::bound`]
     /// gave it.
     #[must_use]
@@ -206,7 +243,12 @@ impl Object {
                     .into_iter()
                     .chain(projected_through.take()),
             ),
-            Kind::Csg { children, .. } => to.append(children),
+            // Of a list that others hold too, nothing ends here.
+            Kind::Csg { children, .. } => {
+                if let Some(children) = Arc::get_mut(children) {
+                    to.append(children);
+                }
+            }
         }
         for around in [&mut self.clipped_by, &mut self.bounded_by] {
             to.extend(
@@ -236,6 +278,7 @@ impl Size {
         Size {
             height: self.height.max(inner.height.saturating_add(1)),
             leaves: self.leaves.saturating_add(inner.leaves),
+            has_lights: self.has_lights || inner.has_lights,
         }
     }
 }
@@ -263,7 +306,7 @@ mod tests {
     fn union(children: Vec<Arc<Object>>) -> Arc<Object> {
         Arc::new(Object::new(Kind::Csg {
             operation: Operation::Union,
-            children,
+            children: Arc::new(children),
         }))
     }
 
@@ -276,6 +319,7 @@ mod tests {
         let size = Size {
             height: 21,
             leaves: 1 << 20,
+            has_lights: true,
         };
         assert_eq!(doubled.size(), size);
         for _ in 0..20 {
@@ -292,6 +336,7 @@ mod tests {
         let size = Size {
             height: 4,
             leaves: 2,
+            has_lights: true,
         };
         assert_eq!(object.size(), size);
     }

@@ -17,8 +17,15 @@ use std::sync::Arc;
 /// Fourth powers of lengths within 2^-200 and 2^200 can be held, which is all that drawing asks for.
 const COMFORTABLE: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// What has been made of children, by the address of what they were made of, which is kept so that it stays taken.
-type Known = FxHashMap<usize, (Arc<Object>, Arc<Object>)>;
+/// What has been made of what, by the address of what it was made of, which is kept so that it stays taken.
+type Made<T> = FxHashMap<usize, (Arc<T>, Arc<T>)>;
+
+/// What has been made of shared children.
+#[derive(Default)]
+struct Known {
+    objects: Made<Object>,
+    lists: Made<Vec<Arc<Object>>>,
+}
 
 impl Scene {
     /// The same with every length times `factor`, which is to be positive and finite.
@@ -94,9 +101,7 @@ impl Object {
                 }
             }
             Kind::Csg { children, .. } => {
-                for child in children {
-                    *child = scaled_child(child, factor, known);
-                }
+                *children = scaled_children(children, factor, known);
             }
         }
     }
@@ -104,13 +109,33 @@ impl Object {
 
 fn scaled_child(child: &Arc<Object>, factor: f64, known: &mut Known) -> Arc<Object> {
     let key = Arc::as_ptr(child).addr();
-    if let Some((_, made)) = known.get(&key) {
+    if let Some((_, made)) = known.objects.get(&key) {
         return Arc::clone(made);
     }
     let mut own = (**child).clone();
     own.scale_own_lengths(factor, known);
     let made = Arc::new(own);
-    known.insert(key, (Arc::clone(child), Arc::clone(&made)));
+    known
+        .objects
+        .insert(key, (Arc::clone(child), Arc::clone(&made)));
+    made
+}
+
+type Children = Arc<Vec<Arc<Object>>>;
+
+fn scaled_children(children: &Children, factor: f64, known: &mut Known) -> Children {
+    let key = Arc::as_ptr(children).addr();
+    if let Some((_, made)) = known.lists.get(&key) {
+        return Arc::clone(made);
+    }
+    let all = children.iter();
+    let made = Arc::new(
+        all.map(|child| scaled_child(child, factor, known))
+            .collect(),
+    );
+    known
+        .lists
+        .insert(key, (Arc::clone(children), Arc::clone(&made)));
     made
 }
 

@@ -22,7 +22,8 @@ use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use crate::texture::Texture;
 use glam::{DVec3, Vec2, Vec3};
-use std::sync::Arc;
+use rayon::prelude::*;
+use std::sync::{Arc, OnceLock};
 
 /// Triangles that share corners. Copies share all of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +43,8 @@ pub(super) struct Triangles {
     pub(super) looks: Option<Box<Looks>>,
     pub(super) inside: Option<Inside>,
     pub(super) bounds: Bounds,
-    pub(super) tree: Bvh,
+    /// Made when the mesh is prepared for rays: one that is never seen needs none.
+    pub(super) tree: OnceLock<Bvh>,
 }
 
 /// In [`Triangles::smooth`]: the normals of the triangle are that of its plane.
@@ -137,7 +139,7 @@ impl Mesh {
                 .looks
                 .as_ref()
                 .map_or(0, |looks| size_of::<Looks>() + looks.bytes())
-            + self.0.tree.bytes()
+            + self.0.tree.get().map_or(0, Bvh::bytes)
     }
 }
 
@@ -227,6 +229,31 @@ pub(super) fn read_inside_vector(args: &mut dyn Args, draft: &mut Draft) -> Pars
 }
 
 impl Triangles {
+    /// The box of a triangle.
+    pub(super) fn bounds_of(&self, corners: &[u32; 3]) -> Bounds {
+        let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].as_dvec3());
+        Bounds::new(a, b).with_point(c)
+    }
+
+    /// Finds the bounds, when all triangles are known.
+    pub(super) fn bounded(mut self) -> Self {
+        let boxes = self.corners.iter().map(|corners| self.bounds_of(corners));
+        self.bounds = boxes.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
+        self
+    }
+
+    /// The tree over the triangles. Threads that ask for it at once before it was ever made would each make one; whoever
+    /// makes it holds nothing that others wait for.
+    fn tree(&self) -> &Bvh {
+        if let Some(tree) = self.tree.get() {
+            return tree;
+        }
+        let corners = self.corners.par_iter();
+        let boxes: Vec<Bounds> = corners.map(|corners| self.bounds_of(corners)).collect();
+        let tree = Bvh::build(&boxes);
+        self.tree.get_or_init(|| tree)
+    }
+
     fn corners(&self, face: u32) -> [DVec3; 3] {
         self.corners[face as usize].map(|corner| self.vertices[corner as usize].as_dvec3())
     }
@@ -265,7 +292,7 @@ impl Triangles {
             }
             end
         };
-        self.tree.nearest(ray, from, to, visit);
+        self.tree().nearest(ray, from, to, visit);
         best
     }
 
@@ -273,7 +300,7 @@ impl Triangles {
     fn count(&self, ray: &Ray, from: f64, to: f64) -> usize {
         let frame = RayFrame::new(ray);
         let mut count = 0;
-        self.tree.any(ray, from, to, |face| {
+        self.tree().any(ray, from, to, |face| {
             let hit = self.meet(&frame, face);
             count += usize::from(hit.is_some_and(|hit| from <= hit.t && hit.t <= to));
             false
@@ -335,12 +362,16 @@ fn root(t: f64, face: u32, crossing: Crossing) -> Root {
 }
 
 impl Geometry for Mesh {
+    fn prepare(&mut self) {
+        self.0.tree();
+    }
+
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         let mesh = &*self.0;
         let frame = RayFrame::new(ray);
         let first = roots.len();
         let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
-        mesh.tree.any(ray, from, to, |face| {
+        mesh.tree().any(ray, from, to, |face| {
             let hit = mesh.meet(&frame, face);
             roots.extend(hit.map(|hit| root(hit.t, face, Crossing::Touch)));
             false

@@ -4,12 +4,12 @@ use super::Triangle;
 use super::mesh::{FLAT, Inside, Triangles};
 use super::mesh_looks::{Looks, NO_TRIPLE, SkinsOf, UvOf, retain};
 use super::skin::Skin;
-use crate::accel::Bvh;
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, rounding};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
+use std::sync::OnceLock;
 
 /// Triangles of one mesh. The tree counts in 31 bits.
 const MOST: usize = 1 << 30;
@@ -178,17 +178,6 @@ impl Draft {
             list.shrink_to_fit();
         }
         self.looks.shrink();
-        let boxes: Vec<Bounds> = self
-            .corners
-            .par_iter()
-            .map(|corners| {
-                let [a, b, c] = corners.map(|i| self.vertices[i as usize].as_dvec3());
-                Bounds::new(a, b).with_point(c)
-            })
-            .collect();
-        let bounds = boxes
-            .iter()
-            .fold(Bounds::EMPTY, |sum, next| sum.union(next));
         Triangles {
             vertices: self.vertices,
             corners: self.corners,
@@ -196,9 +185,10 @@ impl Draft {
             smooth: self.smooth,
             looks: (self.looks != Looks::default()).then(|| Box::new(self.looks)),
             inside,
-            bounds,
-            tree: Bvh::build(&boxes),
+            bounds: Bounds::EMPTY,
+            tree: OnceLock::new(),
         }
+        .bounded()
     }
 
     fn drop_degenerate(&mut self) {

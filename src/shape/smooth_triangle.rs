@@ -1,7 +1,9 @@
 //! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle shaded as if it
 //! were round.
 //!
-//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first.
+//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` and
+//! `rotate` leave unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them,
+//! and so change their shares in the mean (measured with `trace`).
 
 use super::{Geometry, Root, Start, Triangle, read};
 use crate::args::{Args, Parse};
@@ -15,7 +17,7 @@ use glam::{DVec2, DVec3};
 pub struct SmoothTriangle {
     /// The triangle.
     pub flat: Triangle,
-    /// The normals at its corners, unit vectors.
+    /// The normals at its corners: unit vectors, until a `matrix` moves them.
     pub normals: Box<[DVec3; 3]>,
 }
 
@@ -106,8 +108,13 @@ impl Geometry for SmoothTriangle {
 
     fn absorb(&mut self, step: &Step) -> bool {
         let transform = step.transform();
-        let normals = self.normals.map(|normal| unit(transform.normal(normal)));
-        let [Some(first), Some(second), Some(third)] = normals else {
+        let moved = self.normals.map(|normal| {
+            let moved = transform.normal(normal);
+            let keeps_length = matches!(step, Step::General(_));
+            let is_usable = keeps_length && moved.is_finite() && moved != DVec3::ZERO;
+            is_usable.then_some(moved).or_else(|| unit(moved))
+        });
+        let [Some(first), Some(second), Some(third)] = moved else {
             return false;
         };
         *self.normals = [first, second, third];
@@ -176,5 +183,30 @@ mod tests {
         let expected = DVec3::new(-0.5, 0.0, -2.0).normalize();
         assert!((triangle.normals[0] - expected).length() < 1e-15);
         assert_eq!(triangle.flat.corners[1], DVec3::new(2.0, -1.0, 0.0));
+    }
+
+    #[test]
+    fn a_matrix_changes_the_shares_of_the_normals_and_a_scale_does_not() {
+        use crate::math::Transform;
+        use std::sync::Arc;
+        // With `trace` in POV-Ray: `scale <1, 2, 1>`, and the same as a `matrix`.
+        let text = "<-1, -0.8, 0>, <-0.3, -0.3, -1>, <1, -0.6, 0.2>, <0.4, -0.2, -1>, <-0.2, 1, -0.2>, <0, 0.5, -1>";
+        let by = DVec3::new(1.0, 2.0, 1.0);
+        let general = Step::General(Arc::new(Transform::scaling(by)));
+        let expected = [
+            (
+                Step::Scale(by),
+                DVec3::new(0.054613403, 0.032754759, -0.997970191),
+            ),
+            (general, DVec3::new(0.057724465, 0.027382014, -0.997956969)),
+        ];
+        for (step, expected) in expected {
+            let mut shape = smooth(text);
+            assert!(shape.absorb(&step));
+            let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
+            let hit = shape.nearest(&ray, 0.0, f64::INFINITY).unwrap();
+            let normal = shape.shading_normal(ray.at(hit.t), hit.face).normalize();
+            assert!((normal - expected).length() < 1e-9, "{step:?} {normal}");
+        }
     }
 }

@@ -1,0 +1,187 @@
+//! The first surface of one item on a ray.
+
+use super::csg::{Found, hide_departure};
+use super::leaf::Leaf;
+use super::model::{Item, Model};
+use super::query::{Departure, Scratch};
+use crate::math::Ray;
+use crate::shape::{Geometry, Root};
+
+/// Which surfaces a question is about.
+pub(super) trait Wants {
+    /// Whether any of them will do; otherwise it must be the first.
+    const ANY: bool;
+
+    /// Whether it is about this one.
+    fn takes(&mut self, found: &Found) -> bool;
+}
+
+/// Where the numbers of a model begin.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Start {
+    pub(super) leaf: u32,
+    pub(super) surface: u32,
+}
+
+/// A ray as a model sees it.
+#[derive(Clone, Copy)]
+pub(super) struct Search<'a> {
+    /// The ray, in the space of the model.
+    pub(super) ray: &'a Ray,
+    /// The root it left, if that is one of the model's.
+    pub(super) from: Option<&'a Departure>,
+    /// Up to this distance nothing counts.
+    pub(super) least: f64,
+    /// Where the numbers of what is found begin.
+    pub(super) start: Start,
+}
+
+impl Model {
+    /// The first surface of an item up to and including `far` that is wanted.
+    #[inline(always)]
+    pub(super) fn find<W: Wants>(
+        &self,
+        item: Item,
+        search: &Search,
+        far: f64,
+        scratch: &mut Scratch,
+        wants: &mut W,
+    ) -> Option<Found> {
+        let start = search.start;
+        match item {
+            Item::Program(number) => {
+                let program = &self.programs[number as usize];
+                let sweep = &mut scratch.sweep;
+                let span = (search.least, far);
+                let mut first = None;
+                program.nearest(
+                    &self.leaves,
+                    search.ray,
+                    span,
+                    search.from,
+                    sweep,
+                    |found| {
+                        let found = Found {
+                            leaf: start.leaf + found.leaf,
+                            surface: start.surface + found.surface,
+                            ..*found
+                        };
+                        let is_wanted = wants.takes(&found);
+                        first = is_wanted.then_some(found);
+                        is_wanted
+                    },
+                )?;
+                first
+            }
+            Item::Leaf(number) => {
+                let leaf = &self.leaves[number as usize];
+                let (ray, least) = (search.ray, search.least);
+                let root = match search.from {
+                    Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
+                        leaf.nearest_beside(ray, least, next_after(far), left.face)?
+                    }
+                    Some(left) if left.leaf == number => {
+                        nearest_but(leaf, left, ray, least, &mut scratch.roots)?
+                    }
+                    _ => leaf.nearest(ray, least, next_after(far))?,
+                };
+                let found = Found {
+                    root,
+                    leaf: start.leaf + number,
+                    surface: start.surface + leaf.surface,
+                };
+                (root.t <= far && wants.takes(&found)).then_some(found)
+            }
+            Item::Instance(number) => {
+                self.instances[number as usize].find(search, far, scratch, wants)
+            }
+        }
+    }
+
+    /// The first surface of all items up to and including `far` that is wanted, or any one if that is enough. Of two at
+    /// exactly the same distance it is the one that stands first in the file.
+    #[inline(always)]
+    pub(super) fn find_all<W: Wants>(
+        &self,
+        search: &Search,
+        far: f64,
+        scratch: &mut Scratch,
+        wants: &mut W,
+    ) -> Option<Found> {
+        let mut best: Option<(Found, u32)> = None;
+        let mut end = far;
+        for item in &self.finder.unbounded {
+            if let Some(found) = self.find(item.item, search, end, scratch, wants) {
+                if best.is_none_or(|(best, _)| found.root.t < best.root.t) {
+                    end = found.root.t;
+                    best = Some((found, item.number));
+                }
+                if W::ANY {
+                    return Some(found);
+                }
+            }
+        }
+        let tree = &self.finder.tree;
+        if W::ANY {
+            tree.any(
+                search.ray,
+                0.0,
+                far,
+                #[inline(always)]
+                |place| {
+                    let item = self.finder.bounded[place as usize];
+                    let found = self.find(item.item, search, far, scratch, wants);
+                    best = found.map(|found| (found, item.number));
+                    best.is_some()
+                },
+            );
+        } else {
+            tree.nearest(
+                search.ray,
+                0.0,
+                end,
+                #[inline(always)]
+                |place, end| {
+                    let item = self.finder.bounded[place as usize];
+                    let Some(found) = self.find(item.item, search, end, scratch, wants) else {
+                        return end;
+                    };
+                    let key = |of: &(Found, u32)| (of.0.root.t, of.1);
+                    let this = (found, item.number);
+                    if best.is_none_or(|best| key(&this) < key(&best)) {
+                        best = Some(this);
+                    }
+                    found.root.t
+                },
+            );
+        }
+        best.map(|(found, _)| found)
+    }
+}
+
+/// The first visible root beyond `least`, on the leaf that the ray has just left.
+#[inline(never)]
+fn nearest_but(
+    leaf: &Leaf,
+    left: &Departure,
+    ray: &Ray,
+    least: f64,
+    roots: &mut Vec<Root>,
+) -> Option<Root> {
+    // From a convex solid outward: the one place where the line leaves it is the one just left.
+    if left.normal.dot(ray.dir) > 0.0 && leaf.is_left_behind(ray) {
+        return None;
+    }
+    roots.clear();
+    leaf.roots(ray, roots);
+    hide_departure(roots, left, leaf, ray.dir);
+    roots
+        .iter()
+        .find(|root| root.is_visible && root.t > least)
+        .copied()
+}
+
+/// The next larger number, so that a limit that is left out takes `far` in.
+fn next_after(far: f64) -> f64 {
+    far.next_up()
+}

@@ -1,0 +1,187 @@
+//! What objects hand down to what they hold: texture, interior, switches, lights, and where they stand.
+
+use super::flatten::{Flat, index};
+use super::interiors::InteriorId;
+use super::lights::LightList;
+use super::surface::{Flags, Surface};
+use crate::math::{Step, Transform};
+use crate::scene::{Attached, Object};
+use crate::shape::Skin;
+use crate::texture::{Layer, PreparedTexture, Texture};
+use std::sync::Arc;
+
+/// What an object hands down to its children.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Heritage {
+    pub(super) texture: Option<Placed>,
+    pub(super) inside_texture: Option<Placed>,
+    pub(super) interior: Option<InteriorId>,
+    pub(super) flags: Flags,
+    /// The lights that shine on it.
+    pub(super) lights: LightList,
+    /// Whether lights outside of the light group around it do so; `None` outside of all groups.
+    pub(super) global_lights: Option<bool>,
+    /// The list of the light group that it is, which takes in its own lights.
+    pub(super) group: Option<LightList>,
+    /// The transforms of everything above, innermost first.
+    pub(super) steps: Arc<[Step]>,
+    /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
+    pub(super) slot: u32,
+}
+
+/// A texture with the transforms that came after it.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    texture: Arc<Texture>,
+    steps: Arc<[Step]>,
+}
+
+impl Heritage {
+    /// Whether what inherits the one looks like what inherits the other, wherever the two stand. `is_opaque`: all that
+    /// inherits them is, so that interiors which no scene has written are alike.
+    pub(super) fn looks_as(&self, other: &Heritage, is_opaque: bool) -> bool {
+        let is_unnamed = |one: &Heritage| one.interior.is_none_or(InteriorId::is_unnamed);
+        let same = |one: &Option<Placed>, other: &Option<Placed>| match (one, other) {
+            (None, None) => true,
+            (Some(one), Some(other)) => {
+                Arc::ptr_eq(&one.texture, &other.texture) && !one.texture.depends_on_place()
+            }
+            _ => false,
+        };
+        same(&self.texture, &other.texture)
+            && same(&self.inside_texture, &other.inside_texture)
+            && (self.interior == other.interior
+                || is_opaque && is_unnamed(self) && is_unnamed(other))
+            && self.flags == other.flags
+            && self.lights == other.lights
+    }
+}
+
+impl Flat {
+    /// What an object's children, or the object itself if it is a shape, look like and where they stand.
+    pub(super) fn heritage(&mut self, object: &Object, above: &Heritage) -> Heritage {
+        if let Some(slots) = &mut self.slots {
+            return Heritage {
+                slot: slots.object(object, above),
+                steps: joined(&object.steps, &above.steps),
+                ..Heritage::default()
+            };
+        }
+        let place = |own: &Option<Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
+            Some(own) => Some(Placed {
+                texture: Arc::clone(&own.what),
+                steps: joined(&object.steps[own.after..], &above.steps),
+            }),
+            None => inherited.clone(),
+        };
+        let layers = object
+            .texture
+            .as_ref()
+            .map_or(&[][..], |own| own.what.layers());
+        let finishes = layers.iter().map(|layer| &*layer.finish);
+        let interior = self
+            .interiors
+            .of_object(object.interior.as_ref(), above.interior, finishes);
+        let own = &object.flags;
+        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
+        self.interiors.set_hollow(interior, is_hollow);
+        let global_lights = object.light_group.map_or(above.global_lights, |group| {
+            Some(above.global_lights.unwrap_or(group.global_lights))
+        });
+        let group = object
+            .light_group
+            .map(|_| self.lights.group(global_lights.unwrap_or(true)));
+        Heritage {
+            lights: group.unwrap_or(above.lights),
+            global_lights,
+            group,
+            texture: place(&object.texture, &above.texture),
+            inside_texture: place(&object.interior_texture, &above.inside_texture),
+            interior: Some(interior),
+            flags: Flags {
+                no_shadow: own.no_shadow || above.flags.no_shadow,
+                no_image: own.no_image || above.flags.no_image,
+                no_reflection: own.no_reflection || above.flags.no_reflection,
+                hollow: is_hollow,
+                double_illuminate: own.double_illuminate || above.flags.double_illuminate,
+            },
+            steps: joined(&object.steps, &above.steps),
+            slot: 0,
+        }
+    }
+
+    /// The number of a surface with these looks. Neighbours in the file often share theirs.
+    pub(super) fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
+        if let Some(slots) = &mut self.slots {
+            return slots.shape(looks, skins);
+        }
+        let surface = self.new_surface(looks, skins);
+        if let Some(last) = self
+            .last_surface
+            .filter(|&last| self.surfaces[last as usize].is_same(&surface))
+        {
+            return last;
+        }
+        let number = index(self.surfaces.len());
+        self.surfaces.push(surface);
+        self.last_surface = Some(number);
+        number
+    }
+
+    /// A surface with these looks.
+    pub(super) fn new_surface(&mut self, looks: &Heritage, skins: &[Skin]) -> Surface {
+        let texture = match &looks.texture {
+            Some(placed) => self.prepare(placed),
+            None => {
+                let fresh = || Texture::from(Layer::default()).prepare(&[], &self.settings);
+                let plain = self.plain.get_or_insert_with(|| Arc::new(fresh()));
+                Arc::clone(plain)
+            }
+        };
+        let inside_texture = looks
+            .inside_texture
+            .as_ref()
+            .map(|placed| self.prepare(placed));
+        let skin = |skin: &Skin| {
+            self.prepare(&Placed {
+                texture: Arc::clone(&skin.0),
+                steps: Arc::clone(&looks.steps),
+            })
+        };
+        let skins = skins.iter().map(skin).collect();
+        let interior = looks.interior.unwrap_or(InteriorId::AIR);
+        let lit = (looks.lights, looks.flags);
+        Surface::new(texture, inside_texture, skins, interior, lit)
+    }
+
+    /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
+    fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
+        if !placed.texture.depends_on_place() {
+            let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
+            // The object has it and hands it down; whoever shares it makes more.
+            if Arc::strong_count(&placed.texture) <= 2 {
+                return fresh();
+            }
+            let key = Arc::as_ptr(&placed.texture).addr();
+            let kept = || (Arc::clone(&placed.texture), fresh());
+            return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
+        }
+        Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
+    }
+}
+
+/// With more steps above than this they are made one, so that objects in objects in objects do not each keep the steps
+/// of all around them. No scene written by hand comes near.
+const KEPT_STEPS: usize = 250;
+
+/// The steps of an object, then those of everything above it.
+pub(super) fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
+    if own.is_empty() {
+        return Arc::clone(above);
+    }
+    if above.len() > KEPT_STEPS {
+        let one = Step::General(Arc::new(Transform::from_steps(above)));
+        return own.iter().cloned().chain([one]).collect();
+    }
+    own.iter().chain(above.iter()).cloned().collect()
+}

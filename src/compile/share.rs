@@ -1,0 +1,350 @@
+//! Unions that a scene shows again and again: prepared once, and placed by a matrix for each copy.
+//!
+//! What is placed goes through one matrix more than what stands in the world itself, so that surfaces which coincide by
+//! the numbers of the file may come apart by a rounding. That is why small numbers of copies are taken apart as ever.
+//!
+//! Copies may look different. A model notes which looks its parts have of their own, as *slots*; each copy has a run of
+//! surfaces, one for each slot, and the leaves of the model say which of the run is theirs.
+
+use super::flatten::{Flat, index};
+use super::instance::Instance;
+use super::looks::{Heritage, joined};
+use super::model::{Item, Model, Parts};
+use super::surface::Surface;
+use crate::math::{Bounds, Step, Transform};
+use crate::scene::{self, Children, Object};
+use crate::shape::Skin;
+use crate::texture::Texture;
+use glam::{DAffine3, DVec3};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// A union is prepared once if its copies would come to so many primitives.
+const SHARED_FROM: u64 = 10_000;
+
+/// Boxes by which the bounds of a copy are found; more would be more exact.
+const HULL: usize = 32;
+
+/// Looks that a part of a model has of its own.
+#[derive(Clone, Debug)]
+pub(super) enum Slot {
+    /// Those of the copy.
+    Whole,
+    /// Those of another slot.
+    Same(u32),
+    /// What an object adds to those of the slot `above`; it stands in objects that are moved by `steps`.
+    Object {
+        above: u32,
+        object: Arc<Object>,
+        steps: Arc<[Step]>,
+    },
+    /// The textures that a shape moved by `steps` has for its pieces, on that of the slot `above`.
+    Skins {
+        above: u32,
+        skins: Arc<[Skin]>,
+        steps: Arc<[Step]>,
+    },
+}
+
+/// The slots of the model being made.
+#[derive(Debug)]
+pub(super) struct Slots {
+    list: Vec<Slot>,
+    /// Where models of the same looks stand already, by the address of the model and the slot around it.
+    placed: FxHashMap<(usize, u32), u32>,
+}
+
+/// What the copies of a union share.
+#[derive(Debug)]
+pub(super) struct Shared {
+    /// Keeps the address taken by which this is found.
+    _children: Children,
+    model: Arc<Model>,
+    slots: Vec<Slot>,
+    hull: Vec<Piece>,
+    /// Whether copies with the same looks around them look the same.
+    looks_alike: bool,
+    /// The copy before.
+    last: Option<Last>,
+}
+
+/// How a copy looks.
+#[derive(Debug)]
+struct Last {
+    root: Heritage,
+    /// The first of its surfaces.
+    first: u32,
+    /// Whether all of them are opaque: no ray goes in, and no interior matters.
+    is_opaque: bool,
+}
+
+/// A part of space that holds a part of a model.
+#[derive(Clone, Copy, Debug)]
+enum Piece {
+    Ball { middle: DVec3, radius: f64 },
+    Box(Bounds),
+}
+
+impl Slots {
+    fn new() -> Self {
+        Slots {
+            list: vec![Slot::Whole],
+            placed: FxHashMap::default(),
+        }
+    }
+
+    fn push(&mut self, slot: Slot) -> u32 {
+        self.list.push(slot);
+        index(self.list.len() - 1)
+    }
+
+    /// The looks of an object in those of `above`.
+    pub(super) fn object(&mut self, object: &Object, above: &Heritage) -> u32 {
+        let flags = scene::Flags::default();
+        let is_plain = object.texture.is_none()
+            && object.interior_texture.is_none()
+            && object.interior.is_none()
+            && object.light_group.is_none()
+            && object.flags == flags;
+        if is_plain {
+            return above.slot;
+        }
+        self.push(Slot::Object {
+            above: above.slot,
+            object: Arc::new(object.clone()),
+            steps: Arc::clone(&above.steps),
+        })
+    }
+
+    /// The looks of a shape.
+    pub(super) fn shape(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
+        if skins.is_empty() {
+            return looks.slot;
+        }
+        self.push(Slot::Skins {
+            above: looks.slot,
+            skins: skins.into(),
+            steps: Arc::clone(&looks.steps),
+        })
+    }
+
+    /// The looks of a model in a model.
+    fn nested(&mut self, shared: &Shared, root: &Heritage) -> u32 {
+        if shared.slots.len() == 1 {
+            return root.slot;
+        }
+        let key = (Arc::as_ptr(&shared.model).addr(), root.slot);
+        if shared.looks_alike
+            && let Some(&first) = self.placed.get(&key)
+        {
+            return first;
+        }
+        let first = index(self.list.len());
+        for slot in &shared.slots {
+            self.list.push(match slot {
+                Slot::Whole => Slot::Same(root.slot),
+                Slot::Same(of) => Slot::Same(first + of),
+                Slot::Object {
+                    above,
+                    object,
+                    steps,
+                } => Slot::Object {
+                    above: first + above,
+                    object: Arc::clone(object),
+                    steps: joined(steps, &root.steps),
+                },
+                Slot::Skins {
+                    above,
+                    skins,
+                    steps,
+                } => Slot::Skins {
+                    above: first + above,
+                    skins: Arc::clone(skins),
+                    steps: joined(steps, &root.steps),
+                },
+            });
+        }
+        self.placed.insert(key, first);
+        first
+    }
+}
+
+impl Slot {
+    /// Whether it is the same for all copies with the same looks.
+    fn looks_alike(&self) -> bool {
+        let is_fixed = |texture: &Texture| {
+            let mut layers = texture.layers().iter();
+            !texture.depends_on_place()
+                && layers.all(|layer| {
+                    let finish = &layer.finish;
+                    finish.ior.is_none() && finish.refraction.is_none() && finish.caustics.is_none()
+                })
+        };
+        match self {
+            Slot::Whole | Slot::Same(_) => true,
+            Slot::Skins { .. } => false,
+            Slot::Object { object, .. } => {
+                let mut textures = [&object.texture, &object.interior_texture].into_iter();
+                object.interior.is_none()
+                    && object.light_group.is_none()
+                    && textures.all(|own| own.as_ref().is_none_or(|own| is_fixed(&own.what)))
+            }
+        }
+    }
+}
+
+impl Flat {
+    /// Takes in a copy of a union that others are copies of too, if it is worth while; says whether it did.
+    pub(super) fn add_copy(&mut self, object: &Object, below: &Heritage) -> bool {
+        let Some(children) = object.shared_parts() else {
+            return false;
+        };
+        let key = Arc::as_ptr(children).addr();
+        let Some(mut shared) = self.shared.remove(&key).or_else(|| {
+            let copies = Arc::strong_count(children) as u64;
+            let is_worth = copies * u64::from(object.size().leaves) >= SHARED_FROM;
+            is_worth.then(|| Box::new(self.share(children)))
+        }) else {
+            return false;
+        };
+        let transform = Transform::from_steps(&below.steps);
+        let bounds = shared
+            .hull
+            .iter()
+            .map(|piece| piece.placed(&transform.world_from_object))
+            .fold(Bounds::EMPTY, |sum, bounds| sum.union(&bounds));
+        if !bounds.is_empty() {
+            let surface = match &mut self.slots {
+                Some(slots) => slots.nested(&shared, below),
+                None => self.surfaces_of(&mut shared, below),
+            };
+            let number = index(self.parts.instances.len());
+            self.parts.push(Item::Instance(number), bounds);
+            self.parts.instances.push(Instance {
+                model: Arc::clone(&shared.model),
+                object_from_world: transform.object_from_world,
+                first: 0,
+                surface,
+            });
+        }
+        self.shared.insert(key, shared);
+        true
+    }
+
+    /// Prepares what copies share.
+    fn share(&mut self, children: &Children) -> Shared {
+        let around = std::mem::take(&mut self.parts);
+        let slots_around = self.slots.replace(Slots::new());
+        let nothing = Heritage::default();
+        for child in &**children {
+            self.add_below(child, &nothing);
+        }
+        let parts = std::mem::replace(&mut self.parts, around);
+        let slots = std::mem::replace(&mut self.slots, slots_around);
+        let slots = slots.map_or_else(Vec::new, |slots| slots.list);
+        let hull = hull(&parts);
+        let (model, _) = Model::new(parts, std::iter::empty());
+        Shared {
+            _children: Arc::clone(children),
+            model: Arc::new(model),
+            looks_alike: slots.iter().all(Slot::looks_alike),
+            slots,
+            hull,
+            last: None,
+        }
+    }
+
+    /// The first of a run of surfaces, one for each slot, for a copy that looks like `root`.
+    fn surfaces_of(&mut self, shared: &mut Shared, root: &Heritage) -> u32 {
+        if shared.slots.len() == 1 {
+            return self.surface(root, &[]);
+        }
+        if let Some(last) = &shared.last
+            && shared.looks_alike
+            && last.root.looks_as(root, last.is_opaque)
+        {
+            return last.first;
+        }
+        let first = index(self.surfaces.len());
+        let mut looks: Vec<Heritage> = Vec::with_capacity(shared.slots.len());
+        for slot in &shared.slots {
+            let moved = |above: u32, steps: &Arc<[Step]>| Heritage {
+                steps: joined(steps, &root.steps),
+                ..looks[above as usize].clone()
+            };
+            let (own, skins) = match slot {
+                Slot::Whole => (root.clone(), &[][..]),
+                Slot::Same(of) => (looks[*of as usize].clone(), &[][..]),
+                Slot::Object {
+                    above,
+                    object,
+                    steps,
+                } => {
+                    let around = moved(*above, steps);
+                    (self.heritage(object, &around), &[][..])
+                }
+                Slot::Skins {
+                    above,
+                    skins,
+                    steps,
+                } => (moved(*above, steps), &**skins),
+            };
+            let surface = self.new_surface(&own, skins);
+            self.surfaces.push(surface);
+            looks.push(own);
+        }
+        shared.last = Some(Last {
+            root: root.clone(),
+            first,
+            is_opaque: self.surfaces[first as usize..]
+                .iter()
+                .all(Surface::is_opaque),
+        });
+        first
+    }
+}
+
+/// What holds the parts of a model: one piece for each, if they are few.
+fn hull(parts: &Parts) -> Vec<Piece> {
+    let radius = |item: &Item| match item {
+        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball_radius(),
+        Item::Program(_) | Item::Instance(_) => None,
+    };
+    let piece = |(item, bounds): (&Item, &Bounds)| match radius(item) {
+        Some(radius) => Piece::Ball {
+            middle: 0.5 * (bounds.min + bounds.max),
+            radius,
+        },
+        None => Piece::Box(*bounds),
+    };
+    if parts.items.len() <= HULL {
+        return parts.items.iter().zip(&parts.bounds).map(piece).collect();
+    }
+    let each = parts.bounds.len().div_ceil(HULL);
+    let sum = |bounds: &[Bounds]| {
+        let sum = bounds
+            .iter()
+            .fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
+        Piece::Box(sum)
+    };
+    parts.bounds.chunks(each).map(sum).collect()
+}
+
+impl Piece {
+    /// The bounds of the piece where a matrix puts it.
+    fn placed(&self, to_from: &DAffine3) -> Bounds {
+        match self {
+            Piece::Box(bounds) => bounds.transformed(to_from),
+            Piece::Ball { middle, radius } => {
+                let middle = to_from.transform_point3(*middle);
+                let rows = to_from.matrix3.transpose();
+                let reach = |row: DVec3| radius * row.length();
+                let reach = DVec3::new(reach(rows.x_axis), reach(rows.y_axis), reach(rows.z_axis));
+                Bounds {
+                    min: middle - reach,
+                    max: middle + reach,
+                }
+            }
+        }
+    }
+}
