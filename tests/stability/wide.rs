@@ -282,6 +282,9 @@ impl Polynomial {
         let (mut low, mut high) = (low.clone(), high.clone());
         let two = wide(2.0);
         let mut t = (&low + &high) / &two;
+        // Where the last digits of the value are noise, Newton's steps no longer become smaller.
+        let small = tiny * &wide(2f64.powi(80));
+        let mut last = &high - &low;
         for step in 0..STEPS {
             let value = self.at(&t);
             match value.sign() * before {
@@ -297,9 +300,10 @@ impl Polynomial {
             };
             let moved = (&next - &t).abs();
             t = next;
-            if moved <= *tiny {
+            if moved <= *tiny || moved < small && &moved + &moved > last {
                 break;
             }
+            last = moved;
         }
         t
     }
