@@ -13,6 +13,8 @@
 //! below both wings: one file each, with its mathematics, what it reads through [`args::Args`], and what it answers to
 //! rays.
 //!
+//! [`batch`] draws many pictures in one run: frames side by side, scenes of whole folders. [`cli`] is the command line.
+//!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
 //!   two of them; readers of elements never see a directive.
@@ -26,6 +28,7 @@
 pub mod accel;
 pub mod args;
 pub mod atmosphere;
+pub mod batch;
 pub mod bitmap;
 pub mod camera;
 pub mod cli;
@@ -53,12 +56,14 @@ pub mod trace;
 
 use compile::World;
 use glam::DVec3;
-use lang::Heard;
-use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions};
+use lang::{Heard, Lexicon, Texts};
+use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling};
+use render::{Found, Unfinished};
 use scene::{Object, Scene};
-use source::{Diagnostic, Message, Severity, Sources};
+use source::{Diagnostic, FileId, Message, Severity, Sources};
 use statistics::Watch;
-use std::sync::Arc;
+use std::hash::{Hash, Hasher};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
@@ -80,25 +85,104 @@ pub fn draw(
     render: &RenderOptions,
     listen: &Listen<'_>,
 ) -> Result<Picture, Failure> {
+    match render.threads {
+        None => draw_with(input, (read, render), listen, None, None),
+        Some(threads) => {
+            let pool = pool(threads, listen)?;
+            draw_with(input, (read, render), listen, Some(&pool), None)
+        }
+    }
+}
+
+/// Draws one scene several times, one after the other or side by side, with other options each time: the frames of an
+/// animation. Its files are read and cut into tokens once.
+#[derive(Debug, Default)]
+pub struct Series {
+    pool: Option<Arc<rayon::ThreadPool>>,
+    /// Nothing is kept of a scene that is drawn once.
+    kept: Option<Mutex<Option<Arc<Kept>>>>,
+}
+
+impl Series {
+    /// A series that draws with the threads of `pool`, or with one for each core. `RenderOptions::threads` does not
+    /// count in it.
+    #[must_use]
+    pub fn new(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
+        Series {
+            pool,
+            kept: Some(Mutex::default()),
+        }
+    }
+
+    /// The same for a single picture, of whose reading nothing is kept.
+    #[must_use]
+    pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
+        Series { pool, kept: None }
+    }
+
+    /// As [`draw`]. The input is the same for the whole series.
+    ///
+    /// # Errors
+    /// When the scene cannot be read.
+    pub fn draw(
+        &self,
+        input: &Input,
+        read: &ReadOptions,
+        render: &RenderOptions,
+        listen: &Listen<'_>,
+    ) -> Result<Picture, Failure> {
+        let pool = self.pool.as_deref();
+        draw_with(input, (read, render), listen, pool, self.kept.as_ref())
+    }
+}
+
+/// What a reading leaves to the next of the same scene.
+#[derive(Debug)]
+struct Kept {
+    scene: FileId,
+    sources: Sources,
+    lexicon: Lexicon,
+}
+
+/// Threads to draw with.
+///
+/// # Errors
+/// When the system gives none.
+pub fn pool(threads: usize, listen: &Listen<'_>) -> Result<rayon::ThreadPool, Failure> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.max(1))
+        .build()
+        .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))
+}
+
+fn draw_with(
+    input: &Input,
+    (read, render): (&ReadOptions, &RenderOptions),
+    listen: &Listen<'_>,
+    pool: Option<&rayon::ThreadPool>,
+    kept: Option<&Mutex<Option<Arc<Kept>>>>,
+) -> Result<Picture, Failure> {
     let mut watch = Watch::start();
-    let (world, working) = with_deep_stack(listen, || {
-        let scene = read_scene(input, read, render.quality, listen)?;
+    let ((world, working), print) = with_deep_stack(listen, || {
+        let (scene, print) = read_scene(input, read, render, listen, kept)?;
         watch.lap("read");
         let prepared = prepared(scene, render);
         watch.lap("compile");
-        Ok(prepared)
+        Ok((prepared, print))
     })?;
+    let unfinished = unfinished(read, render, print, listen);
+    let unfinished = unfinished.as_ref();
     let progress = |pixels| listen(Event::Drawn(pixels));
-    let drawn = match render.threads {
-        None => render::render(&world, render, &progress),
-        Some(threads) => match rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.max(1))
-            .build()
-        {
-            Ok(pool) => pool.install(|| render::render(&world, render, &progress)),
-            Err(error) => return Err(failure(format!("no threads to draw with: {error}"), listen)),
-        },
+    let drawn = match pool {
+        None => render::render(&world, render, unfinished, &progress),
+        Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
+    if render.stop.is_asked() {
+        return Err(failure("the drawing was stopped".to_owned(), listen));
+    }
+    if let Some(kind) = unfinished.and_then(Unfinished::trouble) {
+        listen(Event::KeepsNothing(kind));
+    }
     watch.lap("trace");
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());
@@ -109,6 +193,53 @@ pub fn draw(
         working,
         statistics,
     })
+}
+
+/// The unfinished picture of an earlier run, and the one that is about to be drawn.
+fn unfinished(
+    read: &ReadOptions,
+    render: &RenderOptions,
+    print: u64,
+    listen: &Listen<'_>,
+) -> Option<Unfinished> {
+    let keep = render.keep.as_ref()?;
+    if matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some()) {
+        return None;
+    }
+    let ReadOptions {
+        declares,
+        version,
+        clock,
+        clock_on,
+        clock_delta,
+        frame_number,
+        ..
+    } = read;
+    let RenderOptions {
+        columns,
+        rows,
+        quality,
+        alpha,
+        least_distance,
+        sampling,
+        ..
+    } = render;
+    let size = (render.width, render.height);
+    // All that decides about the pixels, but for the number of threads.
+    let all = format!(
+        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {sampling:?} {declares:?} \
+         {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
+        keep.build
+    );
+    let mut hasher = rustc_hash::FxHasher::default();
+    all.hash(&mut hasher);
+    let (unfinished, found) = Unfinished::open(keep, hasher.finish(), size);
+    match found {
+        Found::Nothing => {}
+        Found::Other => listen(Event::StartsAnew),
+        Found::Pixels(pixels) => listen(Event::GoesOn(pixels)),
+    }
+    Some(unfinished)
 }
 
 /// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
@@ -128,9 +259,9 @@ fn forget(world: World) {
 /// # Errors
 /// When the scene could not be drawn.
 pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
-    let quality = RenderOptions::default().quality;
     with_deep_stack(listen, || {
-        read_scene(input, read, quality, listen).map(drop)
+        let render = RenderOptions::default();
+        read_scene(input, read, &render, listen, None).map(drop)
     })
 }
 
@@ -183,14 +314,23 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma
     (compile::compile(scene, render), working)
 }
 
-/// Reads a scene; what drawing cannot do yet is an error if it would be seen at this quality.
+/// Reads a scene; what drawing cannot do yet is an error if it would be seen at the quality asked for. With it comes what
+/// tells its texts from others, if an unfinished picture is to be kept.
 fn read_scene(
     input: &Input,
     options: &ReadOptions,
-    quality: u8,
+    render: &RenderOptions,
     listen: &Listen<'_>,
-) -> Result<Scene, Failure> {
+    kept: Option<&Mutex<Option<Arc<Kept>>>>,
+) -> Result<(Scene, u64), Failure> {
+    let earlier = kept.and_then(|kept| lock(kept).clone());
+    let mut lexicon = kept.map(|_| Lexicon::default());
     let mut sources = Sources::new(options.library_paths.clone());
+    if let Some(earlier) = &earlier {
+        sources = earlier.sources.clone();
+        lexicon = Some(earlier.lexicon.clone());
+    }
+    let mut print = 0;
     let mut errors = Vec::new();
     let mut found = |finding: &Diagnostic, sources: &Sources| {
         let message = Message::new(finding, sources);
@@ -201,7 +341,10 @@ fn read_scene(
     };
     let file = match input {
         Input::File(path) => sources.load_file(path),
-        Input::Text { name, text } => Ok(sources.add_text(name.clone(), text)),
+        Input::Text { name, text } => Ok(match &earlier {
+            Some(earlier) => earlier.scene,
+            None => sources.add_text(name.clone(), text),
+        }),
     };
     let scene = match file {
         Ok(file) => {
@@ -210,11 +353,26 @@ fn read_scene(
                 Heard::Found(finding, sources) => found(finding, sources),
             };
             let mut probe = OwnObjects::default();
-            let reading = lang::evaluate_with(file, &mut sources, options, &mut probe, &mut hear);
-            if quality >= QUALITY_OF_RADIOSITY {
+            let texts = Texts {
+                scene: file,
+                sources: &mut sources,
+                lexicon: lexicon.as_mut(),
+            };
+            let reading = lang::evaluate_with(texts, options, &mut probe, &mut hear);
+            if render.quality >= QUALITY_OF_RADIOSITY {
                 for undrawn in &reading.undrawn {
                     found(undrawn, &sources);
                 }
+            }
+            listen(Event::Read {
+                dependencies: &reading.dependencies,
+                wrote_files: sources.wrote_files(),
+            });
+            if render.keep.is_some() {
+                print = sources.fingerprint();
+            }
+            if let (Some(kept), Some(lexicon), true) = (kept, lexicon, reading.has_learnt) {
+                keep(kept, earlier.as_ref(), file, sources, lexicon);
             }
             reading.scene
         }
@@ -224,8 +382,30 @@ fn read_scene(
         }
     };
     match scene {
-        Some(scene) if errors.is_empty() => Ok(scene),
+        Some(scene) if errors.is_empty() => Ok((scene, print)),
         None if errors.is_empty() => Err(failure("the scene cannot be read".to_owned(), listen)),
         _ => Err(Failure { errors }),
     }
+}
+
+/// Keeps what a reading has learnt, unless another has done so since it began.
+fn keep(
+    kept: &Mutex<Option<Arc<Kept>>>,
+    earlier: Option<&Arc<Kept>>,
+    scene: FileId,
+    sources: Sources,
+    lexicon: Lexicon,
+) {
+    let mut kept = lock(kept);
+    if kept.as_ref().map(Arc::as_ptr) == earlier.map(Arc::as_ptr) {
+        *kept = Some(Arc::new(Kept {
+            scene,
+            sources: sources.for_another_run(),
+            lexicon,
+        }));
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

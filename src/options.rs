@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use serde::Serialize;
 
 use crate::color::Gamma;
 use crate::film::Film;
-use crate::source::Message;
+use crate::source::{Dependency, Message};
 
 /// What reading and drawing say while they are at work.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +21,19 @@ pub enum Event<'a> {
     Said(&'a str),
     /// A finding about the scene, in the order of finding.
     Found(&'a Message),
+    /// The scene has been read to its end, or as far as it could be.
+    Read {
+        /// The files that were read or asked for.
+        dependencies: &'a [Dependency],
+        /// Whether the scene wrote files itself.
+        wrote_files: bool,
+    },
+    /// The drawing goes on with so many pixels of an unfinished picture.
+    GoesOn(u64),
+    /// There is an unfinished picture, of another scene, with other options or by another program: it is given up.
+    StartsAnew,
+    /// The unfinished picture cannot be kept.
+    KeepsNothing(std::io::ErrorKind),
     /// So many pixels have been finished since the last event of this kind. Comes from any thread.
     Drawn(u64),
 }
@@ -75,6 +90,35 @@ pub struct ReadOptions {
     pub final_clock: f64,
     /// How many tokens loops and macros may read again, before a scene counts as one that does not come to an end.
     pub patience: u64,
+    /// The most memory that reading may take in bytes, if it is to be less than the machine has.
+    pub memory: Option<u64>,
+    /// Ends reading.
+    pub stop: Stop,
+}
+
+/// A wish that reading and drawing end before they are done; its copies are one wish.
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Wishes it, from any thread.
+    pub fn ask(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was wished.
+    #[must_use]
+    #[inline]
+    pub fn is_asked(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Wishes make no difference between options.
+impl PartialEq for Stop {
+    fn eq(&self, _: &Stop) -> bool {
+        true
+    }
 }
 
 /// Ten seconds' worth of tokens. A loop of ten tokens goes round eight million times.
@@ -103,6 +147,23 @@ pub struct RenderOptions {
     pub statistics: bool,
     /// How pixels are sampled.
     pub sampling: Sampling,
+    /// Where what has been drawn is kept until all is.
+    pub keep: Option<Keep>,
+    /// Ends drawing.
+    pub stop: Stop,
+}
+
+/// An unfinished picture, with which a later run can go on. Drawing with a time limit keeps none: what it draws depends
+/// on the speed of the machine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Keep {
+    /// The file. It stays until somebody removes it.
+    pub file: PathBuf,
+    /// Whether to go on with what is there and to keep everything from the beginning on. Otherwise what is there is
+    /// replaced as soon as the drawing has taken two seconds.
+    pub continues: bool,
+    /// What tells this program from others, which may draw other pictures.
+    pub build: String,
 }
 
 /// How pixels are sampled.
@@ -302,6 +363,8 @@ impl Default for ReadOptions {
             initial_clock: 0.0,
             final_clock: 0.0,
             patience: PATIENCE,
+            memory: None,
+            stop: Stop::default(),
         }
     }
 }
@@ -320,6 +383,8 @@ impl Default for RenderOptions {
             least_distance: LeastDistance::default(),
             statistics: false,
             sampling: Sampling::Centres,
+            keep: None,
+            stop: Stop::default(),
         }
     }
 }

@@ -252,3 +252,59 @@ fn drawing_tells_in_the_form_that_is_asked_for_and_in_the_order_of_the_scene() {
     assert!(ended.err.lines().all(is_object), "{}", ended.err);
     assert_eq!((ended.err.lines().count(), ended.out.as_str()), (2, ""));
 }
+
+/// Bodies of `bevel.inc` that cannot be, and what is said about each.
+const BEVELS: [(&str, &str); 9] = [
+    (
+        "Bevel_box(0*x, <1, 1, 1>, 0)",
+        "the bevel of a box must be positive",
+    ),
+    (
+        "Bevel_box(-<1, 1, 1>, <1, 1, 1>, 1)",
+        "the bevel of a box must be less than half of its shortest side",
+    ),
+    (
+        "Bevel_cylinder(0, 1, 2, 0.5)",
+        "the bevel of a cylinder must be less than half of its height",
+    ),
+    (
+        "Bevel_cylinder(0, 9, 2, 2)",
+        "the bevel of a cylinder must be less than its radius",
+    ),
+    (
+        "Bevel_ring(0, 1, 2, 1, 0.1)",
+        "the outer radius of a ring must be larger than the inner one, and that positive",
+    ),
+    (
+        "Bevel_ring(0, 9, 1, 2, 0.5)",
+        "the bevel of a ring must be less than half of its wall",
+    ),
+    (
+        "Bevel_wedge(0, 1, 1, 2, 0, 180, 0.1)",
+        "a wedge must stretch over less than 180 degrees",
+    ),
+    (
+        "Bevel_wedge(0, 9, 1, 3, 0, 10, 0.4)",
+        "the bevel of a wedge must be less than half of its inner arc",
+    ),
+    (
+        "Bevel_wedge(0, 9, 0, 3, 0, 10, 0.4)",
+        "the outer radius of a wedge must be larger than the inner one, and that positive",
+    ),
+];
+
+#[test]
+fn a_bevelled_body_that_cannot_be_is_told_with_its_place() {
+    let folder = folder();
+    let include = Path::new(env!("CARGO_MANIFEST_DIR")).join("pov_scenes/include");
+    let library = format!("+L{}", include.display());
+    for (body, reason) in BEVELS {
+        let scene = format!("#include \"bevel.inc\"\nobject {{ {body} }}\n");
+        fs::write(folder.path().join("bevelled.pov"), scene).expect("a scene");
+        let ended = povr(folder.path(), &["check", &library, "bevelled.pov"], "");
+        assert_eq!(ended.code, Some(1), "{body}: {}", ended.err);
+        let told = ended.out + &ended.err;
+        assert!(told.contains(reason), "{body}: {told}");
+        assert!(told.contains("bevelled.pov:2:"), "{body}: {told}");
+    }
+}

@@ -26,7 +26,7 @@ const FLOORS: &[&[&str]] = &[
     &["trace"],
     &["render"],
     &["statistics"],
-    &["curve"],
+    &["curve", "batch"],
     &["cli"],
 ];
 

@@ -10,9 +10,9 @@
 mod support;
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
+use support::browser::{browser, shown};
 
 const TIME_LIMIT: Duration = Duration::from_secs(180);
 const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
@@ -34,25 +34,6 @@ const PROBE: &str = "<script>addEventListener('load', () => {
     a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
   told.elsewhere = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length;
 });</script>";
-
-fn browser() -> Option<&'static str> {
-    ["chromium", "chromium-browser", "google-chrome"]
-        .into_iter()
-        .find(|name| Command::new(name).arg("--version").output().is_ok())
-}
-
-fn shown(browser: &str, page: &Path, width: u32) -> String {
-    let profile = tempfile::tempdir().expect("a folder");
-    let mut command = Command::new(browser);
-    command
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"])
-        .arg(format!("--window-size={width},1000"))
-        .arg(format!("--user-data-dir={}", profile.path().display()))
-        .arg("--virtual-time-budget=5000")
-        .arg(format!("file://{}", page.display()));
-    let output = command.output().expect("the browser starts");
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
 
 #[test]
 fn a_browser_shows_the_whole_page() {

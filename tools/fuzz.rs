@@ -163,7 +163,7 @@ fn read(text: &[u8], draws: bool) -> bool {
         };
         let world = compile(scene, &options);
         if draws {
-            let film = render(&world, &options, &|_| {}).film;
+            let film = render(&world, &options, None, &|_| {}).film;
             assert_eq!(film.pixels.len(), 48);
         }
     }

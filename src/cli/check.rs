@@ -3,7 +3,6 @@
 //! Findings and counts go to standard output, for they are what the command is for; what scenes write by `#debug` goes
 //! to standard error. Exit code 0: every scene could be drawn; 1: some could not; 2: the command line is at fault.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -18,6 +17,7 @@ use super::settings::{Scene, find_scene, read_options};
 use super::surroundings::Surroundings;
 use super::typed::Typed;
 use super::words;
+use crate::batch::scenes_below;
 use crate::options::{Event, ReadOptions};
 use crate::source::{Diagnostic, Message, Sources};
 
@@ -25,10 +25,8 @@ pub(super) const COMMAND: Command = Command {
     name: "check",
     about: "read scenes and say what is wrong with them",
     run,
+    face: <Face as clap::CommandFactory>::command,
 };
-
-/// Folders inside folders are searched so deep.
-const DEEPEST: usize = 64;
 
 /// Reads scenes without drawing them and says what is wrong with them.
 #[derive(Debug, Parser)]
@@ -160,15 +158,17 @@ fn read_word(
 }
 
 /// The scenes that the names stand for: files in the order given, those of a folder sorted, none twice.
-fn find_scenes(names: &[String], library_paths: &[PathBuf]) -> Result<Vec<Scene>, CliError> {
+pub(super) fn find_scenes(
+    names: &[String],
+    library_paths: &[PathBuf],
+) -> Result<Vec<Scene>, CliError> {
     let mut scenes = Vec::new();
     for name in names {
         let path = Path::new(name);
         let found = if name == "-" {
             vec![Scene::Stdin]
         } else if path.is_dir() {
-            let mut files = Vec::new();
-            scenes_of_folder(path, DEEPEST, &mut files)?;
+            let files = scenes_below(path).map_err(|error| CliError::new(error.to_string()))?;
             if files.is_empty() {
                 return Err(CliError::new(format!("no scene (`.pov`) lies in `{name}`")));
             }
@@ -185,26 +185,6 @@ fn find_scenes(names: &[String], library_paths: &[PathBuf]) -> Result<Vec<Scene>
         }
     }
     Ok(scenes)
-}
-
-fn scenes_of_folder(folder: &Path, depth: usize, to: &mut Vec<PathBuf>) -> Result<(), CliError> {
-    let cannot_read = |error: std::io::Error| {
-        CliError::new(format!("cannot read `{}`: {error}", folder.display()))
-    };
-    let mut entries: Vec<PathBuf> = Vec::new();
-    for entry in fs::read_dir(folder).map_err(cannot_read)? {
-        entries.push(entry.map_err(cannot_read)?.path());
-    }
-    entries.sort();
-    for path in entries {
-        // A link to a folder may lead back to where it stands.
-        if path.is_dir() && !path.is_symlink() && depth > 0 {
-            scenes_of_folder(&path, depth - 1, to)?;
-        } else if path.is_file() && words::has_ending(&path.to_string_lossy(), ".pov") {
-            to.push(path);
-        }
-    }
-    Ok(())
 }
 
 /// Reads all scenes, with a line about each and one about all; whether they could be drawn.

@@ -22,6 +22,7 @@ pub(super) const COMMAND: Command = Command {
     name: "curve",
     about: "draw with many settings: error against run time",
     run,
+    face: <Face as clap::CommandFactory>::command,
 };
 
 /// Draws a scene with many settings and reports error against run time.

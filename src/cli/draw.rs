@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Read};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use super::animate;
 use super::error::CliError;
 use super::ini::Reader;
 use super::modern::{self, Modern};
@@ -11,14 +12,18 @@ use super::progress::{Progress, ProgressKind};
 use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
 use super::surroundings::Surroundings;
+use super::unfinished;
 use super::words;
-use crate::options::{Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions};
+use crate::options::{
+    Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions, Statistics,
+};
 use crate::output;
 use crate::source::MAX_FILE_BYTES;
 
 /// Draws a scene: what the stages do together.
-pub(super) type Draw =
-    dyn Fn(&Input, &ReadOptions, &RenderOptions, &Listen<'_>) -> Result<Picture, Failure>;
+pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &Listen<'_>) -> Result<Picture, Failure>
+    + Sync
+    + 'a;
 
 /// What a command line asks for.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +42,14 @@ pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCod
             say(text.trim_end());
             Ok(ExitCode::SUCCESS)
         }
-        Request::Draw(settings) => carry_out(&settings, &crate::draw),
+        Request::Draw(mut settings) => match &settings.frames {
+            Some(frames) => animate::run(&settings, frames),
+            None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
+            None => {
+                unfinished::keep(&mut settings);
+                carry_out(&settings, &crate::draw)
+            }
+        },
     }
 }
 
@@ -80,18 +92,10 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
 ///
 /// # Errors
 /// When the scene cannot be had, or the picture cannot be written. A faulty scene has been told of.
-pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, CliError> {
+pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let talk = settings.talk;
     let input = settings.scene.input()?;
-    let mut reporter = Reporter::new(talk.format, Stream::Err);
-    reporter.warns = talk.warnings && !talk.quiet;
-    reporter.debugs = talk.debugs && !talk.quiet;
-    if reporter.warns {
-        settings.warnings.iter().for_each(say);
-    }
-    if talk.verbose && !talk.quiet {
-        settings.notes.iter().for_each(say);
-    }
+    let reporter = reporter(settings);
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
     let drawn = draw(
         &input,
@@ -115,21 +119,45 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw) -> Result<ExitCode, Cl
             working: picture.working,
             ..options.clone()
         };
-        output::write(&picture.film, target, &options).map_err(|refused| {
-            let error = CliError::new(refused.to_string());
-            match refused.hint() {
-                Some(hint) => error.with_hint(hint),
-                None => error,
-            }
-        })?;
+        output::write(&picture.film, target, &options).map_err(refused)?;
+        unfinished::forget(settings);
     }
+    tell_statistics(&picture.statistics, talk, &reporter);
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Who tells of the scene, once it has told of the command line.
+pub(super) fn reporter(settings: &Settings) -> Reporter {
+    let talk = settings.talk;
+    let mut reporter = Reporter::new(talk.format, Stream::Err);
+    reporter.warns = talk.warnings && !talk.quiet;
+    reporter.debugs = talk.debugs && !talk.quiet;
+    if reporter.warns {
+        settings.warnings.iter().for_each(say);
+    }
+    if talk.verbose && !talk.quiet {
+        settings.notes.iter().for_each(say);
+    }
+    reporter
+}
+
+/// A refusal to write, as this program says it.
+pub(super) fn refused(refused: output::OutputError) -> CliError {
+    let error = CliError::new(refused.to_string());
+    match refused.hint() {
+        Some(hint) => error.with_hint(hint),
+        None => error,
+    }
+}
+
+/// What `--stats` and `--json` ask for.
+pub(super) fn tell_statistics(statistics: &Statistics, talk: Talk, reporter: &Reporter) {
     if talk.stats {
-        say(picture.statistics.to_string().trim_end());
+        say(statistics.to_string().trim_end());
     }
     if talk.json {
-        reporter.json(&Line::Statistics(&picture.statistics));
+        reporter.json(&Line::Statistics(statistics));
     }
-    Ok(ExitCode::SUCCESS)
 }
 
 impl Scene {
@@ -155,7 +183,7 @@ impl Scene {
 }
 
 /// What a picture that was sampled until its error is small came to.
-fn told(reached: &Reached, pixels: u64) -> String {
+pub(super) fn told(reached: &Reached, pixels: u64) -> String {
     #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
     let samples = reached.samples as f64 / pixels.max(1) as f64;
     let Reached {
@@ -177,7 +205,7 @@ fn told(reached: &Reached, pixels: u64) -> String {
     )
 }
 
-fn progress_kind(talk: Talk) -> ProgressKind {
+pub(super) fn progress_kind(talk: Talk) -> ProgressKind {
     if talk.quiet || talk.format == MessageFormat::Json {
         ProgressKind::Nothing
     } else if io::stderr().is_terminal() {
@@ -189,7 +217,7 @@ fn progress_kind(talk: Talk) -> ProgressKind {
     }
 }
 
-fn pixels(render: &RenderOptions) -> u64 {
+pub(super) fn pixels(render: &RenderOptions) -> u64 {
     u64::from(render.columns.end - render.columns.start)
         * u64::from(render.rows.end - render.rows.start)
 }

@@ -36,9 +36,6 @@ const IDLE: Set = |typed, _, said| {
 /// About a display or a keyboard, of which this program has none.
 const SCREEN: Set = |_, _, _| Ok(());
 
-/// A number that only matters together with an option that is not built.
-const NUMBER: Set = |_, value, said| number(value, said).map(drop);
-
 #[rustfmt::skip]
 const KEYS: &[(&str, Set)] = &[
     ("All_Console", |t, v, s| { t.quiet = !flag(t, v, s); Ok(()) }),
@@ -60,12 +57,12 @@ const KEYS: &[(&str, Set)] = &[
     ("BSP_ISectCost", IDLE),
     ("BSP_MaxDepth", IDLE),
     ("BSP_MissChance", IDLE),
-    ("Clock", |t, v, s| { t.clock = Some(number(v, s)?); Ok(()) }),
-    ("Clockless_Animation", IDLE),
+    ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
+    ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Clockless, on, s); Ok(()) }),
     ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
-    ("Continue_Trace", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Continue, on, s); Ok(()) }),
+    ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
     ("Create_Ini", IDLE),
-    ("Cyclic_Animation", IDLE),
+    ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),
     ("Debug_File", IDLE),
     ("Declare", declare),
@@ -74,30 +71,30 @@ const KEYS: &[(&str, Set)] = &[
     ("Dither", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Dither, on, s); Ok(()) }),
     ("Dither_Method", IDLE),
     ("Draw_Vistas", IDLE),
-    ("End_Column", |t, v, s| { t.end_column = Some(edge(v, s)?); Ok(()) }),
-    ("End_Row", |t, v, s| { t.end_row = Some(edge(v, s)?); Ok(()) }),
+    ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
+    ("End_Row", |t, v, s| { t.end_row = Some(single(v, s)?); Ok(()) }),
     ("Fatal_Console", IDLE),
     ("Fatal_Error_Command", IDLE),
     ("Fatal_Error_Return", IDLE),
     ("Fatal_File", IDLE),
     ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Fields, on, s); Ok(()) }),
     ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
-    ("Final_Clock", NUMBER),
-    ("Final_Frame", |t, v, s| { let frames = whole(v, s)?; t.ask(Unbuilt::Animation, frames > 0, s); Ok(()) }),
-    ("Frame_Step", NUMBER),
+    ("Final_Clock", |t, v, s| { t.frames.final_clock = single(v, s)?; Ok(()) }),
+    ("Final_Frame", |t, v, s| { t.frames.final_frame = Some(frame(v, s)?); Ok(()) }),
+    ("Frame_Step", |t, v, s| { t.frames.step = frame(v, s)?; Ok(()) }),
     ("Grayscale_Output", |t, v, s| { t.grayscale = flag(t, v, s); Ok(()) }),
     ("Height", |t, v, s| { t.height = size(v, s)?; Ok(()) }),
     ("High_Reproducibility", IDLE),
     ("Include_Header", |t, v, s| { t.include_header = Some(path(v, s)?); Ok(()) }),
-    ("Initial_Clock", NUMBER),
-    ("Initial_Frame", NUMBER),
+    ("Initial_Clock", |t, v, s| { t.frames.initial_clock = single(v, s)?; Ok(()) }),
+    ("Initial_Frame", |t, v, s| { t.frames.initial_frame = Some(frame(v, s)?); Ok(()) }),
     ("Input_File_Name", |t, v, s| { t.scene = Some(name(v, s)?); Ok(()) }),
     ("Jitter", |t, v, s| { t.is_jittered = flag(t, v, s); Ok(()) }),
     ("Jitter_Amount", |t, v, s| { t.antialias.jitter = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
     ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
     ("Light_Buffer", IDLE),
     ("Max_Image_Buffer_Memory", IDLE),
-    ("Odd_Field", IDLE),
+    ("Odd_Field", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::OddField, on, s); Ok(()) }),
     ("Output_Alpha", |t, v, s| { t.alpha = flag(t, v, s); Ok(()) }),
     ("Output_File_Name", |t, v, s| { t.output = Output::Povray(name(v, s)?); Ok(()) }),
     ("Output_File_Type", |t, v, s| file_type(t, v, s)),
@@ -128,12 +125,12 @@ const KEYS: &[(&str, Set)] = &[
     ("Render_Pattern", IDLE),
     ("Sampling_Method", method),
     ("Split_Unions", IDLE),
-    ("Start_Column", |t, v, s| { t.start_column = Some(edge(v, s)?); Ok(()) }),
-    ("Start_Row", |t, v, s| { t.start_row = Some(edge(v, s)?); Ok(()) }),
+    ("Start_Column", |t, v, s| { t.start_column = Some(single(v, s)?); Ok(()) }),
+    ("Start_Row", |t, v, s| { t.start_row = Some(single(v, s)?); Ok(()) }),
     ("Statistic_Console", IDLE),
     ("Statistic_File", IDLE),
-    ("Subset_End_Frame", NUMBER),
-    ("Subset_Start_Frame", NUMBER),
+    ("Subset_End_Frame", |t, v, s| { t.frames.subset_end = Some(single(v, s)?); Ok(()) }),
+    ("Subset_Start_Frame", |t, v, s| { t.frames.subset_start = Some(single(v, s)?); Ok(()) }),
     ("Test_Abort", SCREEN),
     ("Test_Abort_Count", SCREEN),
     ("User_Abort_Command", IDLE),
@@ -193,13 +190,24 @@ fn bits(value: &str, said: &str) -> Result<u8, CliError> {
     up_to(32, value, said)
 }
 
-/// A pixel or a share of the picture, in single precision as POV-Ray keeps it.
-fn edge(value: &str, said: &str) -> Result<f32, CliError> {
+/// A number in single precision, as POV-Ray keeps clocks, and pixels or shares of the picture.
+fn single(value: &str, said: &str) -> Result<f32, CliError> {
+    #[allow(clippy::cast_possible_truncation, reason = "POV-Ray rounds so")]
+    let single = number(value, said)? as f32;
+    if single.is_finite() {
+        Ok(single)
+    } else {
+        Err(CliError::new(format!("`{said}`: this number is too large")))
+    }
+}
+
+/// A number of a frame without its fraction; what is below 0 counts as 0 where it matters.
+fn frame(value: &str, said: &str) -> Result<i64, CliError> {
     #[allow(
         clippy::cast_possible_truncation,
-        reason = "POV-Ray's rounding of shares is that of single precision"
+        reason = "beyond the range is its end"
     )]
-    number(value, said).map(|v| v as f32)
+    number(value, said).map(|frame| frame as i64)
 }
 
 fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
@@ -218,6 +226,23 @@ fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
     typed.declares.retain(|(declared, _)| declared != name);
     typed.declares.push((name.to_owned(), value));
     Ok(())
+}
+
+/// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
+pub(super) fn names() -> impl Iterator<Item = (&'static str, bool)> {
+    KEYS.iter().map(|&(name, set)| (name, acts(set)))
+}
+
+/// Whether an option ever changes what is to be done, or refuses to.
+fn acts(set: Set) -> bool {
+    ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
+        .iter()
+        .any(|value| {
+            let mut typed = Typed::default();
+            let done = set(&mut typed, value, "");
+            typed.idle.clear();
+            done.is_err() || typed != Typed::default()
+        })
 }
 
 /// A known option that differs from `key` in at most two letters.

@@ -5,12 +5,18 @@
 //! Arguments that begin with `--`, and `-o`, are read by clap; all others as POV-Ray reads them. Both kinds may be mixed.
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
+mod animate;
+mod batch;
 mod check;
+mod compare;
+mod completions;
 mod curve;
 mod draw;
 mod error;
+mod frames;
 mod ini;
 mod keys;
+mod man;
 mod modern;
 mod progress;
 mod report;
@@ -19,11 +25,14 @@ mod sheet;
 mod surroundings;
 mod switches;
 mod typed;
+mod unfinished;
 mod values;
+mod watch;
 mod words;
 
 pub use draw::{Request, request};
 pub use error::CliError;
+pub use frames::Frames;
 pub use progress::{Progress, ProgressKind};
 pub use report::MessageFormat;
 pub use settings::{Scene, Settings, Talk};
@@ -41,12 +50,23 @@ struct Command {
     about: &'static str,
     /// Does it, with the arguments behind the name.
     run: Run,
+    /// Its options.
+    face: fn() -> clap::Command,
 }
 
 type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
-const COMMANDS: &[Command] = &[check::COMMAND, curve::COMMAND, sheet::COMMAND];
+const COMMANDS: &[Command] = &[
+    batch::COMMAND,
+    check::COMMAND,
+    compare::COMMAND,
+    completions::COMMAND,
+    curve::COMMAND,
+    man::COMMAND,
+    sheet::COMMAND,
+    watch::COMMAND,
+];
 
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;

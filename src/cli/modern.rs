@@ -63,7 +63,8 @@ pub(super) struct Modern {
     version: Option<bool>,
 }
 
-const SWITCHES: &str = "\
+/// Switches as people look for them.
+pub(super) const SWITCHES: &str = "\
 POV-Ray's switches, upper or lower case; later ones win:
   SCENE.pov, +IFILE     the scene; - is standard input
   +OFILE                the picture, .png and the like appended unless there; +O- standard output
@@ -76,6 +77,8 @@ POV-Ray's switches, upper or lower case; later ones win:
   +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock
+  +KFI1 +KFF30 +KC      an animation: first and last frame, cyclic; +KI0 +KF1 its clock, +SF +EF a part of it
+  +C                    go on with a picture whose drawing was interrupted
   Declare=Name=1.5      declare a number before the scene
   +MV3.6 +HIFILE        language version, file to include first
   +WT4 +V -GA           threads, verbose, quiet
@@ -172,6 +175,23 @@ impl Modern {
             typed.least_distance = LeastDistance::PovRay;
         }
     }
+}
+
+/// The whole command line for programs that describe it: options, and commands with theirs.
+pub(super) fn everything() -> clap::Command {
+    let commands = COMMANDS.iter().map(|command| {
+        let face = (command.face)().about(command.about);
+        face.name(command.name)
+            .bin_name(format!("povr {}", command.name))
+    });
+    Modern::command()
+        .arg(
+            clap::Arg::new("scene")
+                .value_name("SCENE.pov")
+                .value_hint(clap::ValueHint::FilePath)
+                .num_args(0..),
+        )
+        .subcommands(commands)
 }
 
 /// The commands, for the help of the program: a line each.

@@ -105,7 +105,19 @@ impl Reporter {
         match event {
             Event::Said(text) if self.debugs => self.said(text),
             Event::Found(message) => self.found(message),
-            Event::Said(_) | Event::Drawn(_) => {}
+            Event::GoesOn(pixels) if self.warns => {
+                say(format_args!("povr: going on: {pixels} pixels are there"));
+            }
+            Event::StartsAnew if self.warns => say(
+                "povr: the unfinished picture is of another scene, has other options or is by another program: \
+                 starting anew",
+            ),
+            Event::KeepsNothing(kind) if self.warns => {
+                say(format_args!(
+                    "povr: the unfinished picture cannot be kept: {kind}"
+                ));
+            }
+            _ => {}
         }
     }
 

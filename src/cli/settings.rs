@@ -5,10 +5,11 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::error::CliError;
+use super::frames::Frames;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
-use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling};
+use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling, Stop};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The most pixels of a picture: a film of 8 GiB.
@@ -23,6 +24,10 @@ pub struct Settings {
     pub read: ReadOptions,
     /// How to draw it.
     pub render: RenderOptions,
+    /// The frames of an animation; `None` for a still picture.
+    pub frames: Option<Frames>,
+    /// Whether to go on with an unfinished picture.
+    pub continues: bool,
     /// Where the picture goes and how; `None` draws it without keeping it. The working space is the scene's to tell.
     pub output: Option<(Target, EncodeOptions)>,
     /// What is said on the way.
@@ -73,6 +78,18 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
         CliError::new("no scene is named").with_hint("write `povr scene.pov`, or `povr --help`")
     })?;
     let output = output(&typed, &name, &mut warnings)?;
+    let frames = Frames::of(&typed.frames);
+    if frames.is_some() && typed.continues {
+        return Err(
+            CliError::new("`+C`: continuing an animation is not built yet")
+                .with_hint("draw the frames that are missing: `+SF` is the first, `+EF` the last"),
+        );
+    }
+    if frames.is_some_and(|frames| frames.is_single()) {
+        warnings.push(
+            "an animation of one frame has no step: its clock is `Initial_Clock` (in POV-Ray it is no number)".to_owned(),
+        );
+    }
     let library_paths = [typed.library_paths.as_slice(), standard_folders].concat();
     let scene = match name.as_str() {
         "-" => Scene::Stdin,
@@ -82,6 +99,8 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
         scene,
         read: read_options(&typed, library_paths),
         render,
+        continues: typed.continues,
+        frames,
         output,
         talk: Talk {
             warnings: typed.warnings,
@@ -139,6 +158,8 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         least_distance: typed.least_distance,
         statistics: typed.stats || typed.json,
         sampling: sampling(typed),
+        keep: None,
+        stop: Stop::default(),
     })
 }
 

@@ -31,6 +31,7 @@ pub(super) const COMMAND: Command = Command {
     name: "sheet",
     about: "draw a shape under all transforms, with a contact sheet",
     run,
+    face: <Face as clap::CommandFactory>::command,
 };
 
 /// Draws a shape under all transforms and makes contact sheets.

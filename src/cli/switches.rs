@@ -93,6 +93,40 @@ const SWITCHES: &[(&str, Form)] = &[
     ("X", Both("Test_Abort", "Test_Abort_Count")),
 ];
 
+/// How a switch is written, and which options it sets: for help and completions.
+pub(super) struct Described {
+    /// `+W`.
+    pub(super) name: String,
+    /// What stands behind it: nothing, `<value>`, or `[value]`.
+    pub(super) value: &'static str,
+    /// `Width`.
+    pub(super) sets: String,
+}
+
+/// All switches, in the order of the alphabet.
+pub(super) fn described() -> impl Iterator<Item = Described> {
+    SWITCHES.iter().map(|&(name, form)| {
+        let (value, sets) = match form {
+            Flag(key) => ("", format!("{key}: on with +, off with -")),
+            Value(key) => ("<value>", key.to_owned()),
+            Both(flag, value) => (
+                "[value]",
+                format!("{flag}: on with +, off with -; the value is {value}"),
+            ),
+            FileType => (
+                "[type]",
+                "Output_File_Type; -F: Output_To_File=off".to_owned(),
+            ),
+            Idle => ("[value]", "known, without effect".to_owned()),
+        };
+        Described {
+            name: format!("+{name}"),
+            value,
+            sets,
+        }
+    })
+}
+
 /// Sets what a switch stands for. `None` if this is no switch.
 pub(super) fn set(typed: &mut Typed, said: &str) -> Option<Result<(), CliError>> {
     let body = said.strip_prefix(['+', '-'])?;

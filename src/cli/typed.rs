@@ -4,6 +4,7 @@ use crate::options::{Antialias, LeastDistance};
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::frames::Wanted;
 use super::report::MessageFormat;
 use crate::color::Gamma;
 use crate::output::Format;
@@ -34,6 +35,7 @@ pub(super) struct Typed {
     pub(super) version: Option<f64>,
     pub(super) include_header: Option<PathBuf>,
     pub(super) clock: Option<f64>,
+    pub(super) frames: Wanted,
     pub(super) verbose: bool,
     pub(super) quiet: bool,
     pub(super) warnings: bool,
@@ -42,6 +44,8 @@ pub(super) struct Typed {
     pub(super) stats: bool,
     pub(super) json: bool,
     pub(super) least_distance: LeastDistance,
+    /// Whether to go on with an unfinished picture.
+    pub(super) continues: bool,
     pub(super) is_antialiased: bool,
     pub(super) is_jittered: bool,
     /// How, if it is antialiased.
@@ -73,10 +77,10 @@ pub(super) enum Output {
 /// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unbuilt {
-    Animation,
-    Continue,
+    Clockless,
     Dither,
     Fields,
+    OddField,
     SavedRadiosity,
 }
 
@@ -105,6 +109,7 @@ impl Default for Typed {
             version: None,
             include_header: None,
             clock: None,
+            frames: Wanted::default(),
             verbose: false,
             quiet: false,
             warnings: true,
@@ -113,6 +118,7 @@ impl Default for Typed {
             stats: false,
             json: false,
             least_distance: LeastDistance::default(),
+            continues: false,
             is_antialiased: false,
             is_jittered: true,
             antialias: Antialias::default(),
@@ -146,18 +152,18 @@ impl Unbuilt {
     /// What it is, and how to do without: the two halves of a refusal.
     pub(super) fn refusal(self) -> (&'static str, &'static str) {
         match self {
-            Unbuilt::Animation => (
-                "animation is not built yet",
-                "draw one picture a call: `+K0.5` sets the clock",
-            ),
-            Unbuilt::Continue => (
-                "continuing an interrupted picture is not built yet",
-                "leave it out to draw the whole picture",
+            Unbuilt::Clockless => (
+                "animation by several cameras is not built yet",
+                "leave `Clockless_Animation` out and move one camera with `clock`",
             ),
             Unbuilt::Dither => ("dithering is not built yet", "use `-TH` (or `Dither=off`)"),
             Unbuilt::Fields => (
                 "rendering of fields is not built yet",
                 "use `-UF` (or `Field_Render=off`)",
+            ),
+            Unbuilt::OddField => (
+                "rendering of fields is not built yet",
+                "use `-UO` (or `Odd_Field=off`)",
             ),
             Unbuilt::SavedRadiosity => (
                 "radiosity files are not built yet",

@@ -61,6 +61,20 @@ pub(super) fn error(value: &str, said: &str) -> Result<f64, CliError> {
     }
 }
 
+/// A number of bytes: `500M`, `4G`, `1T`.
+pub(super) fn bytes(value: &str, said: &str) -> Result<u64, CliError> {
+    let (text, unit) = [
+        ('K', 1_u64 << 10),
+        ('M', 1 << 20),
+        ('G', 1 << 30),
+        ('T', 1 << 40),
+    ]
+    .iter()
+    .find_map(|&(end, unit)| Some((value.strip_suffix([end, end.to_ascii_lowercase()])?, unit)))
+    .unwrap_or((value, 1));
+    whole(text, said).map(|number| u64::from(number) * unit)
+}
+
 /// A length of time: `10s`, `500ms`, `2m`, `1h`, or a number of seconds.
 pub(super) fn duration(value: &str, said: &str) -> Result<Duration, CliError> {
     let (text, unit) = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("h", 3600.0)]

@@ -75,7 +75,7 @@ impl Limits {
     /// Whether a comparison keeps the limits, or which of them it breaks first.
     #[must_use]
     pub fn verdict(&self, found: &Comparison) -> Verdict {
-        if found.max() > self.channel {
+        if found.max() > f64::from(self.channel) {
             Verdict::ChannelOff
         } else if found.differing_percent() > self.pixels {
             Verdict::TooManyPixels

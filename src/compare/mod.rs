@@ -1,17 +1,41 @@
-//! Comparison of two pictures: how many pixels are the same, by how much the others differ, and where.
+//! Comparison of two pictures: how many pixels are the same, by how much the others differ, and where; and the
+//! comparison of this program with POV-Ray, scene by scene.
 //!
 //! A pixel that is one step off is counted apart from one that is off by more: the first is rounding, the second is an
 //! error in geometry or shading (BRL-CAD's benchmark separates them in the same way). Channels are compared as stored,
-//! in steps of the picture's depth: 1/255 for 8 bits, 1/65535 for 16 bits. A picture without alpha is opaque.
-//! Perceptual measures are deliberately missing: a scene's picture is to be equal, not similar.
+//! in steps of the picture's depth: 1/255 for 8 bits, 1/65535 for 16 bits. Two pictures of linear light in floating point
+//! are compared as numbers, and a step is that of a half float. [`alike`] brings pictures of unlike kinds to one form. A
+//! picture without alpha is opaque.
 
+mod case;
+mod check;
+mod difference;
+mod flip;
+mod kinds;
 mod limits;
+mod noise;
+mod process;
+mod reference;
+mod renderer;
 mod side_by_side;
+mod thresholds;
 
+pub use case::{Case, CaseError};
+pub use check::{Bench, CheckError, Checked, Compared, Explanation, pictures};
+pub use difference::steps_apart;
+pub use flip::flip;
+pub use kinds::alike;
+pub(crate) use kinds::shown;
 pub use limits::{LimitError, Limits, Verdict};
+pub use noise::Noise;
+pub use process::{Ended, run};
+pub use reference::Reference;
+pub use renderer::{Picture, Renderer, tail};
 pub use side_by_side::side_by_side;
+pub use thresholds::{Grade, Thresholds};
 
-use image::{DynamicImage, Rgba};
+use image::DynamicImage;
+use kinds::{Kind, visit};
 use std::fmt;
 
 /// What a comparison of two pictures of one size finds.
@@ -27,25 +51,25 @@ pub struct Comparison {
     pub mean: f64,
     /// The root of the mean of the squared differences over all channels, in steps.
     pub rms: f64,
-    /// The value of full intensity: 255 or 65535.
-    pub full: u16,
+    /// The value of full intensity: 255 or 65535, or 1 for floating point.
+    pub full: f64,
     /// The pixel with the largest difference in one channel; of several the first in reading order.
     pub worst: Option<WorstPixel>,
 }
 
 /// The pixel in which two pictures differ most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstPixel {
     /// Column from the left, from 0.
     pub x: u32,
     /// Row from the top, from 0.
     pub y: u32,
     /// The largest difference of its channels, in steps.
-    pub difference: u16,
+    pub difference: f64,
     /// Red, green, blue and alpha of the expected picture.
-    pub expected: [u16; 4],
+    pub expected: [f64; 4],
     /// Red, green, blue and alpha of the actual picture.
-    pub actual: [u16; 4],
+    pub actual: [f64; 4],
 }
 
 /// Why two pictures cannot be compared.
@@ -84,59 +108,38 @@ pub fn compare(expected: &DynamicImage, actual: &DynamicImage) -> Result<Compari
     if sizes[0] != sizes[1] {
         return Err(Mismatch::Size(sizes[0], sizes[1]));
     }
-    let [bits, found] = [expected, actual].map(depth);
-    if bits != found {
-        return Err(Mismatch::Depth(bits, found));
+    let [kind, found] = [expected, actual].map(Kind::of);
+    if kind != found {
+        return Err(Mismatch::Depth(kind.bits(), found.bits()));
     }
-    let pairs: Vec<_> = match bits {
-        8 => {
-            let [expected, actual] = [expected.to_rgba8(), actual.to_rgba8()];
-            let wide = |p: &Rgba<u8>| p.0.map(u16::from);
-            let pixels = expected.enumerate_pixels().zip(actual.pixels());
-            pixels
-                .map(|((x, y, e), a)| (x, y, wide(e), wide(a)))
-                .collect()
-        }
-        _ => {
-            let [expected, actual] = [expected.to_rgba16(), actual.to_rgba16()];
-            let pixels = expected.enumerate_pixels().zip(actual.pixels());
-            pixels.map(|((x, y, e), a)| (x, y, e.0, a.0)).collect()
-        }
-    };
-    let full = if bits == 8 { 255 } else { u16::MAX };
-    Ok(count(&pairs, full))
+    Ok(count(expected, actual, kind))
 }
 
-/// Bits of one channel; pictures of floating point are compared as 16 bits.
-fn depth(picture: &DynamicImage) -> u16 {
-    let color = picture.color();
-    let bits = color.bits_per_pixel() / u16::from(color.channel_count());
-    bits.min(16)
-}
-
-fn count(pairs: &[(u32, u32, [u16; 4], [u16; 4])], full: u16) -> Comparison {
+fn count(expected: &DynamicImage, actual: &DynamicImage, kind: Kind) -> Comparison {
     let mut found = Comparison {
         same: 0,
         off_by_one: 0,
         off_by_many: 0,
         mean: 0.0,
         rms: 0.0,
-        full,
+        full: kind.full(),
         worst: None,
     };
-    let (mut sum, mut sum_sq) = (0.0, 0.0);
-    for &(x, y, expected, actual) in pairs {
-        let mut difference = 0;
+    let (mut sum, mut sum_sq, mut is_opaque) = (0.0, 0.0, true);
+    visit(expected, actual, kind, |x, y, expected, actual| {
+        let (mut difference, mut is_one) = (0.0, true);
         for (e, a) in expected.into_iter().zip(actual) {
-            let off = e.abs_diff(a);
-            difference = difference.max(off);
-            sum += f64::from(off);
-            sum_sq += f64::from(off) * f64::from(off);
+            let off = off(e, a);
+            difference = f64::max(difference, off);
+            is_one &= off <= kind.step(e, a);
+            sum += off;
+            sum_sq += off * off;
         }
-        match difference {
-            0 => found.same += 1,
-            1 => found.off_by_one += 1,
-            _ => found.off_by_many += 1,
+        is_opaque &= expected[3] >= kind.full() && actual[3] >= kind.full();
+        match (difference > 0.0, is_one) {
+            (false, _) => found.same += 1,
+            (true, true) => found.off_by_one += 1,
+            (true, false) => found.off_by_many += 1,
         }
         if difference > found.max() {
             found.worst = Some(WorstPixel {
@@ -147,10 +150,9 @@ fn count(pairs: &[(u32, u32, [u16; 4], [u16; 4])], full: u16) -> Comparison {
                 actual,
             });
         }
-    }
+    });
     // Alpha takes part in what is equal, but a channel that is opaque in both must not thin out the mean.
-    let opaque = pairs.iter().all(|p| p.2[3] == full && p.3[3] == full);
-    let values = found.pixels() * if opaque { 3 } else { 4 };
+    let values = found.pixels() * if is_opaque { 3 } else { 4 };
     if values > 0 {
         found.mean = sum / as_f64(values);
         found.rms = (sum_sq / as_f64(values)).sqrt();
@@ -158,12 +160,22 @@ fn count(pairs: &[(u32, u32, [u16; 4], [u16; 4])], full: u16) -> Comparison {
     found
 }
 
+/// How far two values are apart. What is no number is equal to what is none, and infinitely far from any number.
+fn off(expected: f64, actual: f64) -> f64 {
+    match (expected.is_nan(), actual.is_nan()) {
+        (true, true) => 0.0,
+        (false, false) if expected == actual => 0.0,
+        (false, false) => (expected - actual).abs(),
+        _ => f64::INFINITY,
+    }
+}
+
 /// A count of pixels as a number; exact below 2^53.
 #[allow(
     clippy::cast_precision_loss,
     reason = "no picture has 2^53 pixels: its sides are 32 bits and it must fit in memory"
 )]
-fn as_f64(count: u64) -> f64 {
+pub(crate) fn as_f64(count: u64) -> f64 {
     count as f64
 }
 
@@ -182,14 +194,14 @@ impl Comparison {
 
     /// The largest difference in one channel, in steps.
     #[must_use]
-    pub fn max(&self) -> u16 {
-        self.worst.map_or(0, |worst| worst.difference)
+    pub fn max(&self) -> f64 {
+        self.worst.map_or(0.0, |worst| worst.difference)
     }
 
     /// The peak signal-to-noise ratio in decibels; infinite for equal pictures.
     #[must_use]
     pub fn psnr(&self) -> f64 {
-        20.0 * (f64::from(self.full) / self.rms).log10()
+        20.0 * (self.full / self.rms).log10()
     }
 
     /// Whether all pixels are equal.
@@ -229,7 +241,7 @@ impl fmt::Display for Comparison {
 
 impl fmt::Display for WorstPixel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let channels = |c: [u16; 4]| format!("{} {} {} {}", c[0], c[1], c[2], c[3]);
+        let channels = |c: [f64; 4]| format!("{} {} {} {}", c[0], c[1], c[2], c[3]);
         write!(
             f,
             "worst pixel at column {}, row {}: off by {}, expected {}, found {}",
@@ -245,7 +257,7 @@ impl fmt::Display for WorstPixel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use image::{ImageBuffer, Rgb, RgbImage, RgbaImage};
+    use image::{ImageBuffer, Rgb, RgbImage, Rgba, RgbaImage};
 
     fn grey(width: u32, height: u32, value: u8) -> RgbImage {
         RgbImage::from_pixel(width, height, Rgb([value; 3]))
@@ -255,7 +267,7 @@ mod tests {
     fn equal_pictures_have_no_worst_pixel() {
         let found = compare(&grey(4, 3, 7).into(), &grey(4, 3, 7).into()).unwrap();
         assert!(found.is_equal());
-        assert_eq!((found.same, found.max(), found.worst), (12, 0, None));
+        assert_eq!((found.same, found.max(), found.worst), (12, 0.0, None));
         assert_eq!(found.psnr(), f64::INFINITY);
         assert_eq!(found.to_string(), "all 12 pixels are equal");
     }
@@ -276,9 +288,9 @@ mod tests {
             Some(WorstPixel {
                 x: 4,
                 y: 1,
-                difference: 10,
-                expected: [100, 100, 100, 255],
-                actual: [99, 90, 100, 255],
+                difference: 10.0,
+                expected: [100.0, 100.0, 100.0, 255.0],
+                actual: [99.0, 90.0, 100.0, 255.0],
             })
         );
         assert!((found.mean - 12.0 / 30.0).abs() < 1e-12);
@@ -297,7 +309,21 @@ mod tests {
         let picture =
             |v: u16| DynamicImage::from(ImageBuffer::from_pixel(2, 2, Rgb([v, 65535, 0])));
         let found = compare(&picture(1000), &picture(1001)).unwrap();
-        assert_eq!((found.off_by_one, found.full), (4, 65535));
+        assert_eq!((found.off_by_one, found.full), (4, 65535.0));
+    }
+
+    #[test]
+    fn floating_point_is_compared_in_steps_of_a_half_float() {
+        let picture =
+            |v: f32| DynamicImage::from(ImageBuffer::from_pixel(2, 2, Rgb([v, 8.0, 0.0])));
+        let found = compare(&picture(1.0), &picture(1.000_9)).unwrap();
+        assert_eq!((found.off_by_one, found.off_by_many), (4, 0));
+        let found = compare(&picture(1.0), &picture(1.01)).unwrap();
+        assert_eq!((found.off_by_many, found.full), (4, 1.0));
+        let none = compare(&picture(f32::NAN), &picture(f32::NAN)).unwrap();
+        assert!(none.is_equal());
+        let some = compare(&picture(f32::NAN), &picture(1.0)).unwrap();
+        assert_eq!(some.max(), f64::INFINITY);
     }
 
     #[test]
@@ -307,7 +333,7 @@ mod tests {
         assert!(opaque.is_equal());
         actual.put_pixel(1, 0, Rgba([9, 9, 9, 0]));
         let clear = compare(&grey(2, 1, 9).into(), &actual.into()).unwrap();
-        assert_eq!(clear.max(), 255);
+        assert_eq!(clear.max(), 255.0);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::csg::{Combine, NONE, Node, Program, State};
 use super::leaf::Leaf;
 use crate::accel::Bvh;
 use crate::math::Bounds;
+use crate::shape::Geometry;
 
 /// With fewer bounded operands each is asked by itself.
 const TREE_FROM: usize = 8;
@@ -27,10 +28,23 @@ pub(super) struct Order {
 impl Program {
     /// Simplifies the nodes and works out the order. `bounds` are those of the operands.
     pub(super) fn prepare(&mut self, leaves: &[Leaf], bounds: &[Bounds]) {
+        self.leave_patches(leaves);
         self.join_nodes();
         self.drop_lone_root();
         self.rest = self.state_outside_all();
         self.order = self.order(leaves, bounds);
+    }
+
+    /// What has no inside has none when it is inverse either (measured with POV-Ray, which hands the inversion of a
+    /// combination down to its parts and cannot invert a patch): what takes a patch away shows only the patch.
+    fn leave_patches(&mut self, leaves: &[Leaf]) {
+        let own = &leaves[self.first as usize..];
+        for (number, leaf) in (0..self.len()).zip(own) {
+            if !leaf.shape.is_solid() && self.is_inverse(number) {
+                let operand = &mut self.operands[number as usize];
+                operand.is_inverse = !operand.is_inverse;
+            }
+        }
     }
 
     /// Hands the children of each node that is no more than a part of its parent to the parent.

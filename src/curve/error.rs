@@ -1,5 +1,6 @@
 //! How far a picture is from the truth, in linear light between black and white.
 
+use image::RgbImage;
 use serde::{Deserialize, Serialize};
 
 use crate::color::Gamma;
@@ -94,18 +95,10 @@ impl Linear {
     }
 
     fn flip(&self, other: &Linear) -> f64 {
-        if self.pixels.is_empty() {
-            return 0.0;
-        }
         let image = |picture: &Linear| {
-            nv_flip::FlipImageRgb8::with_data(picture.width, picture.height, &picture.srgb())
+            RgbImage::from_raw(picture.width, picture.height, picture.srgb()).unwrap_or_default()
         };
-        let map = nv_flip::flip(
-            image(self),
-            image(other),
-            nv_flip::DEFAULT_PIXELS_PER_DEGREE,
-        );
-        f64::from(nv_flip::FlipPool::from_image(&map).mean())
+        crate::compare::flip(&image(self).into(), &image(other).into())
     }
 }
 

@@ -1,10 +1,14 @@
 //! POV-Ray itself as one that is measured.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use super::CurveError;
 use super::error::Linear;
+use crate::compare::{self, Renderer};
+
+/// A drawing that takes longer is given up.
+const PATIENCE: Duration = Duration::from_secs(24 * 3600);
 
 /// A drawing by POV-Ray.
 pub(super) struct ByPovRay {
@@ -33,40 +37,42 @@ pub struct Task {
 
 /// Draws with POV-Ray, 16 bits a channel in linear light.
 pub(super) fn draw(task: &Task, switches: &str, folder: &Path) -> Result<ByPovRay, CurveError> {
-    let file = folder.join("povray.png");
-    let mut command = Command::new("povray");
-    command
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .arg(format!("+I{}", task.scene.display()))
-        .arg("+Opovray.png")
-        .arg(format!("+W{}", task.size.0))
-        .arg(format!("+H{}", task.size.1))
-        .arg(format!("+WT{}", task.threads))
-        .args(["-D", "+FN16", "File_Gamma=1.0"])
-        .args(
-            task.scene
-                .parent()
-                .map(|folder| format!("+L{}", folder.display())),
-        )
-        .args(
-            task.library_paths
-                .iter()
-                .map(|folder| format!("+L{}", folder.display())),
-        )
-        .args(
-            task.declares
-                .iter()
-                .map(|(name, value)| format!("Declare={name}={value}")),
-        )
-        .args(switches.split_whitespace());
-    let ended = command.output().map_err(|error| {
-        CurveError::new(format!("`povray` does not run: {error}")).with_hint(
-            "install POV-Ray 3.7 (Debian: `apt-get install povray`), or leave `--povray` out",
-        )
-    })?;
-    let said = String::from_utf8_lossy(&ended.stderr);
-    if !ended.status.success() {
+    let file = std::path::absolute(folder)
+        .unwrap_or_else(|_| folder.to_owned())
+        .join("povray.png");
+    let beside = task.scene.parent().unwrap_or(Path::new("/"));
+    let folders = std::iter::once(beside).chain(task.library_paths.iter().map(PathBuf::as_path));
+    let mut told = vec![
+        format!("+W{}", task.size.0),
+        format!("+H{}", task.size.1),
+        "-D".to_owned(),
+        "+FN16".to_owned(),
+        "File_Gamma=1.0".to_owned(),
+    ];
+    told.extend(folders.map(|folder| format!("+L{}", folder.display())));
+    let declares = task.declares.iter();
+    told.extend(declares.map(|(name, value)| format!("Declare={name}={value}")));
+    told.extend(switches.split_whitespace().map(str::to_owned));
+    let povray = Renderer {
+        program: "povray".into(),
+        version: String::new(),
+        switches: vec![format!("+WT{}", task.threads)],
+    };
+    let ended = povray
+        .draw(&compare::Picture {
+            scene: &task.scene,
+            file: &file,
+            switches: &told,
+            root: beside,
+            limit: PATIENCE,
+        })
+        .map_err(|error| {
+            CurveError::new(format!("`povray` does not run: {error}")).with_hint(
+                "install POV-Ray 3.7 (Debian: `apt-get install povray`), or leave `--povray` out",
+            )
+        })?;
+    let said = ended.stderr;
+    if !ended.status.is_some_and(|status| status.success()) {
         let last = said.lines().rev().find(|line| !line.trim().is_empty());
         return Err(CurveError::new(format!(
             "POV-Ray does not draw the scene with `{switches}`: {}",

@@ -11,6 +11,7 @@ use crate::scene::{Children, Object};
 use crate::source::{Code, Diagnostic, Span};
 use rustc_hash::FxHashMap;
 use std::fs;
+use std::path::Path;
 use std::sync::Arc;
 
 /// What a run may take, and what it has taken.
@@ -30,8 +31,8 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// All that the machine has now.
-    pub(super) fn new() -> Self {
+    /// All that the machine has now, or a part of it.
+    pub(super) fn new(part: Option<u64>) -> Self {
         Budget {
             again: 0,
             objects: 0,
@@ -39,7 +40,7 @@ impl Budget {
             shown: 0,
             shared: Shared::default(),
             unseen: 0,
-            memory: Memory::now(),
+            memory: Memory::now(part),
         }
     }
 
@@ -90,14 +91,14 @@ struct Taken {
 }
 
 impl Memory {
-    fn now() -> Self {
+    fn now(part: Option<u64>) -> Self {
         let start = Taken::now().unwrap_or_default();
         let most = address_space_limit().unwrap_or(u64::MAX);
         Memory {
             start,
             room: Taken {
                 address_space: most.saturating_sub(start.address_space),
-                resident: field("/proc/meminfo", "MemAvailable:").unwrap_or(u64::MAX),
+                resident: available().min(part.unwrap_or(u64::MAX)),
             },
         }
     }
@@ -139,6 +140,30 @@ fn address_space_limit() -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
+/// What the machine has, or the group of processes that this one is in, as a job of a cluster is.
+fn available() -> u64 {
+    let of_machine = field("/proc/meminfo", "MemAvailable:").unwrap_or(u64::MAX);
+    of_machine.min(left_to_group().unwrap_or(u64::MAX))
+}
+
+/// What is left of the least limit of the control groups (version 2) that hold this process.
+fn left_to_group() -> Option<u64> {
+    let groups = fs::read_to_string("/proc/self/cgroup").ok()?;
+    let name = groups.lines().find_map(|line| line.strip_prefix("0::/"))?;
+    let number = |folder: &Path, file: &str| -> Option<u64> {
+        let text = fs::read_to_string(folder.join(file)).ok()?;
+        text.trim().parse().ok()
+    };
+    let left = |folder: &Path| {
+        // What only caches files is given back when it is wanted.
+        let held = fs::read_to_string(folder.join("memory.stat")).ok()?;
+        let held = held.lines().find_map(|line| line.strip_prefix("anon "))?;
+        Some(number(folder, "memory.max")?.saturating_sub(held.parse().ok()?))
+    };
+    let group = Path::new("/sys/fs/cgroup").join(name);
+    group.ancestors().filter_map(left).min()
+}
+
 fn field(file: &str, name: &str) -> Option<u64> {
     kibibytes(&fs::read_to_string(file).ok()?, name)
 }
@@ -156,6 +181,10 @@ impl Reader<'_> {
         let budget = &mut self.budget;
         // What goes round costs something beside its tokens.
         budget.again += tokens as u64 + 8;
+        if self.options.stop.is_asked() {
+            return Err(self.stopped(at));
+        }
+        let budget = &mut self.budget;
         let most = self.options.patience
             + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects
             + limits::TOKENS_FOR_BYTE * self.files.written();
@@ -169,6 +198,11 @@ impl Reader<'_> {
             return Err(self.fatal(error));
         }
         self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at))
+    }
+
+    fn stopped(&mut self, at: Start) -> Box<Diagnostic> {
+        let error = Diagnostic::error(self.span_of(at), "reading was stopped here");
+        self.fatal(error)
     }
 
     /// Counts an object.
@@ -248,7 +282,7 @@ impl Reader<'_> {
         }
         let error = Diagnostic::error(at(self), "this scene needs more memory than there is")
             .with_hint("Look for a loop that does not end, or draw it on a larger machine.");
-        Err(self.fatal(error))
+        Err(self.fatal(error.with_code(Code::Memory)))
     }
 
     /// Reads a part that may hold parts of its own kind, as long as they are not too deep inside each other.
@@ -270,7 +304,8 @@ impl Reader<'_> {
     /// The error after which nothing more is read.
     fn fatal(&mut self, error: Diagnostic) -> Box<Diagnostic> {
         self.is_over = true;
-        self.with_trace(error.with_code(Code::Limit))
+        let code = error.code.unwrap_or(Code::Limit);
+        self.with_trace(error.with_code(code))
     }
 }
 

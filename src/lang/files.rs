@@ -13,7 +13,7 @@ use super::strings::general;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::output::Pending;
-use crate::source::{Diagnostic, Span};
+use crate::source::{Code, Diagnostic, Span};
 use crate::syntax::Symbol;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -161,7 +161,12 @@ impl Reader<'_> {
                 ),
             };
             let message = format!("this scene may not write to `{name}`");
-            let error = Diagnostic::error(span, message);
+            let mut error = Diagnostic::error(span, message);
+            if allowed.is_empty() {
+                // Whoever lets no scene write may draw it again and let it: what follows is of no use.
+                error.code = Some(Code::WritesFiles);
+                self.is_over = true;
+            }
             return Err(self.with_trace(error.with_hint(hint)));
         }
         Output::new(name.clone(), mode).map_err(|error| self.not_written(&name, &error, span))

@@ -25,6 +25,7 @@ mod fuzz;
 mod global_blocks;
 mod hints;
 mod includes;
+mod lexicon;
 mod light;
 mod limits;
 mod literal;
@@ -47,6 +48,7 @@ mod trace;
 mod unclosed;
 mod value;
 
+pub use lexicon::Lexicon;
 pub use probe::{Blind, Probe};
 pub use reader::Reading;
 
@@ -68,19 +70,40 @@ pub enum Heard<'a> {
 /// All findings of the run are given, errors as far as reading can go on behind them.
 #[must_use]
 pub fn evaluate(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
-    evaluate_with(file, sources, options, &mut Blind, &mut |_| {})
+    let texts = Texts {
+        scene: file,
+        sources,
+        lexicon: None,
+    };
+    evaluate_with(texts, options, &mut Blind, &mut |_| {})
+}
+
+/// A scene to read, among the texts it is one of.
+#[derive(Debug)]
+pub struct Texts<'a> {
+    /// The scene.
+    pub scene: FileId,
+    /// Its own text; files that it includes are searched and added there.
+    pub sources: &'a mut Sources,
+    /// What an earlier reading with a copy of these sources left, and where this one leaves what it makes; `None` for
+    /// a scene that is read once.
+    pub lexicon: Option<&'a mut Lexicon>,
 }
 
 /// As [`evaluate`]; `probe` answers what the scene asks about its own objects, and `listener` is told what is found,
 /// and what the scene writes, as soon as that happens.
 pub fn evaluate_with(
-    file: FileId,
-    sources: &mut Sources,
+    texts: Texts<'_>,
     options: &ReadOptions,
     probe: &mut dyn Probe,
     listener: &mut dyn FnMut(Heard<'_>),
 ) -> Reading {
-    match Reader::new(file, sources, options, probe, listener) {
+    let Texts {
+        scene,
+        sources,
+        lexicon,
+    } = texts;
+    match Reader::new(scene, sources, lexicon, options, probe, listener) {
         Ok(mut reader) => {
             reader.enter_header();
             reader.statements();
@@ -95,6 +118,7 @@ pub fn evaluate_with(
                 findings,
                 messages: String::new(),
                 undrawn: Vec::new(),
+                has_learnt: false,
                 dependencies: sources.dependencies().to_vec(),
             }
         }

@@ -5,6 +5,7 @@ use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place, Start};
 use super::declare::Deprecation;
 use super::files::Files;
+use super::lexicon::Lexicon;
 use super::limits;
 use super::probe::Probe;
 use super::replay::{Recording, Replays};
@@ -17,7 +18,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
 use crate::scene::{Background, Globals, Object, Scene};
-use crate::source::{Dependency, Diagnostic, FileId, Severity, Sources, Span};
+use crate::source::{Code, Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize_around_data};
 use crate::texture::{Layer, Texture};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -31,6 +32,9 @@ pub(super) struct Reader<'a> {
     pub(super) probe: &'a mut dyn Probe,
     listener: &'a mut dyn FnMut(Heard<'_>),
     pub(super) names: Names,
+    lexicon: Option<&'a mut Lexicon>,
+    scene: FileId,
+    /// The tokens of all files read so far, the scene's own among them.
     tokenized: FxHashMap<FileId, Rc<Tokens>>,
     /// Where reading goes on.
     pub(super) here: Place,
@@ -105,6 +109,8 @@ pub struct Reading {
     pub undrawn: Vec<Diagnostic>,
     /// The files that were read or asked for: if one of them changes, appears or goes, so may the picture.
     pub dependencies: Vec<Dependency>,
+    /// Whether the lexicon holds more than before.
+    pub has_learnt: bool,
 }
 
 const NO_ROOM: &str = "this file needs more memory than there is";
@@ -116,26 +122,41 @@ const DAYS_1970_TO_2000: f64 = 10957.0;
 impl<'a> Reader<'a> {
     /// A reader at the start of a file.
     pub(super) fn new(
-        file: FileId,
+        scene: FileId,
         sources: &'a mut Sources,
+        lexicon: Option<&'a mut Lexicon>,
         options: &'a ReadOptions,
         probe: &'a mut dyn Probe,
         listener: &'a mut dyn FnMut(Heard<'_>),
     ) -> Result<Self, Vec<Diagnostic>> {
-        let budget = Budget::new();
-        if !budget.has_room_for(sources.text(file)) {
-            let span = Span::new(file, 0, 0);
-            return Err(vec![Diagnostic::error(span, NO_ROOM)]);
+        let budget = Budget::new(options.memory);
+        if !budget.has_room_for(sources.text(scene)) {
+            let span = Span::new(scene, 0, 0);
+            return Err(vec![
+                Diagnostic::error(span, NO_ROOM).with_code(Code::Memory),
+            ]);
         }
-        let mut names = Names::new();
-        let tokens = Rc::new(tokenize_around_data(file, sources.text(file), &mut names)?);
+        let (mut names, known) = match &lexicon {
+            Some(lexicon) => (lexicon.names.clone(), lexicon.tokens(scene)),
+            None => (Names::new(), None),
+        };
+        let tokens = match known {
+            Some(tokens) => tokens,
+            None => Rc::new(tokenize_around_data(
+                scene,
+                sources.text(scene),
+                &mut names,
+            )?),
+        };
         let mut reader = Reader {
             sources,
             options,
             probe,
             listener,
             names,
-            tokenized: FxHashMap::default(),
+            lexicon,
+            scene,
+            tokenized: FxHashMap::from_iter([(scene, Rc::clone(&tokens))]),
             last: Place {
                 tokens: Rc::clone(&tokens),
                 at: 0,
@@ -216,7 +237,12 @@ impl<'a> Reader<'a> {
         }
         if !self.budget.has_room_for(self.sources.text(file)) {
             self.is_over = true;
-            return Err(self.error_taken(NO_ROOM));
+            return Err(Box::new(self.error_taken(NO_ROOM).with_code(Code::Memory)));
+        }
+        let known = self.lexicon.as_ref();
+        if let Some(tokens) = known.and_then(|lexicon| lexicon.tokens(file)) {
+            self.tokenized.insert(file, Rc::clone(&tokens));
+            return Ok(tokens);
         }
         match tokenize_around_data(file, self.sources.text(file), &mut self.names) {
             Ok(tokens) => {
@@ -282,6 +308,10 @@ impl<'a> Reader<'a> {
             self.close_files();
         }
         self.doubt_the_whole();
+        let has_learnt = self.lexicon.take().is_some_and(|lexicon| {
+            let names = std::mem::take(&mut self.names);
+            lexicon.learn(names, &self.tokenized, self.sources, self.scene)
+        });
         let version = if self.has_version {
             self.version
         } else {
@@ -305,6 +335,7 @@ impl<'a> Reader<'a> {
             messages: self.messages,
             undrawn: self.undrawn,
             dependencies: self.sources.dependencies().to_vec(),
+            has_learnt,
         }
     }
 }
@@ -346,7 +377,7 @@ impl Reader<'_> {
             )
         };
         let tokens = &self.here.tokens.tokens;
-        !self.tokenized.is_empty() || tokens.iter().any(|token| token.word().is_some_and(glows))
+        self.tokenized.len() > 1 || tokens.iter().any(|token| token.word().is_some_and(glows))
     }
 }
 

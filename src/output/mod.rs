@@ -174,10 +174,17 @@ pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputErr
 /// # Errors
 /// When the format cannot hold the picture, or the system refuses to write.
 pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<(), OutputError> {
-    let bytes = encode(film, options)?;
+    put(&encode(film, options)?, target)
+}
+
+/// Writes the bytes of a file, as [`write`] does.
+///
+/// # Errors
+/// When the system refuses to write.
+pub fn put(bytes: &[u8], target: &Target) -> Result<(), OutputError> {
     let written = match target {
-        Target::File(path) => place::replace(path, &bytes),
-        Target::Stdout => to_stdout(&bytes),
+        Target::File(path) => place::replace(path, bytes),
+        Target::Stdout => to_stdout(bytes),
     };
     written.map_err(|source| OutputError::Write {
         target: target.clone(),

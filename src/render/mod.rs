@@ -2,6 +2,9 @@
 
 mod antialias;
 mod converge;
+mod unfinished;
+
+pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, Scratch, World};
 use crate::film::{Film, Pixel};
@@ -10,6 +13,7 @@ use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;
 use std::ops::Range;
+use unfinished::Piece;
 
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
@@ -35,16 +39,25 @@ pub struct Drawn {
 type Pixels = (Vec<Pixel>, Rays);
 
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
-/// The picture is the same for any number of threads, unless it is to be stopped at some time.
+/// The picture is the same for any number of threads, unless it is to be stopped at some time; and the same if a part
+/// of it is `unfinished` from an earlier run.
 #[must_use]
-pub fn render(world: &World, options: &RenderOptions, progress: &(dyn Fn(u64) + Sync)) -> Drawn {
-    let tracer = Tracer::new(world, options.quality);
+pub fn render(
+    world: &World,
+    options: &RenderOptions,
+    unfinished: Option<&Unfinished>,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Drawn {
+    let tracer = Tracer::new(world, options.quality).until(&options.stop);
     if let Sampling::Converging(how) = &options.sampling {
-        return converge::draw(&tracer, options, how, progress);
+        return converge::draw(&tracer, options, how, unfinished, progress);
     }
     let tiles = tiles(options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
-        let drawn = draw_tile(&tracer, tile, options, scratch);
+        let drawn = match unfinished {
+            Some(unfinished) => kept_tile(unfinished, &tracer, tile, options, scratch),
+            None => draw_tile(&tracer, tile, options, scratch),
+        };
         progress(drawn.1.0.len() as u64);
         drawn
     };
@@ -96,6 +109,41 @@ fn tiles(options: &RenderOptions) -> Vec<Tile> {
         .collect()
 }
 
+/// A tile of an unfinished picture: what is there, or what is drawn and kept.
+fn kept_tile(
+    unfinished: &Unfinished,
+    tracer: &Tracer<'_>,
+    tile: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> (Tile, Pixels) {
+    let wanted = wanted(tile, options);
+    if let Some(piece) = unfinished.piece(&wanted.columns, &wanted.rows) {
+        return (wanted, (piece.pixels.clone(), Rays::default()));
+    }
+    let (tile, (pixels, rays)) = draw_tile(tracer, tile, options, scratch);
+    let piece = Piece {
+        columns: tile.columns.clone(),
+        rows: tile.rows.clone(),
+        pixels,
+        errors: Vec::new(),
+        samples: 0,
+    };
+    // What was stopped in the middle is not finished.
+    if !options.stop.is_asked() {
+        unfinished.keep(&piece);
+    }
+    (tile, (piece.pixels, rays))
+}
+
+/// The part of a tile that is to be drawn.
+fn wanted(tile: &Tile, options: &RenderOptions) -> Tile {
+    Tile {
+        columns: shared(&tile.columns, &options.columns),
+        rows: shared(&tile.rows, &options.rows),
+    }
+}
+
 /// The pixels of a tile that are to be drawn, row by row.
 fn draw_tile(
     tracer: &Tracer<'_>,
@@ -103,10 +151,7 @@ fn draw_tile(
     options: &RenderOptions,
     scratch: &mut BlockScratch,
 ) -> (Tile, Pixels) {
-    let wanted = Tile {
-        columns: shared(&tile.columns, &options.columns),
-        rows: shared(&tile.rows, &options.rows),
-    };
+    let wanted = wanted(tile, options);
     let pixels = match &options.sampling {
         Sampling::Centres | Sampling::Converging(_) => {
             draw_blocks(tracer, &wanted, options, scratch)

@@ -1,10 +1,9 @@
 //! Files that a scene names and that are no text: pictures, fonts.
 
 use super::files::read_limited;
-use super::search::{first, not_found};
+use super::search::not_found;
 use super::{Diagnostic, FileId, Sources};
 use std::fs;
-use std::path::Path;
 use std::sync::Arc;
 
 impl Sources {
@@ -22,13 +21,10 @@ impl Sources {
     ) -> Result<Arc<[u8]>, Box<Diagnostic>> {
         let folders = self.folders(including_file);
         let endings: Vec<&str> = [""].iter().chain(endings).copied().collect();
-        let found = self
-            .own_file(name)
-            .or_else(|| first(name, &folders, &endings));
-        self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
-        let Some(path) = found else {
+        let Some(path) = self.search(name, &folders, &endings) else {
             return Err(Box::new(not_found(what, name, &folders)));
         };
+        self.note(&path, true);
         let cannot_read = |why: &dyn std::fmt::Display| {
             let name = path.display();
             Box::new(Diagnostic::error(

@@ -35,6 +35,10 @@ pub enum Code {
     MissingFile,
     /// The scene itself says so, by `#error` or `#warning`.
     Author,
+    /// The scene writes files, and this run lets scenes write none.
+    WritesFiles,
+    /// The scene needs more memory than there is.
+    Memory,
     /// The scene needs more time, memory or depth than it may take.
     Limit,
 }

@@ -3,7 +3,8 @@
 //! A file is read once, by whatever path it is named. Its bytes become a text by the rules of `text`: UTF-8 as it is,
 //! other bytes as Latin-1. All offsets count bytes of that text.
 
-use super::search::{first_file, first_include, not_found};
+use super::dependency::Asked;
+use super::search::{INCLUDES, not_found};
 use super::text::decode;
 use super::{Diagnostic, FileId, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,28 +23,21 @@ const MAX_STREAM_BYTES: u64 = 1 << 28;
 const SMALL_FILE_BYTES: u64 = 1 << 20;
 
 /// The texts of one run, by their [`FileId`].
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Sources {
     library_paths: Vec<PathBuf>,
     texts: Vec<Source>,
-    by_path: FxHashMap<PathBuf, FileId>,
+    pub(super) by_path: FxHashMap<PathBuf, FileId>,
     /// Files that the scene wrote itself.
-    written: FxHashSet<PathBuf>,
-    dependencies: Vec<Dependency>,
+    pub(super) written: FxHashSet<PathBuf>,
+    pub(super) asked: Asked,
+    /// Files that an earlier run has read and this one has not asked for.
+    pub(super) of_earlier_run: FxHashSet<FileId>,
     /// Files that are no text, by their canonical paths.
     pub(super) data: FxHashMap<PathBuf, Arc<[u8]>>,
 }
 
-/// A file whose content or whose presence matters to the picture.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Dependency {
-    /// The path by which it was found; the name that the scene gives where there is no such file.
-    pub path: PathBuf,
-    /// Whether it was there.
-    pub is_there: bool,
-}
-
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Source {
     name: String,
     path: Option<PathBuf>,
@@ -77,6 +71,9 @@ impl Sources {
         };
         let canonical = fs::canonicalize(path).map_err(cannot_read)?;
         if let Some(&file) = self.by_path.get(&canonical) {
+            if self.of_earlier_run.remove(&file) {
+                self.note(path, true);
+            }
             return Ok(file);
         }
         let Some(bytes) = read_limited(path).map_err(cannot_read)? else {
@@ -120,7 +117,7 @@ impl Sources {
         name: &str,
         including_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
-        self.find("the include file", name, including_file, first_include)
+        self.find("the include file", name, including_file, &INCLUDES)
     }
 
     /// The file that `#fopen F "name" read` means: searched like an include file, but by its name alone.
@@ -132,7 +129,7 @@ impl Sources {
         name: &str,
         reading_file: FileId,
     ) -> Result<FileId, Box<Diagnostic>> {
-        self.find("the file", name, reading_file, first_file)
+        self.find("the file", name, reading_file, &[""])
     }
 
     fn find(
@@ -140,25 +137,23 @@ impl Sources {
         what: &str,
         name: &str,
         from: FileId,
-        first: impl Fn(&str, &[PathBuf]) -> Option<PathBuf>,
+        endings: &[&str],
     ) -> Result<FileId, Box<Diagnostic>> {
         let folders = self.folders(from);
-        match self.own_file(name).or_else(|| first(name, &folders)) {
+        match self.search(name, &folders, endings) {
             Some(path) => self.load_file(path),
-            None => {
-                self.note(Path::new(name), false);
-                Err(Box::new(not_found(what, name, &folders)))
-            }
+            None => Err(Box::new(not_found(what, name, &folders))),
         }
     }
 
     /// Whether there is a file that `#fopen F "name" read` would mean.
     #[must_use]
     pub fn has_data(&mut self, name: &str, asking_file: FileId) -> bool {
-        let found = self
-            .own_file(name)
-            .or_else(|| first_file(name, &self.folders(asking_file)));
-        self.note(found.as_deref().unwrap_or(Path::new(name)), found.is_some());
+        let folders = self.folders(asking_file);
+        let found = self.search(name, &folders, &[""]);
+        if let Some(path) = &found {
+            self.note(path, true);
+        }
         found.is_some()
     }
 
@@ -178,24 +173,6 @@ impl Sources {
         }
         let path = fs::canonicalize(name).ok()?;
         self.written.contains(&path).then(|| PathBuf::from(name))
-    }
-
-    /// The files that were read or asked for, each once, without those that the scene wrote itself: if one of them
-    /// changes, appears or goes, the picture may change.
-    #[must_use]
-    pub fn dependencies(&self) -> &[Dependency] {
-        &self.dependencies
-    }
-
-    pub(super) fn note(&mut self, path: &Path, is_there: bool) {
-        let is_own = fs::canonicalize(path).is_ok_and(|path| self.written.contains(&path));
-        let dependency = Dependency {
-            path: path.to_owned(),
-            is_there,
-        };
-        if !is_own && !self.dependencies.contains(&dependency) {
-            self.dependencies.push(dependency);
-        }
     }
 
     /// The include file of the library that declares a name, if one of the first `most` files does.
@@ -303,6 +280,11 @@ impl Sources {
     fn lines(&self, file: FileId) -> &[u32] {
         let source = self.source(file);
         source.lines.get_or_init(|| line_starts(&source.text))
+    }
+
+    /// All texts, in the order in which they were read.
+    pub(super) fn all_texts(&self) -> impl Iterator<Item = &str> {
+        self.texts.iter().map(|source| source.text.as_str())
     }
 
     fn source(&self, file: FileId) -> &Source {

@@ -5,26 +5,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What POV-Ray appends to the name of an include file that it does not find.
-const EXTENSIONS: [&str; 3] = ["", ".inc", ".INC"];
+pub(super) const INCLUDES: [&str; 3] = ["", ".inc", ".INC"];
 
-/// The first file of this name, or with an extension of include files, in the folders.
-pub(super) fn first_include(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
-    first(name, folders, &EXTENSIONS)
-}
-
-/// The first file of just this name in the folders.
-pub(super) fn first_file(name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
-    first(name, folders, &EXTENSIONS[..1])
-}
-
-pub(super) fn first(name: &str, folders: &[PathBuf], extensions: &[&str]) -> Option<PathBuf> {
-    let paths = folders.iter().flat_map(|folder| {
-        let named = |extension: &&str| folder.join(format!("{name}{extension}"));
-        extensions.iter().map(named)
-    });
-    // A folder may have the name of a file; a pipe is a file here.
-    let mut paths = paths;
-    paths.find(|path| fs::metadata(path).is_ok_and(|found| !found.is_dir()))
+/// Where a file is looked for, in this order.
+pub(super) fn places(
+    name: &str,
+    folders: &[PathBuf],
+    endings: &[&str],
+) -> impl Iterator<Item = PathBuf> {
+    folders.iter().flat_map(move |folder| {
+        let named = move |ending: &&str| folder.join(format!("{name}{ending}"));
+        endings.iter().map(named)
+    })
 }
 
 /// What to say about a file that is nowhere; `what` is "the include file" or the like.
@@ -75,7 +67,7 @@ fn other_cases(name: &str, folders: &[PathBuf]) -> Vec<(PathBuf, String)> {
         Some(slash) => name.split_at(slash + 1),
         None => ("", name),
     };
-    let wanted = EXTENSIONS.map(|extension| format!("{last}{extension}").to_lowercase());
+    let wanted = INCLUDES.map(|extension| format!("{last}{extension}").to_lowercase());
     let mut found = Vec::new();
     for folder in folders {
         let folder = folder.join(inner);

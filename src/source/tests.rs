@@ -38,9 +38,10 @@ fn a_file_is_read_once() {
     assert_eq!(first, again);
     sources.find_include("sub/b", first).unwrap();
     sources.find_include("sub/b.inc", first).unwrap();
-    let read = ["a.pov", "sub/b.inc"].map(|name| Dependency {
+    let read = [("a.pov", true), ("sub/b", false), ("sub/b.inc", true)];
+    let read = read.map(|(name, is_there)| Dependency {
         path: folder.path().join(name),
-        is_there: true,
+        is_there,
     });
     assert_eq!(sources.dependencies(), read);
 }
@@ -73,6 +74,7 @@ fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
     let expected = [
         ("none", false),
         ("data.txt", true),
+        ("own", false),
         ("own.inc", true),
         ("made", false),
     ];

@@ -11,6 +11,7 @@ mod names;
 mod scan;
 mod stretch;
 mod token;
+mod whole;
 mod word;
 
 #[cfg(test)]
@@ -21,4 +22,5 @@ pub use names::{Names, Symbol};
 pub use scan::number;
 pub use stretch::{behind_more, more_from, tokenize_more};
 pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
+pub use whole::Whole;
 pub use word::{Class, Word};

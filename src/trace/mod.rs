@@ -22,6 +22,7 @@ use crate::color::Rgb;
 use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Surface, Way, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
+use crate::options::Stop;
 use air::Air;
 pub use block::{BLOCK, BlockScratch};
 use smallvec::SmallVec;
@@ -99,6 +100,7 @@ pub struct Tracer<'w> {
     around_camera: Inside,
     background: Background,
     reflected_background: Background,
+    stop: Stop,
 }
 
 impl<'w> Tracer<'w> {
@@ -128,6 +130,16 @@ impl<'w> Tracer<'w> {
             around_camera,
             background,
             reflected_background,
+            stop: Stop::default(),
+        }
+    }
+
+    /// The same, which sees nothing more as soon as it is to stop.
+    #[must_use]
+    pub fn until(self, stop: &Stop) -> Self {
+        Tracer {
+            stop: stop.clone(),
+            ..self
         }
     }
 
@@ -235,7 +247,9 @@ impl<'w> Tracer<'w> {
 
     fn is_worth(&self, path: &Path) -> bool {
         let globals = &self.world.globals;
-        path.level < globals.max_trace_level && path.weight >= globals.adc_bailout
+        path.level < globals.max_trace_level
+            && path.weight >= globals.adc_bailout
+            && !self.stop.is_asked()
     }
 
     /// What a ray sees that meets nothing.

@@ -6,8 +6,7 @@
 //! the texts anew, to be read before they are kept: is the place right, is the cause named, is there something to do,
 //! is nothing said twice?
 
-#[path = "../support/process.rs"]
-mod process;
+use povr::compare as process;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use povr::lang::evaluate;

@@ -7,9 +7,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-pub(crate) mod process;
+pub(crate) mod browser;
 
-pub(crate) use process::run;
+pub(crate) use povr::compare::run;
 
 /// The folder of the project's own scenes.
 pub(crate) const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/pov_scenes");

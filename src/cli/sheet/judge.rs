@@ -1,21 +1,24 @@
 //! POV-Ray's picture beside ours.
 
 use std::fmt;
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::path::{Path, absolute};
+use std::time::Duration;
 
 use super::failed;
 use crate::cli::error::CliError;
 use crate::cli::modern::Size;
-use crate::compare::compare;
+use crate::compare::{Picture, Renderer, compare};
 
 /// The folder of POV-Ray's pictures, in that of the sheet.
 const FOLDER: &str = "povray";
 /// So many percent of the pixels are to be right within one step.
 const LEAST: f64 = 99.5;
+/// The pictures of a sheet take POV-Ray a second.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 /// POV-Ray, found on this machine.
-pub(super) struct Judge;
+#[derive(Debug)]
+pub(super) struct Judge(Renderer);
 
 /// What POV-Ray says to a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,10 +39,7 @@ pub(super) enum Verdict {
 impl Judge {
     /// POV-Ray, if it is installed.
     pub(super) fn find() -> Option<Self> {
-        let mut command = Command::new("povray");
-        command.arg("--version").stdout(Stdio::null());
-        let status = command.stderr(Stdio::null()).status().ok()?;
-        status.success().then_some(Judge)
+        Renderer::povray().ok().map(Judge)
     }
 
     /// Compares the picture of a scene in a folder with POV-Ray's.
@@ -51,20 +51,25 @@ impl Judge {
     ) -> Result<Verdict, CliError> {
         let theirs = folder.join(FOLDER).join(format!("{name}.png"));
         super::make_folder(&folder.join(FOLDER))?;
-        let mut command = Command::new("povray");
-        command
-            .current_dir(folder)
-            .arg(format!("+I{name}.pov"))
-            .arg(format!("+O{FOLDER}/{name}.png"))
-            .args([format!("+W{}", size.0), format!("+H{}", size.1)])
-            .args(["-A", "-D", "+WT1"])
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null());
-        let status = command
-            .status()
+        let place = |path: &Path| absolute(path).map_err(|error| failed("find", path, &error));
+        let root = place(folder)?;
+        let ended = self
+            .0
+            .draw(&Picture {
+                scene: &root.join(format!("{name}.pov")),
+                file: &place(&theirs)?,
+                switches: &[
+                    format!("+W{}", size.0),
+                    format!("+H{}", size.1),
+                    format!("+L{}", root.display()),
+                    "-A".to_owned(),
+                    "-D".to_owned(),
+                ],
+                root: &root,
+                limit: PATIENCE,
+            })
             .map_err(|error| failed("run", Path::new("povray"), &error))?;
-        if !status.success() {
+        if !ended.status.is_some_and(|status| status.success()) {
             return Ok(Verdict::NoPicture);
         }
         let open = |path: &Path| image::open(path).map_err(|error| failed("read", path, &error));

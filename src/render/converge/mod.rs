@@ -15,7 +15,7 @@ mod look;
 #[cfg(test)]
 mod tests;
 
-use super::Drawn;
+use super::{Drawn, Piece, Unfinished};
 use crate::compile::Rays;
 use crate::film::Film;
 use crate::options::{Converging, Reached, RenderOptions};
@@ -27,6 +27,8 @@ use std::time::Instant;
 
 /// So many pixels are sampled together at most: their samples take 100 to 300 bytes each.
 const BAND_PIXELS: u32 = 1 << 18;
+/// Rows of a band of a picture that is gone on with: what is lost by an interruption.
+const ROWS_KEPT: u32 = 64;
 /// Rows of a band where there is a time limit: what is begun is mostly finished.
 const ROWS_IN_TIME: u32 = 32;
 /// The error of the first drawing where there is a time limit, and by how much it falls from one to the next.
@@ -41,6 +43,7 @@ pub(super) fn draw(
     tracer: &Tracer<'_>,
     options: &RenderOptions,
     how: &Converging,
+    unfinished: Option<&Unfinished>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
     let deadline = how.time.and_then(|time| Instant::now().checked_add(time));
@@ -67,8 +70,23 @@ pub(super) fn draw(
     match deadline {
         None => {
             let target = Target::new(error / STEPS, None);
-            for rows in drawing.bands(drawing.rows_together()) {
+            let mut missing = vec![drawing.rows.clone()];
+            for piece in unfinished.map_or(&[][..], Unfinished::pieces) {
+                if drawing.take(piece) {
+                    progress(piece.pixels.len() as u64);
+                    missing = without(&missing, &piece.rows);
+                }
+            }
+            let continues = options.keep.as_ref().is_some_and(|keep| keep.continues);
+            let height = match continues {
+                true => drawing.rows_together().min(ROWS_KEPT),
+                false => drawing.rows_together(),
+            };
+            for rows in missing.iter().flat_map(|rows| bands(rows, height)) {
                 drawing.draw(&rows, target, progress);
+                if let Some(unfinished) = unfinished.filter(|_| !options.stop.is_asked()) {
+                    unfinished.keep(&drawing.piece(&rows));
+                }
             }
         }
         Some(deadline) => drawing.draw_in_time(error, deadline, progress),
@@ -99,26 +117,57 @@ impl Drawing<'_> {
         (BAND_PIXELS / width.max(1)).max(MARGIN)
     }
 
-    fn bands(&self, height: u32) -> Vec<Range<u32>> {
-        let end = self.rows.end;
-        self.rows
-            .clone()
-            .step_by(height as usize)
-            .map(|top| top..(top + height).min(end))
-            .collect()
+    /// What has been drawn of some rows, to be kept.
+    fn piece(&self, rows: &Range<u32>) -> Piece {
+        let (wide, width) = (self.columns.len(), self.eye.size.0 as usize);
+        let first = (rows.start - self.rows.start) as usize * wide;
+        let columns = self.columns.start as usize..self.columns.end as usize;
+        let lines = rows.clone().map(|y| y as usize * width);
+        Piece {
+            columns: self.columns.clone(),
+            rows: rows.clone(),
+            pixels: lines
+                .flat_map(|line| &self.film.pixels[line + columns.start..line + columns.end])
+                .copied()
+                .collect(),
+            errors: self.errors[first..first + rows.len() * wide].to_vec(),
+            samples: self.samples,
+        }
+    }
+
+    /// Takes what an earlier run has drawn, if it is all of some rows.
+    fn take(&mut self, piece: &Piece) -> bool {
+        let wide = self.columns.len();
+        let count = wide * piece.rows.len();
+        let is_whole = piece.columns == self.columns
+            && self.rows.start <= piece.rows.start
+            && piece.rows.end <= self.rows.end
+            && (piece.pixels.len(), piece.errors.len()) == (count, count);
+        if !is_whole {
+            return false;
+        }
+        let first = (piece.rows.start - self.rows.start) as usize * wide;
+        self.errors[first..first + count].copy_from_slice(&piece.errors);
+        for (y, line) in piece.rows.clone().zip(piece.pixels.chunks(wide.max(1))) {
+            let at = y as usize * self.eye.size.0 as usize + self.columns.start as usize;
+            self.film.pixels[at..at + wide].copy_from_slice(line);
+        }
+        // Every piece tells of all samples up to its own.
+        self.samples = self.samples.max(piece.samples);
+        true
     }
 
     /// Draws for smaller and smaller errors until the time is over.
     fn draw_in_time(&mut self, error: f64, deadline: Instant, progress: &(dyn Fn(u64) + Sync)) {
         let mut aim = FIRST_ERROR.max(error);
         // The first drawing is finished whatever it takes: there must be a picture.
-        for rows in self.bands(self.rows_together()) {
+        for rows in bands(&self.rows, self.rows_together()) {
             self.draw(&rows, Target::new(aim / STEPS, None), progress);
         }
         while aim > error && Instant::now() < deadline {
             aim = (aim * FALL).max(error);
             let target = Target::new(aim / STEPS, Some(deadline));
-            let mut bands = self.bands(ROWS_IN_TIME);
+            let mut bands = bands(&self.rows, ROWS_IN_TIME);
             bands.sort_by(|a, b| self.error_of(b).total_cmp(&self.error_of(a)));
             for rows in bands {
                 if Instant::now() >= deadline {
@@ -175,4 +224,24 @@ impl Drawing<'_> {
             samples: self.samples,
         }
     }
+}
+
+/// Rows in bands of some height, from the top.
+fn bands(rows: &Range<u32>, height: u32) -> Vec<Range<u32>> {
+    let end = rows.end;
+    rows.clone()
+        .step_by(height as usize)
+        .map(|top| top..(top + height).min(end))
+        .collect()
+}
+
+/// What is left of some ranges of rows without others.
+fn without(ranges: &[Range<u32>], taken: &Range<u32>) -> Vec<Range<u32>> {
+    let parts = ranges.iter().flat_map(|rows| {
+        [
+            rows.start..rows.end.min(taken.start).max(rows.start),
+            rows.start.max(taken.end).min(rows.end)..rows.end,
+        ]
+    });
+    parts.filter(|part| !part.is_empty()).collect()
 }

@@ -1,0 +1,122 @@
+//! The scenes of a folder and of the folders inside it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+
+use super::BatchError;
+
+/// Folders inside folders are searched so deep.
+const DEEPEST: usize = 64;
+
+/// Which of the files below a folder are meant.
+#[derive(Clone, Debug, Default)]
+pub struct Globs {
+    /// Only these, if there are any.
+    only: Option<GlobSet>,
+    except: GlobSet,
+}
+
+impl Globs {
+    /// Files whose paths below their folder match one of `only`, or all if it is empty, but none of `except`. `*` does
+    /// not go past a `/`, `**` does. A pattern without `/` is about the name of a file, or of a folder with all in it.
+    ///
+    /// # Errors
+    /// When a pattern has no sense.
+    pub fn new(only: &[String], except: &[String]) -> Result<Self, BatchError> {
+        Ok(Globs {
+            only: (!only.is_empty()).then(|| set(only)).transpose()?,
+            except: set(except)?,
+        })
+    }
+
+    /// Whether a file is meant, by its path below its folder.
+    #[must_use]
+    pub fn has(&self, path: &Path) -> bool {
+        let is_in = |set: &GlobSet| {
+            path.ancestors()
+                .any(|part| set.is_match(part) || part.file_name().is_some_and(|n| set.is_match(n)))
+        };
+        self.only.as_ref().is_none_or(is_in) && !is_in(&self.except)
+    }
+}
+
+fn set(patterns: &[String]) -> Result<GlobSet, BatchError> {
+    let mut builder = GlobSetBuilder::new();
+    for pattern in patterns {
+        let text = pattern.strip_prefix("./").unwrap_or(pattern);
+        let glob = GlobBuilder::new(text.trim_end_matches('/'))
+            .literal_separator(true)
+            .build();
+        builder.add(glob.map_err(|error| {
+            BatchError::new(format!("`{pattern}` is no pattern: {}", error.kind()))
+        })?);
+    }
+    builder
+        .build()
+        .map_err(|error| BatchError::new(format!("these patterns are too much: {error}")))
+}
+
+/// The files with the ending `.pov` in a folder and the folders inside it, sorted. Folders whose names begin with a dot
+/// are not searched.
+///
+/// # Errors
+/// When a folder cannot be read.
+pub fn scenes_below(folder: &Path) -> Result<Vec<PathBuf>, BatchError> {
+    let mut found = Vec::new();
+    search(folder, DEEPEST, &mut found)?;
+    Ok(found)
+}
+
+fn search(folder: &Path, depth: usize, to: &mut Vec<PathBuf>) -> Result<(), BatchError> {
+    let cannot_read = |error| BatchError::of_file("read", folder, &error);
+    let mut entries: Vec<PathBuf> = Vec::new();
+    for entry in fs::read_dir(folder).map_err(cannot_read)? {
+        entries.push(entry.map_err(cannot_read)?.path());
+    }
+    entries.sort();
+    for path in entries {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        // A link to a folder may lead back to where it stands.
+        if path.is_dir() && !path.is_symlink() && depth > 0 && !name.starts_with('.') {
+            search(&path, depth - 1, to)?;
+        } else if name.to_ascii_lowercase().ends_with(".pov") && path.is_file() {
+            to.push(path);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patterns_are_about_names_or_paths() {
+        for (only, except, path, expected) in [
+            ("", "", "a/b.pov", true),
+            ("b*.pov", "", "a/b.pov", true),
+            ("a/*.pov", "", "a/b.pov", true),
+            ("*/c.pov", "", "a/b/c.pov", false),
+            ("**/c.pov", "", "a/b/c.pov", true),
+            ("./a", "", "a/b/c.pov", true),
+            ("", "old/", "a/old/c.pov", false),
+            ("", "a/old", "b/old/c.pov", true),
+            ("", "*_test.pov", "a/x_test.pov", false),
+            ("a/**", "**/b*", "a/b.pov", false),
+        ] {
+            let list = |text: &str| match text {
+                "" => Vec::new(),
+                text => vec![text.to_owned()],
+            };
+            let globs = Globs::new(&list(only), &list(except)).unwrap();
+            assert_eq!(
+                globs.has(Path::new(path)),
+                expected,
+                "{only} {except} {path}"
+            );
+        }
+        assert!(Globs::new(&["[".to_owned()], &[]).is_err());
+    }
+}

@@ -1,0 +1,223 @@
+//! Drawing an animation: its frames one after the other, or side by side.
+//!
+//! What is said of the frames and the order of their files are those of one after the other. The first frame that
+//! cannot be drawn ends the animation, as in POV-Ray: the frames before it are there, those behind it are not.
+
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+
+use super::draw::{Draw, pixels, progress_kind, refused, reporter, tell_statistics, told};
+use super::error::CliError;
+use super::frames::Frames;
+use super::progress::Progress;
+use super::report::{Reporter, say};
+use super::settings::Settings;
+use crate::Series;
+use crate::batch::{Told, in_order};
+use crate::options::{Event, Failure, Input, Listen, Picture, Sampling, Statistics};
+use crate::output::{self, EncodeOptions, OutputError, Target};
+use crate::source::Code;
+
+/// Frames are drawn side by side only as far as their films have no more pixels together: 2 GiB.
+const MOST_PIXELS: u64 = 1 << 27;
+
+/// Draws the frames.
+pub(super) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliError> {
+    let pool = match settings.render.threads {
+        None => None,
+        Some(threads) => match crate::pool(threads, &|event| reporter(settings).hear(event)) {
+            Ok(pool) => Some(Arc::new(pool)),
+            Err(_) => return Ok(ExitCode::FAILURE),
+        },
+    };
+    let series = Series::new(pool);
+    carry_out(settings, frames, &|input, read, render, listen| {
+        series.draw(input, read, render, listen)
+    })
+}
+
+/// A run over frames.
+struct Run<'a> {
+    settings: &'a Settings,
+    frames: &'a Frames,
+    input: Input,
+    draw: &'a Draw<'a>,
+    reporter: Reporter,
+    progress: Progress,
+}
+
+/// A frame whose file is ready to be written.
+struct Drawn {
+    bytes: Option<Result<Vec<u8>, OutputError>>,
+    statistics: Statistics,
+}
+
+/// Whether a scene may write files.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Writing {
+    Allowed,
+    /// It would come between frames that are read at the same time.
+    Refused,
+}
+
+/// Why frames are not drawn on side by side.
+enum End {
+    /// This one, counted from the first, writes files.
+    WritesFiles(usize),
+    Failed,
+    CannotWrite(CliError),
+}
+
+/// Draws the frames and writes them.
+///
+/// # Errors
+/// When the scene cannot be had, or a picture cannot be written. A faulty scene has been told of.
+fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
+    let numbers = frames.numbers();
+    let total = pixels(&settings.render) * numbers.len() as u64;
+    let run = Run {
+        settings,
+        frames,
+        input: settings.scene.input()?,
+        draw,
+        reporter: reporter(settings),
+        progress: Progress::new(progress_kind(settings.talk), total),
+    };
+    let done = run.all(&numbers);
+    run.progress.finish();
+    run.reporter.take_counts();
+    done
+}
+
+impl Run<'_> {
+    fn all(&self, numbers: &[u32]) -> Result<ExitCode, CliError> {
+        let workers = self.workers();
+        let mut at = 0;
+        // A scene that writes files may read in a frame what it has written in an earlier one.
+        let mut is_alone = true;
+        while at < numbers.len() {
+            if at == 0 || is_alone {
+                let writes = AtomicBool::new(false);
+                let done = self.draw(numbers[at], Writing::Allowed, &|event| {
+                    if let Event::Read { wrote_files, .. } = event {
+                        writes.fetch_or(wrote_files, Ordering::Relaxed);
+                    }
+                    self.reporter.hear(event);
+                });
+                let Ok(drawn) = done else {
+                    return Ok(ExitCode::FAILURE);
+                };
+                self.finish(at, numbers, drawn)?;
+                is_alone = writes.into_inner() || at > 0;
+                at += 1;
+                continue;
+            }
+            let rest = &numbers[at..];
+            let work = |number: usize| {
+                let told = Told::default();
+                let done = self.draw(rest[number], Writing::Refused, &|event| told.hear(event));
+                (told, done)
+            };
+            let end = in_order(rest.len(), workers, work, |number, (told, done)| {
+                if done.as_ref().is_err_and(writes_files) {
+                    return ControlFlow::Break(End::WritesFiles(at + number));
+                }
+                told.tell(|event| self.reporter.hear(event));
+                let Ok(drawn) = done else {
+                    return ControlFlow::Break(End::Failed);
+                };
+                match self.finish(at + number, numbers, drawn) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(refusal) => ControlFlow::Break(End::CannotWrite(refusal)),
+                }
+            });
+            match end {
+                None => break,
+                Some(End::WritesFiles(here)) => (at, is_alone) = (here, true),
+                Some(End::Failed) => return Ok(ExitCode::FAILURE),
+                Some(End::CannotWrite(refusal)) => return Err(refusal),
+            }
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+
+    /// How many frames are drawn side by side. One, where times are measured.
+    fn workers(&self) -> usize {
+        let (render, talk) = (&self.settings.render, self.settings.talk);
+        let is_timed = talk.stats
+            || talk.json
+            || matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some());
+        if is_timed {
+            return 1;
+        }
+        let threads = match render.threads {
+            Some(threads) => threads,
+            None => thread::available_parallelism().map_or(1, usize::from),
+        };
+        let room = MOST_PIXELS / pixels(render).max(1);
+        threads
+            .min(usize::try_from(room).unwrap_or(usize::MAX))
+            .max(1)
+    }
+
+    /// Draws a frame and makes the bytes of its file.
+    fn draw(&self, number: u32, writing: Writing, listen: &Listen<'_>) -> Result<Drawn, Failure> {
+        let mut read = self.frames.tell(number, &self.settings.read);
+        if writing == Writing::Refused {
+            read.writable.clear();
+        }
+        let Picture {
+            film,
+            working,
+            statistics,
+            ..
+        } = (self.draw)(
+            &self.input,
+            &read,
+            &self.settings.render,
+            &|event| match event {
+                Event::Drawn(pixels) => self.progress.advance(pixels),
+                event => listen(event),
+            },
+        )?;
+        let bytes = self.settings.output.as_ref().map(|(_, options)| {
+            let options = EncodeOptions {
+                working,
+                ..options.clone()
+            };
+            output::encode(&film, &options)
+        });
+        Ok(Drawn { bytes, statistics })
+    }
+
+    /// Writes a frame and says what is to be said of it.
+    fn finish(&self, at: usize, numbers: &[u32], drawn: Drawn) -> Result<(), CliError> {
+        let (settings, talk, number) = (self.settings, self.settings.talk, numbers[at]);
+        if talk.verbose && !talk.quiet {
+            let (frame, count) = (at + 1, numbers.len());
+            say(format_args!(
+                "Rendered frame {frame} of {count} (#{number})"
+            ));
+        }
+        if let Some(reached) = drawn.statistics.reached.filter(|_| !talk.quiet) {
+            say(told(&reached, pixels(&settings.render)));
+        }
+        if let (Some(bytes), Some((target, _))) = (drawn.bytes, &settings.output) {
+            let target = match target {
+                Target::File(path) => Target::File(self.frames.path(number, path)),
+                Target::Stdout => Target::Stdout,
+            };
+            output::put(&bytes.map_err(refused)?, &target).map_err(refused)?;
+        }
+        tell_statistics(&drawn.statistics, talk, &self.reporter);
+        Ok(())
+    }
+}
+
+fn writes_files(failure: &Failure) -> bool {
+    let code = Some(Code::WritesFiles);
+    failure.errors.iter().any(|error| error.code == code)
+}

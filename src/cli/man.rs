@@ -1,0 +1,168 @@
+//! `povr man`: the manual page, made of the lists from which the program reads its options.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap_mangen::Man;
+use clap_mangen::roff::{Roff, bold, roman};
+
+use super::error::CliError;
+use super::report::say;
+use super::surroundings::Surroundings;
+use super::{COMMANDS, Command, keys, modern, switches};
+
+pub(super) const COMMAND: Command = Command {
+    name: "man",
+    about: "print the manual page, or that of a command",
+    run,
+    face: <Face as clap::CommandFactory>::command,
+};
+
+/// Prints the manual page of povr, or of one of its commands.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr man",
+    after_help = "`povr man | man -l -` shows it; `povr man > ~/.local/share/man/man1/povr.1` installs it."
+)]
+struct Face {
+    /// The command; without one the page is that of povr itself
+    command: Option<String>,
+}
+
+fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
+    let name = std::iter::once("povr man".to_owned());
+    match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(face) => put(&page(face.command.as_deref())?),
+        Err(said) => say(modern::printed(&said)?.trim_end()),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes what a command is for. A reader that has gone away is no reason to fail.
+pub(super) fn put(text: &str) {
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+fn page(command: Option<&str>) -> Result<String, CliError> {
+    let mut bytes = Vec::new();
+    let made = match command {
+        None => whole(&mut bytes),
+        Some(name) => {
+            let known = COMMANDS.iter().find(|command| command.name == name);
+            let Some(command) = known else {
+                let names: Vec<&str> = COMMANDS.iter().map(|command| command.name).collect();
+                return Err(CliError::new(format!("there is no command `{name}`"))
+                    .with_hint(format!("commands are {}", names.join(", "))));
+            };
+            let face = (command.face)();
+            Man::new(face.version(env!("CARGO_PKG_VERSION"))).render(&mut bytes)
+        }
+    };
+    made.map_err(|error| CliError::new(format!("cannot make the page: {error}")))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The page of the program: its own options, POV-Ray's switches and ini options, the commands.
+fn whole(to: &mut Vec<u8>) -> std::io::Result<()> {
+    // The commands and the switches have sections of their own.
+    let man = Man::new(modern::everything().after_help(""));
+    man.render_title(to)?;
+    man.render_name_section(to)?;
+    man.render_synopsis_section(to)?;
+    man.render_description_section(to)?;
+    man.render_options_section(to)?;
+    let mut roff = Roff::new();
+    roff.control("SH", ["POV-RAY'S SWITCHES"]);
+    roff.control("nf", []);
+    for line in modern::SWITCHES.lines() {
+        roff.text([roman(line)]);
+    }
+    roff.control("fi", []);
+    roff.control("SH", ["ALL SWITCHES"]);
+    roff.text([roman(
+        "Each is another name of options of ini files. Upper or lower case; a value stands behind it without a space.",
+    )]);
+    for one in switches::described() {
+        roff.control("TP", []);
+        roff.text([bold(one.name), roman(one.value)]);
+        roff.text([roman(one.sets)]);
+    }
+    roff.control("SH", ["INI OPTIONS"]);
+    roff.text([roman(
+        "Written Key=Value, in ini files and on the command line. Those in brackets are known and have no effect here.",
+    )]);
+    let named = keys::names().map(|(name, acts)| match acts {
+        true => name.to_owned(),
+        false => format!("[{name}]"),
+    });
+    roff.control("PP", []);
+    roff.text([roman(named.collect::<Vec<_>>().join(", "))]);
+    roff.control("SH", ["COMMANDS"]);
+    for command in COMMANDS {
+        roff.control("TP", []);
+        roff.text([bold(format!("povr {}", command.name))]);
+        roff.text([roman(command.about)]);
+    }
+    roff.control("SH", ["EXIT STATUS"]);
+    roff.text([roman(
+        "0 if the picture was drawn, 1 if not. Commands end with 2 when the command line itself is at fault.",
+    )]);
+    roff.control("SH", ["SEE ALSO"]);
+    roff.text([bold("povray"), roman("(1), "), bold("povr man COMMAND")]);
+    roff.to_writer(to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_every_option_switch_and_command() {
+        let text = page(None).unwrap().replace("\\-", "-");
+        for one in switches::described() {
+            assert!(
+                text.contains(&format!("\\fB{}\\fR", one.name)),
+                "{}",
+                one.name
+            );
+        }
+        for (name, _) in keys::names() {
+            assert!(text.contains(name), "{name}");
+        }
+        for argument in modern::everything().get_arguments() {
+            if let Some(long) = argument.get_long() {
+                assert!(text.contains(&format!("--{long}")), "{long}");
+            }
+        }
+        for command in COMMANDS {
+            assert!(
+                text.contains(&format!("povr {}", command.name)),
+                "{}",
+                command.name
+            );
+        }
+        assert!(text.contains("[Display]") && text.contains(" Width,"));
+    }
+
+    #[test]
+    fn every_command_has_a_page() {
+        for command in COMMANDS {
+            let text = page(Some(command.name)).unwrap().replace("\\-", "-");
+            for argument in (command.face)().get_arguments() {
+                if let Some(long) = argument.get_long() {
+                    assert!(
+                        text.contains(&format!("--{long}")),
+                        "{}: {long}",
+                        command.name
+                    );
+                }
+            }
+        }
+        let refused = page(Some("cmp")).unwrap_err().to_string();
+        assert!(
+            refused.starts_with("there is no command `cmp`\n  hint: commands are "),
+            "{refused}"
+        );
+    }
+}

@@ -1,0 +1,371 @@
+//! A scene drawn by POV-Ray and by this program, and what the two pictures are to each other.
+
+use super::noise::OTHER_ORDERS;
+use super::reference::{self, Reference};
+use super::renderer::{Picture, Renderer, tail};
+use super::{
+    Case, Comparison, Grade, Limits, Mismatch, Noise, Thresholds, Verdict, alike, compare,
+};
+use image::DynamicImage;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Makes this program lose what POV-Ray loses: surfaces nearer than a fixed distance to the one that a ray leaves.
+const AS_POVRAY: &str = "--pov-distances";
+
+/// What a word of the language that drawing does not have yet is refused with.
+const MISSING: &str = " is not built yet";
+
+/// Two renderers and what both are told.
+#[derive(Clone, Debug)]
+pub struct Bench {
+    /// POV-Ray.
+    pub povray: Renderer,
+    /// This program.
+    pub povr: Renderer,
+    /// The size of pictures whose scenes ask for none.
+    pub size: (u32, u32),
+    /// Switches for both.
+    pub switches: Vec<String>,
+    /// A folder that holds all scenes and what they read.
+    pub root: PathBuf,
+    /// Where POV-Ray's pictures are kept.
+    pub references: PathBuf,
+    /// Where this program's pictures go.
+    pub pictures: PathBuf,
+    /// How long each drawing may take.
+    pub limit: Duration,
+    /// Instead of the limits of scenes.
+    pub thresholds: Option<Thresholds>,
+}
+
+/// Two pictures of a scene.
+#[derive(Debug)]
+pub struct Checked {
+    /// POV-Ray's picture.
+    pub expected: DynamicImage,
+    /// This program's picture.
+    pub actual: DynamicImage,
+    /// The seconds that POV-Ray took, as a process.
+    pub povray_seconds: f64,
+    /// The seconds that this program took, as a process.
+    pub povr_seconds: f64,
+    /// What they are to each other; pictures of unlike sizes are nothing.
+    pub compared: Result<Compared, Mismatch>,
+}
+
+/// What two pictures of a scene are to each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// Whether the picture is POV-Ray's: a warning is a difference that is explained.
+    pub grade: Grade,
+    /// The numbers.
+    pub found: Comparison,
+    /// How they look.
+    pub flip: f64,
+    /// Which limits hold.
+    pub limits: Limits,
+    /// Which of them is broken, whatever explains it.
+    pub verdict: Verdict,
+    /// Why the pictures may differ by more than the limits.
+    pub explanation: Option<Explanation>,
+}
+
+/// Why pictures differ though nothing is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Explanation {
+    /// POV-Ray loses surfaces that are too near to each other, and told to do so, this program draws its picture.
+    Distances,
+    /// POV-Ray's own pictures differ as much, with their blocks in other orders.
+    Noise(Noise),
+}
+
+/// Why there is nothing to compare.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CheckError {
+    /// The program did not start: which, and why.
+    NotStarted(String, String),
+    /// The program ran for longer than this.
+    OutOfTime(String, Duration),
+    /// The program ended with an error.
+    Refused {
+        /// Which.
+        program: String,
+        /// Its exit status.
+        status: String,
+        /// All it said.
+        said: String,
+    },
+    /// The program ended without a picture: which, and its last words.
+    NoPicture(String, String),
+    /// A file cannot be read or written: which, and why.
+    File(PathBuf, String),
+}
+
+impl Bench {
+    /// POV-Ray's picture of a scene, drawn now unless it is kept.
+    ///
+    /// # Errors
+    /// When POV-Ray draws none.
+    pub fn reference(&self, case: &Case) -> Result<Reference, CheckError> {
+        self.reference_with(case, &[])
+    }
+
+    fn reference_with(&self, case: &Case, more: &[&str]) -> Result<Reference, CheckError> {
+        let mut switches = case.all_switches(self.size, &self.switches);
+        switches.extend(more.iter().map(|&switch| switch.to_owned()));
+        let picture = Picture {
+            scene: &case.scene,
+            file: Path::new(""),
+            switches: &switches,
+            root: &self.root,
+            limit: self.limit,
+        };
+        reference::drawn(&self.povray, &picture, &case.text, &self.references)
+    }
+
+    /// This program's picture of a scene, in a folder of its own, and the seconds it took.
+    ///
+    /// # Errors
+    /// When it draws none.
+    pub fn own(&self, case: &Case, more: &[&str]) -> Result<(DynamicImage, f64), CheckError> {
+        let unwritable = |error| CheckError::file(&self.pictures, &error);
+        let folder = tempfile::tempdir_in(&self.pictures).map_err(unwritable)?;
+        let file = folder.path().join("picture.png");
+        let mut switches = case.all_switches(self.size, &self.switches);
+        switches.extend(more.iter().map(|&switch| switch.to_owned()));
+        let picture = Picture {
+            scene: &case.scene,
+            file: &file,
+            switches: &switches,
+            root: &self.root,
+            limit: self.limit,
+        };
+        let took = reference::draw(&self.povr, &picture)?;
+        Ok((open(&file)?, took.as_secs_f64()))
+    }
+
+    /// Draws a scene twice and compares.
+    ///
+    /// # Errors
+    /// When one of the renderers draws no picture.
+    pub fn check(&self, case: &Case) -> Result<Checked, CheckError> {
+        let reference = self.reference(case)?;
+        let expected = open(&reference.file)?;
+        let (actual, povr_seconds) = self.own(case, &[])?;
+        let compared = self.compared(case, &expected, &actual)?;
+        Ok(Checked {
+            expected,
+            actual,
+            povray_seconds: reference.seconds,
+            povr_seconds,
+            compared,
+        })
+    }
+
+    /// What two pictures of a scene are to each other. What differs too much may be drawn again to be explained.
+    ///
+    /// # Errors
+    /// When a file cannot be read or written, or this program does not draw the scene once more.
+    pub fn compared(
+        &self,
+        case: &Case,
+        expected: &DynamicImage,
+        actual: &DynamicImage,
+    ) -> Result<Result<Compared, Mismatch>, CheckError> {
+        let found = match compare(expected, actual) {
+            Ok(found) => found,
+            Err(mismatch) => return Ok(Err(mismatch)),
+        };
+        let limits = case.limits.unwrap_or(Limits::DEFAULT);
+        let verdict = limits.verdict(&found);
+        let grade = match &self.thresholds {
+            Some(thresholds) => match thresholds.grade(expected, actual) {
+                Ok(grade) => grade,
+                Err(mismatch) => return Ok(Err(mismatch)),
+            },
+            None if verdict == Verdict::Within => Grade::Pass,
+            None => Grade::Failure,
+        };
+        let mut compared = Compared {
+            grade,
+            flip: if found.is_equal() {
+                0.0
+            } else {
+                super::flip(expected, actual)
+            },
+            found,
+            limits,
+            verdict,
+            explanation: None,
+        };
+        if grade == Grade::Failure && self.thresholds.is_none() {
+            compared.explanation = self.explanation(case, &compared, expected, actual)?;
+            if compared.explanation.is_some() {
+                compared.grade = Grade::Warning;
+            }
+        }
+        Ok(Ok(compared))
+    }
+
+    fn explanation(
+        &self,
+        case: &Case,
+        compared: &Compared,
+        expected: &DynamicImage,
+        actual: &DynamicImage,
+    ) -> Result<Option<Explanation>, CheckError> {
+        let found = &compared.found;
+        if case.limits.is_none() && found.differing_percent() <= Limits::DEFAULT.pixels {
+            let (near, _) = self.own(case, &[AS_POVRAY])?;
+            let is_near = compare(expected, &near)
+                .is_ok_and(|found| Limits::DEFAULT.verdict(&found) == Verdict::Within);
+            if is_near {
+                return Ok(Some(Explanation::Distances));
+            }
+        }
+        let mut noise = Noise::default();
+        for order in OTHER_ORDERS {
+            // A picture that POV-Ray does not draw once more in time has no explanation.
+            let Ok(again) = self.reference_with(case, &[order]) else {
+                return Ok(None);
+            };
+            let Some(more) = noise.with(expected, &open(&again.file)?) else {
+                return Ok(None);
+            };
+            noise = more;
+            let is_quiet = noise
+                .without(expected, actual)
+                .and_then(|left| compare(expected, &left).ok())
+                .is_some_and(|left| compared.limits.verdict(&left) == Verdict::Within);
+            if is_quiet && noise.covers(found.rms) {
+                return Ok(Some(Explanation::Noise(noise)));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Compares two pictures of any kinds.
+///
+/// # Errors
+/// When they differ in size.
+pub fn pictures(
+    expected: &DynamicImage,
+    actual: &DynamicImage,
+    thresholds: &Thresholds,
+) -> Result<(DynamicImage, DynamicImage, Compared), Mismatch> {
+    let (expected, actual) = alike(expected, actual)?;
+    let found = compare(&expected, &actual)?;
+    let compared = Compared {
+        grade: thresholds.grade(&expected, &actual)?,
+        flip: super::flip(&expected, &actual),
+        verdict: Limits::DEFAULT.verdict(&found),
+        found,
+        limits: Limits::DEFAULT,
+        explanation: None,
+    };
+    Ok((expected, actual, compared))
+}
+
+fn open(file: &Path) -> Result<DynamicImage, CheckError> {
+    image::open(file).map_err(|error| CheckError::file(file, &error))
+}
+
+impl CheckError {
+    pub(super) fn file(path: &Path, error: &dyn fmt::Display) -> CheckError {
+        CheckError::File(path.to_owned(), error.to_string())
+    }
+
+    /// The words that this program cannot draw yet, if they are all that was in the way.
+    #[must_use]
+    pub fn missing(&self) -> Vec<String> {
+        let CheckError::Refused { said, .. } = self else {
+            return Vec::new();
+        };
+        let errors = said.lines().filter_map(|line| {
+            let (_, message) = line.split_once("Parse Error: ")?;
+            Some(message.trim_end_matches('.'))
+        });
+        let mut words = Vec::new();
+        for message in errors {
+            match message.strip_suffix(MISSING) {
+                Some(word) => words.push(word.replace('`', "")),
+                None => return Vec::new(),
+            }
+        }
+        words.sort();
+        words.dedup();
+        words
+    }
+
+    /// In one line.
+    #[must_use]
+    pub fn line(&self) -> String {
+        match self {
+            CheckError::Refused { program, said, .. } => {
+                let error = said.lines().find(|line| line.contains("Error: "));
+                let line = error.or_else(|| said.lines().rfind(|line| !line.trim().is_empty()));
+                format!(
+                    "{program}: {}",
+                    line.unwrap_or("an error without words").trim()
+                )
+            }
+            other => other
+                .to_string()
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for CheckError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CheckError::NotStarted(program, why) => write!(f, "{program} does not start: {why}"),
+            CheckError::OutOfTime(program, limit) => {
+                write!(f, "{program} ran for more than {limit:?}")
+            }
+            CheckError::Refused {
+                program,
+                status,
+                said,
+            } => write!(f, "{program} ended with {status}:\n{}", tail(said)),
+            CheckError::NoPicture(program, said) => write!(f, "{program} drew no picture:\n{said}"),
+            CheckError::File(path, why) => write!(f, "`{}`: {why}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for CheckError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(said: &str) -> CheckError {
+        CheckError::Refused {
+            program: "povr".to_owned(),
+            status: "exit status: 1".to_owned(),
+            said: said.to_owned(),
+        }
+    }
+
+    #[test]
+    fn words_that_are_missing_are_told_from_other_errors() {
+        let missing = "File 'a.pov' line 4: Parse Error: `normal` is not built yet\n  | shown\n\
+            File 'a.pov' line 9: Parse Error: `media` is not built yet\n\
+            File 'a.pov' line 12: Parse Error: `normal` is not built yet\n";
+        assert_eq!(refused(missing).missing(), ["media", "normal"]);
+        let other = format!("{missing}File 'a.pov' line 4: Parse Error: expected `}}`\n");
+        assert!(refused(&other).missing().is_empty());
+        assert!(refused("").missing().is_empty());
+        assert_eq!(
+            refused(missing).line(),
+            "povr: File 'a.pov' line 4: Parse Error: `normal` is not built yet"
+        );
+    }
+}

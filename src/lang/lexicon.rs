@@ -1,0 +1,43 @@
+//! What one reading of a scene leaves to the next: its names and the tokens of its files.
+
+use crate::source::{FileId, Sources};
+use crate::syntax::{Names, Tokens, Whole};
+use rustc_hash::FxHashMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// The names and tokens of the texts of some [`Sources`], so that readings with copies of these need not make them again.
+#[derive(Clone, Debug, Default)]
+pub struct Lexicon {
+    pub(super) names: Names,
+    tokens: FxHashMap<FileId, Arc<Whole>>,
+}
+
+impl Lexicon {
+    /// The tokens of a text, if it has been read before.
+    pub(super) fn tokens(&self, file: FileId) -> Option<Rc<Tokens>> {
+        self.tokens.get(&file).map(|whole| Rc::new(whole.tokens()))
+    }
+
+    /// Takes in what a reading has made; whether anything is new. Texts that the scene wrote itself are not kept.
+    pub(super) fn learn(
+        &mut self,
+        names: Names,
+        tokenized: &FxHashMap<FileId, Rc<Tokens>>,
+        sources: &Sources,
+        scene: FileId,
+    ) -> bool {
+        let lasts = |file: FileId| file == scene || sources.is_lasting(file);
+        let new: Vec<(FileId, Arc<Whole>)> = tokenized
+            .iter()
+            .filter(|(file, _)| !self.tokens.contains_key(file) && lasts(**file))
+            .filter_map(|(file, tokens)| Some((*file, Arc::new(Whole::of(tokens)?))))
+            .collect();
+        if new.is_empty() {
+            return false;
+        }
+        self.names = names;
+        self.tokens.extend(new);
+        true
+    }
+}

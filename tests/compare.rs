@@ -1,0 +1,262 @@
+//! `povr compare`: two pictures by `idiff`'s thresholds and exit codes; scenes beside POV-Ray; the report as a browser
+//! shows it.
+
+#![allow(
+    clippy::print_stdout,
+    reason = "what a test finds is read on the terminal"
+)]
+
+mod support;
+
+use image::{DynamicImage, ImageBuffer, Rgb, RgbImage};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use support::browser::{browser, shown};
+
+const HEAD: &str = "#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 50 }
+light_source { <-4, 6, -3> rgb 1 LAMPS }
+plane { y, -1 pigment { checker rgb 1, rgb 0.4 } }
+sphere { 0, 1 pigment { rgb <1, 0.5, 0.2> } }";
+
+fn povr(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_povr"));
+    command.current_dir(folder).arg("compare").args(arguments);
+    command.output().expect("povr starts")
+}
+
+fn exit(folder: &Path, arguments: &[&str]) -> Option<i32> {
+    povr(folder, arguments).status.code()
+}
+
+#[test]
+fn two_pictures_have_the_exit_codes_of_idiff() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    let grey = RgbImage::from_pixel(20, 10, Rgb([100; 3]));
+    let mut other = grey.clone();
+    other.put_pixel(7, 3, Rgb([100, 151, 100]));
+    grey.save(here.join("a.png")).expect("a picture");
+    other.save(here.join("b.png")).expect("a picture");
+    RgbImage::new(10, 20)
+        .save(here.join("c.png"))
+        .expect("a picture");
+    fs::write(here.join("d.png"), "no picture").expect("a file");
+    assert_eq!(exit(here, &["a.png", "a.png"]), Some(0));
+    assert_eq!(exit(here, &["a.png", "b.png"]), Some(2));
+    // One pixel of 200 is 0.5 percent; its difference is 0.2.
+    assert_eq!(
+        exit(here, &["a.png", "b.png", "--failpercent", "0.5"]),
+        Some(1)
+    );
+    let both = [
+        "a.png",
+        "b.png",
+        "--failpercent",
+        "0.5",
+        "--warnpercent=0.5",
+    ];
+    assert_eq!(exit(here, &both), Some(0));
+    assert_eq!(
+        exit(
+            here,
+            &["a.png", "b.png", "--fail", "51/255", "--warn", "0.21"]
+        ),
+        Some(0)
+    );
+    assert_eq!(
+        exit(
+            here,
+            &["a.png", "b.png", "--fail", "50/255", "--warn", "0.21"]
+        ),
+        Some(2)
+    );
+    let hard = ["a.png", "b.png", "--failpercent", "50", "--hardfail", "0.1"];
+    assert_eq!(exit(here, &hard), Some(2));
+    assert_eq!(exit(here, &["a.png", "c.png"]), Some(3));
+    assert_eq!(exit(here, &["a.png", "d.png"]), Some(4));
+    assert_eq!(exit(here, &["a.png", "none.png"]), Some(4));
+    let sheet = ["a.png", "b.png", "-o", "sheet.png"];
+    assert_eq!(exit(here, &sheet), Some(2));
+    assert!(
+        image::open(here.join("sheet.png"))
+            .expect("a picture")
+            .width()
+            > 60
+    );
+}
+
+#[test]
+fn pictures_of_unlike_kinds_are_compared() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    // Linear 0.21586 is stored as the byte 128 and the word 32896 in sRGB.
+    let light = ImageBuffer::from_pixel(4, 4, Rgb([0.215_86_f32, 0.0, 1.0]));
+    DynamicImage::from(light)
+        .save(here.join("a.exr"))
+        .expect("a picture");
+    let bytes = RgbImage::from_pixel(4, 4, Rgb([128, 0, 255]));
+    bytes.save(here.join("b.png")).expect("a picture");
+    let words = ImageBuffer::from_pixel(4, 4, Rgb([32_896_u16, 0, 65_535]));
+    DynamicImage::from(words)
+        .save(here.join("c.png"))
+        .expect("a picture");
+    for pair in [["a.exr", "b.png"], ["b.png", "c.png"], ["a.exr", "a.exr"]] {
+        assert_eq!(exit(here, &pair), Some(0), "{pair:?}");
+    }
+    let said = povr(here, &["a.exr", "c.png", "--json"]).stdout;
+    let said = String::from_utf8_lossy(&said);
+    let first: Value =
+        serde_json::from_str(said.lines().next().unwrap_or_default()).expect("an object");
+    assert_eq!(first["full"], 65535.0, "{said}");
+    assert!(first["max"].as_f64().expect("a number") <= 2.0, "{said}");
+}
+
+/// A folder with a scene that is equal, one that is random, and one that nobody can read.
+fn scenes(folder: &Path) {
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a scene");
+    write("equal.pov", &HEAD.replace("LAMPS", ""));
+    let lamps = "area_light 2*x, 2*z, 5, 5 jitter adaptive 1";
+    write("random.pov", &HEAD.replace("LAMPS", lamps));
+    write("faulty.pov", "sphere { 0 1 ");
+    fs::create_dir_all(folder.join("deep/include")).expect("a folder");
+    write("deep/include/part.pov", "no scene of its own");
+    write("deep/again.pov", &HEAD.replace("LAMPS", ""));
+}
+
+#[test]
+fn scenes_are_compared_with_povray() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    scenes(here);
+    let ended = povr(here, &[".", "--json", "--keep", "kept", "+W80", "+H60"]);
+    let said = String::from_utf8_lossy(&ended.stdout).into_owned();
+    let lines: Vec<Value> = said
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("an object"))
+        .collect();
+    let found: Vec<_> = lines[..4]
+        .iter()
+        .map(|line| {
+            (
+                line["name"].as_str().unwrap_or(""),
+                line["status"].as_str().unwrap_or(""),
+            )
+        })
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("random", "warning"),
+            ("deep/again", "pass"),
+            ("equal", "pass"),
+            ("faulty", "refused")
+        ],
+        "{said}"
+    );
+    assert_eq!(lines[0]["pixels"], 4800);
+    let why = lines[0]["why"].as_str().unwrap_or_default();
+    assert!(why.starts_with("random: drawn again"), "{why}");
+    assert_eq!(lines[4]["scenes"], 4);
+    assert_eq!(ended.status.code(), Some(1));
+    // What was kept is not drawn again; a scene that runs out of time stops nothing.
+    let kept = fs::read_dir(here.join("kept")).expect("the folder").count();
+    assert!(
+        kept >= 2 * 4,
+        "three pictures and one in another order: {kept}"
+    );
+    let hasty = povr(here, &[".", "--keep", "other", "--timeout", "1ms"]);
+    let text = String::from_utf8_lossy(&hasty.stdout).into_owned();
+    assert!(text.contains("4 scenes: 4 TIMEOUT"), "{text}");
+    assert_eq!(hasty.status.code(), Some(4));
+}
+
+/// Appended to a copy of the page: what it looks and works like goes into attributes of the body.
+const PROBE: &str = "<script>addEventListener('load', () => setTimeout(async () => {
+  const told = document.body.dataset;
+  const names = () => [...document.querySelectorAll('.scenes tbody tr')].filter(row => !row.hidden).map(row => row.dataset.name).join();
+  await Promise.all([...document.images].map(image => image.decode()));
+  told.images = [...document.images].filter(image => image.naturalWidth === 80).length;
+  told.painted = document.querySelectorAll('canvas.painted').length;
+  told.first = names();
+  document.querySelector('th[data-key=name] button').click(); told.byName = names();
+  document.querySelector('#order').value = 'rms-'; document.querySelector('#order').dispatchEvent(new Event('change')); told.byRms = names();
+  document.querySelector('#search').value = 'AGAIN'; document.querySelector('#search').dispatchEvent(new Event('input')); told.searched = names();
+  document.querySelector('#search').value = ''; document.querySelector('#search').dispatchEvent(new Event('input'));
+  document.querySelector('.chip.pass').click(); told.withoutPass = names();
+  document.querySelector('.chip.pass').click();
+  told.overflow = document.documentElement.scrollWidth > innerWidth;
+  const boxes = [...document.querySelectorAll('tbody tr:not([hidden]) .pictures button, .name, td[data-label]')].map(one => one.getBoundingClientRect());
+  told.overlaps = boxes.some((a, i) => boxes.slice(i + 1).some(b =>
+    a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+  const picture = document.querySelector('[data-name=random] .pictures button');
+  picture.click();
+  told.slider = document.querySelectorAll('.stage canvas').length === 2 && document.querySelector('.stage .over').style.clipPath.includes('50%');
+  document.querySelector('[data-mode=difference]').click();
+  told.marked = document.querySelectorAll('.stage .mark').length;
+  const box = document.querySelector('dialog').getBoundingClientRect();
+  told.fits = box.left >= 0 && box.right <= innerWidth + 1 && box.bottom <= innerHeight + 1;
+  document.querySelector('[data-mode=beside]').click();
+  told.beside = document.querySelectorAll('.stage figure').length;
+  told.elsewhere = performance.getEntriesByType('resource').filter(e => !e.name.startsWith('data:')).length;
+  told.done = true;
+}, 300));</script>";
+
+#[test]
+fn a_browser_shows_sorts_and_filters_the_report() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    scenes(here);
+    // By thresholds of one's own, what is random fails.
+    let strict = [
+        ".",
+        "--html",
+        "report.html",
+        "--fail",
+        "1e-6",
+        "+W80",
+        "+H60",
+    ];
+    assert_eq!(exit(here, &strict), Some(2));
+    let page = fs::read_to_string(here.join("report.html")).expect("a page");
+    let Some(browser) = browser() else {
+        println!("skipped: there is no Chromium; `tools/test` installs it");
+        return;
+    };
+    let probed = here.join("probed.html");
+    fs::write(&probed, page.replace("</body>", &format!("{PROBE}</body>"))).expect("a page");
+    for width in [1400, 500] {
+        // A browser whose clock runs ahead of its decoding gives up early.
+        let dumps = (0..5).map(|_| shown(browser, &probed, width));
+        let mut dumps = dumps.skip_while(|dump| !dump.contains("data-done=\"true\""));
+        let dump = dumps.next().expect("the script comes to its end");
+        for fact in [
+            "data-images=\"9\"",
+            "data-painted=\"3\"",
+            "data-first=\"random,deep/again,equal,faulty\"",
+            "data-by-name=\"deep/again,equal,faulty,random\"",
+            "data-by-rms=\"random,deep/again,equal,faulty\"",
+            "data-searched=\"deep/again\"",
+            "data-without-pass=\"random,faulty\"",
+            "data-overflow=\"false\"",
+            "data-overlaps=\"false\"",
+            "data-slider=\"true\"",
+            "data-marked=\"1\"",
+            "data-fits=\"true\"",
+            "data-beside=\"2\"",
+            "data-elsewhere=\"0\"",
+            "data-done=\"true\"",
+        ] {
+            assert!(
+                dump.contains(fact),
+                "{fact} at {width}: {}",
+                &dump[dump.find("<body").unwrap_or(0)..]
+                    .chars()
+                    .take(700)
+                    .collect::<String>()
+            );
+        }
+    }
+}

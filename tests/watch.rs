@@ -1,0 +1,240 @@
+//! `povr watch`: real changes of real files, what is printed, and the page.
+
+#![cfg(unix)]
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+const TIME_LIMIT: Duration = Duration::from_secs(60);
+
+const SCENE: &str = "#version 3.7; global_settings { assumed_gamma 1 }
+#include \"look.inc\"
+camera { location <0, 2, -6> look_at 0 angle 40 } light_source { <-4, 6, -8>, rgb 1 }
+sphere { 0, 1 pigment { Look } }";
+
+/// `povr watch`, ended when it is dropped, and what it says.
+struct Watching {
+    child: Child,
+    said: Receiver<String>,
+}
+
+impl Drop for Watching {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Watching {
+    fn start(folder: &Path, arguments: &[&str]) -> Watching {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_povr"))
+            .current_dir(folder)
+            .args(["watch", "s.pov", "-o", "s.png", "+W64", "+H48"])
+            .args(arguments)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("povr starts");
+        let pipe = BufReader::new(child.stderr.take().expect("a pipe"));
+        let (tell, said) = channel();
+        std::thread::spawn(move || {
+            for line in pipe.lines().map_while(Result::ok) {
+                let _ = tell.send(line);
+            }
+        });
+        Watching { child, said }
+    }
+
+    /// All lines up to the first that holds a text.
+    fn until(&self, text: &str) -> Vec<String> {
+        let start = Instant::now();
+        let mut lines = Vec::new();
+        loop {
+            let left = TIME_LIMIT.saturating_sub(start.elapsed());
+            match self.said.recv_timeout(left) {
+                Ok(line) => lines.push(line),
+                Err(_) => panic!("`{text}` is not said; what is: {lines:#?}"),
+            }
+            if lines.last().is_some_and(|line| line.contains(text)) {
+                return lines;
+            }
+        }
+    }
+
+    /// Waits for a drawing and gives the colour in the middle.
+    fn drawn(&self, folder: &Path) -> [u8; 3] {
+        self.until("povr: drawn in ");
+        let picture = image::open(folder.join("s.png"))
+            .expect("a picture")
+            .to_rgb8();
+        picture.get_pixel(32, 24).0
+    }
+}
+
+fn write(folder: &Path, name: &str, text: &str) {
+    fs::write(folder.join(name), text).expect("a file");
+}
+
+/// As many editors do: a new file takes the place of the old.
+fn replace(folder: &Path, name: &str, text: &str) {
+    write(folder, "new~", text);
+    fs::rename(folder.join("new~"), folder.join(name)).expect("it is replaced");
+}
+
+fn looks(color: &str) -> String {
+    format!("#declare Look = pigment {{ rgb {color} }}")
+}
+
+#[test]
+fn every_change_of_every_file_is_drawn() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, "s.pov", SCENE);
+    write(here, "look.inc", &looks("<1, 0, 0>"));
+    let watching = Watching::start(here, &[]);
+    let [r, g, b] = watching.drawn(here);
+    assert!(r > 100 && g == 0 && b == 0);
+    // Written in place, and replaced.
+    write(here, "look.inc", &looks("<0, 1, 0>"));
+    let [r, g, _] = watching.drawn(here);
+    assert!(g > 100 && r == 0);
+    replace(here, "look.inc", &looks("<0, 0, 1>"));
+    let [r, _, b] = watching.drawn(here);
+    assert!(b > 100 && r == 0);
+    replace(
+        here,
+        "s.pov",
+        &SCENE.replace("sphere { 0, 1", "box { -9, 9"),
+    );
+    watching.until("povr: `s.pov` has changed");
+    watching.until("povr: drawn in ");
+    // An error is printed as it is, and the picture stays.
+    let before = fs::read(here.join("s.png")).expect("a picture");
+    write(here, "look.inc", &looks("<0, 0, 1>").replace("rgb", "rbg"));
+    let said = watching
+        .until("povr: not drawn; the last picture stays")
+        .join("\n");
+    assert!(
+        said.contains("File 'look.inc' line 1: Parse Error: "),
+        "{said}"
+    );
+    assert!(said.contains("rbg"), "{said}");
+    assert!(fs::read(here.join("s.png")).expect("a picture") == before);
+    // A file that is missing is waited for.
+    fs::remove_file(here.join("look.inc")).expect("it is there");
+    watching.until("povr: not drawn");
+    write(here, "look.inc", &looks("<1, 1, 0>"));
+    let [r, g, b] = watching.drawn(here);
+    assert!(r > 20 && g > 20 && b == 0);
+}
+
+#[test]
+fn a_file_that_comes_before_another_is_seen() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    fs::create_dir(here.join("library")).expect("a folder");
+    write(here, "s.pov", SCENE);
+    write(here, "library/look.inc", &looks("<1, 0, 0>"));
+    let watching = Watching::start(here, &["+Llibrary"]);
+    assert!(watching.drawn(here)[0] > 100);
+    // Beside the scene a file is found first.
+    write(here, "look.inc", &looks("<0, 1, 0>"));
+    let [r, g, _] = watching.drawn(here);
+    assert!(g > 100 && r == 0);
+    // What nobody asked for is nobody's business.
+    write(here, "other.inc", "");
+    std::thread::sleep(Duration::from_millis(1200));
+    assert!(watching.said.try_recv().is_err());
+}
+
+#[test]
+fn a_change_ends_a_drawing_that_is_under_way() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    let slow = SCENE.replace(
+        "rgb 1 }",
+        "rgb 1 area_light 3*x, 3*z, 65, 65 jitter adaptive 6 }",
+    );
+    write(here, "s.pov", &slow);
+    write(here, "look.inc", &looks("<1, 0, 0>"));
+    let watching = Watching::start(here, &["+W800", "+H600", "+A0.0", "+R9"]);
+    std::thread::sleep(Duration::from_millis(1500));
+    write(
+        here,
+        "s.pov",
+        &SCENE.replace("camera", "#warning \"anew\" camera"),
+    );
+    let start = Instant::now();
+    watching.until("povr: `s.pov` has changed");
+    watching.until("anew");
+    assert!(
+        start.elapsed() < Duration::from_secs(10),
+        "the slow drawing goes on"
+    );
+}
+
+/// The answer of the page to a request.
+fn asked(address: &str, path: &str, host: &str) -> (String, Vec<u8>) {
+    let mut stream = TcpStream::connect(address).expect("the page is there");
+    write!(stream, "GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n").expect("it is asked");
+    let mut bytes = Vec::new();
+    stream.read_to_end(&mut bytes).expect("it answers");
+    let end = bytes
+        .windows(4)
+        .position(|four| four == b"\r\n\r\n")
+        .expect("a head");
+    let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
+    (head, bytes[end + 4..].to_vec())
+}
+
+#[test]
+fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
+    let here = tempfile::tempdir().expect("a folder");
+    let here = here.path();
+    write(here, "s.pov", SCENE);
+    write(here, "look.inc", &looks("<1, 0, 0>"));
+    let watching = Watching::start(here, &["--serve"]);
+    let said = watching.until("povr: http://127.0.0.1:").join("\n");
+    let address = said
+        .split("http://")
+        .nth(1)
+        .expect("an address")
+        .trim_matches('/')
+        .to_owned();
+    watching.drawn(here);
+    let (head, page) = asked(&address, "/", &address);
+    assert!(head.starts_with("HTTP/1.1 200 OK"), "{head}");
+    assert!(String::from_utf8_lossy(&page).contains("<title>s.pov</title>"));
+    let (_, png) = asked(&address, "/picture.png?1", &address);
+    let picture = image::load_from_memory(&png).expect("a picture");
+    assert_eq!(
+        picture.to_rgb8(),
+        image::open(here.join("s.png"))
+            .expect("a picture")
+            .to_rgb8()
+    );
+    // Another page that has this address under a name of its own gets nothing.
+    let (head, _) = asked(&address, "/picture.png", "evil.example:80");
+    assert!(head.starts_with("HTTP/1.1 403"), "{head}");
+    let (head, _) = asked(&address, "/../s.pov", &address);
+    assert!(head.starts_with("HTTP/1.1 404"), "{head}");
+    // The stream tells of the error; the picture is still there.
+    let mut stream = TcpStream::connect(&address).expect("the page is there");
+    write!(stream, "GET /events HTTP/1.1\r\nHost: {address}\r\n\r\n").expect("it is asked");
+    write(here, "look.inc", "#declare Look = ");
+    let mut told = BufReader::new(stream).lines().map_while(Result::ok);
+    let error = told
+        .find(|line| line.contains("Parse Error"))
+        .expect("the error is told");
+    assert!(
+        error.starts_with("data: {") && error.contains("\"width\":64"),
+        "{error}"
+    );
+    assert_eq!(asked(&address, "/picture.png", &address).1, png);
+}
