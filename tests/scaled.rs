@@ -6,7 +6,7 @@ mod support;
 use glam::DVec3;
 use libtest_mimic::{Arguments, Failed, Trial};
 use povr::film::Film;
-use povr::lang::Probe;
+use povr::lang::{Probe, Texts};
 use povr::options::{ReadOptions, RenderOptions};
 use povr::scene::{Object, Scene};
 use povr::source::Sources;
@@ -88,7 +88,7 @@ fn drawn(scene: Scene) -> Film {
         ..RenderOptions::default()
     };
     let world = povr::compile::compile(scene, &options);
-    povr::render::render(&world, &options, &|_| {}).film
+    povr::render::render(&world, &options, None, &|_| {}).film
 }
 
 /// The objects of the scene, for scenes that shoot rays while they are read.
@@ -117,5 +117,10 @@ fn read(path: &Path) -> Option<Scene> {
     let mut sources = Sources::new(library_paths);
     let file = sources.load_file(path).ok()?;
     let mut probe = OwnObjects::default();
-    povr::lang::evaluate_with(file, &mut sources, &options, &mut probe, &mut |_| {}).scene
+    let texts = Texts {
+        scene: file,
+        sources: &mut sources,
+        lexicon: None,
+    };
+    povr::lang::evaluate_with(texts, &options, &mut probe, &mut |_| {}).scene
 }

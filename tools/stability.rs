@@ -8,9 +8,6 @@
 )]
 #![allow(dead_code, reason = "the suite's test uses the rest")]
 
-#[path = "../tests/support/process.rs"]
-mod process;
-
 #[path = "../tests/stability/case.rs"]
 mod case;
 #[path = "../tests/stability/catalogue/mod.rs"]

@@ -1,6 +1,5 @@
 //! Pictures of scene texts by povr, within this process, and by POV-Ray.
 
-use crate::process;
 use povr::options::{Event, Input, ReadOptions, RenderOptions};
 use std::path::Path;
 use std::process::Command;
@@ -97,7 +96,7 @@ pub(crate) fn by_pov_ray(text: &str, size: (u32, u32), folder: &Path) -> Drawn {
         .arg(format!("+H{}", size.1))
         .args(["-D", "-A", "+WT1", "+FN16", "File_Gamma=1.0"])
         .arg(format!("+L{INCLUDES}"));
-    let ended = process::run(&mut command, TIME_LIMIT);
+    let ended = povr::compare::run(&mut command, TIME_LIMIT);
     let said = match &ended {
         Ok(ended) => ended.stderr.clone(),
         Err(error) => return failed(format!("`povray` does not run: {error}")),

@@ -18,7 +18,6 @@ mod wide;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::process::ExitCode;
-use support::process;
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
