@@ -67,7 +67,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
-const STACK_BYTES: usize = 256 << 20;
+const STACK_BYTES: usize = 1 << 30;
 
 /// Worlds with fewer primitives are let go at once.
 const LARGE_WORLD: usize = 10_000;

@@ -11,7 +11,7 @@ use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::source::Diagnostic;
 use glam::DVec3;
 
-/// Up to this a `distance` means that there is no fog, and two heights are one; POV-Ray's value.
+/// Up to this two heights, in units of `fog_alt`, are one; POV-Ray's value.
 const NOTHING: f64 = 1e-10;
 /// The `fog_type` of ground fog. All others are the same everywhere, as in POV-Ray.
 const GROUND: f64 = 2.0;
@@ -140,7 +140,7 @@ impl Fog {
     /// Whether there is any fog.
     #[must_use]
     pub fn exists(&self) -> bool {
-        self.distance.abs() > NOTHING
+        self.distance != 0.0
     }
 
     /// What a stretch of this fog does to light, from the start of a ray of unit direction over `length`.

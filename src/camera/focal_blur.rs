@@ -105,6 +105,15 @@ impl FocalBlur {
         Ok(true)
     }
 
+    /// Makes its lengths larger by a factor.
+    pub(super) fn scale(&mut self, factor: f64) {
+        self.aperture *= factor;
+        self.distance *= factor;
+        if let Some(point) = &mut self.focal_point {
+            *point *= factor;
+        }
+    }
+
     /// Without a focal point, `look_at` brings the length of the camera's direction into focus (measured).
     pub(super) fn look(&mut self, frame: &Frame) {
         self.distance = frame.direction.length();

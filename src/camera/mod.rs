@@ -20,6 +20,7 @@ mod ultra_wide_angle;
 pub use focal_blur::{FocalBlur, Lens, LensRay, Spread};
 
 use crate::args::Word;
+use crate::math::conditioning::unit;
 use crate::math::{Ray, Transform};
 use glam::DVec3;
 
@@ -168,6 +169,22 @@ impl Camera {
     }
 }
 
+impl Camera {
+    /// The same with every length times a factor.
+    #[must_use]
+    pub(crate) fn scaled(mut self, factor: f64) -> Camera {
+        self.frame.location *= factor;
+        self.look_at *= factor;
+        // Elsewhere these are directions, or count angles.
+        if !self.has_one_origin() {
+            self.frame.right *= factor;
+            self.frame.up *= factor;
+        }
+        self.blur.scale(factor);
+        self
+    }
+}
+
 impl Frame {
     /// The same with vectors of length 1, in which cameras count that measure angles.
     fn unit(&self) -> Frame {
@@ -183,5 +200,9 @@ impl Frame {
 /// The ray from a point in a direction of any length but none.
 fn ray(origin: DVec3, dir: DVec3) -> Option<Ray> {
     let length = dir.length();
-    (length > 0.0 && length.is_finite()).then(|| Ray::new(origin, dir / length))
+    if length.is_normal() {
+        return Some(Ray::new(origin, dir / length));
+    }
+    // Squares that cannot be held say nothing about a direction.
+    unit(dir).map(|dir| Ray::new(origin, dir))
 }

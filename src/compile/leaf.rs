@@ -1,5 +1,6 @@
 //! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
 
+use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::shape::{Geometry, Root, Shape, Shares, Start};
 use glam::{DAffine3, DVec3};
@@ -134,11 +135,16 @@ impl Leaf {
     }
 
     fn to_world(&self, normal: DVec3) -> DVec3 {
-        match &self.object_from_world {
+        let normal = match &self.object_from_world {
             Some(matrix) => normal_from_inverse(matrix, normal),
             None => normal,
+        };
+        let length_sq = normal.length_squared();
+        if length_sq.is_normal() {
+            normal.normalize_or_zero()
+        } else {
+            unit(normal).unwrap_or(DVec3::ZERO)
         }
-        .normalize_or_zero()
     }
 
     /// The radius of a leaf that is a ball about the middle of its bounds.

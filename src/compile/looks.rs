@@ -4,7 +4,7 @@ use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::surface::{Flags, Surface};
-use crate::math::Step;
+use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
 use crate::shape::Skin;
 use crate::texture::{Layer, PreparedTexture, Texture};
@@ -170,10 +170,18 @@ impl Flat {
     }
 }
 
+/// With more steps above than this they are made one, so that objects in objects in objects do not each keep the steps
+/// of all around them. No scene written by hand comes near.
+const KEPT_STEPS: usize = 250;
+
 /// The steps of an object, then those of everything above it.
 pub(super) fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
     if own.is_empty() {
         return Arc::clone(above);
+    }
+    if above.len() > KEPT_STEPS {
+        let one = Step::General(Arc::new(Transform::from_steps(above)));
+        return own.iter().cloned().chain([one]).collect();
     }
     own.iter().chain(above.iter()).cloned().collect()
 }

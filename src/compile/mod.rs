@@ -42,7 +42,8 @@ use flatten::Flat;
 /// Prepares a scene for rays: folds transforms into the cheapest form of each object, takes unions apart, flattens
 /// combinations, and builds the tree.
 #[must_use]
-pub fn compile(mut scene: Scene, options: &RenderOptions) -> World {
+pub fn compile(scene: Scene, options: &RenderOptions) -> World {
+    let mut scene = scene.in_comfort();
     let mut flat = Flat::new(Settings {
         solid_of: Some(probe::solid_of),
         ..scene.pattern_settings()

@@ -27,6 +27,8 @@ pub struct Globals {
     pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
+    /// The length in which POV-Ray's own lengths count.
+    pub unit: f64,
     /// `max_trace_level`.
     pub max_trace_level: u32,
     /// `ambient_light`.
@@ -110,6 +112,7 @@ impl World {
             globals: Globals {
                 noise: scene.pattern_settings().noise_generator,
                 adc_bailout: scene.globals.adc_bailout,
+                unit: scene.globals.unit,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,

@@ -1,7 +1,7 @@
 //! The limits of reading: what no scene needs, and what keeps a faulty one from taking the machine.
 
-/// Blocks in blocks, and parentheses in parentheses. The deepest real scenes nest about a thousand.
-pub(super) const NESTING: usize = 10_000;
+/// Blocks in blocks. Programs write differences of a hundred thousand, one in the other; hands nest about ten.
+pub(super) const NESTING: usize = 120_000;
 /// Directives, conditions, strings and macro arguments that are read while another is being read. Each takes two to
 /// four KiB of stack.
 pub(super) const READING: usize = 1_000;
@@ -11,8 +11,8 @@ pub(super) const CALLS: usize = 4_000;
 pub(super) const EXPRESSION: usize = 1_000;
 /// Files included inside each other; POV-Ray stops at 100.
 pub(super) const INCLUDES: usize = 100;
-/// Objects inside each other, by whatever names they got there: the time and memory of compiling grow with the square.
-pub(super) const HEIGHT: usize = 2_000;
+/// Objects inside each other, by whatever names they got there.
+pub(super) const HEIGHT: usize = 120_000;
 /// Who makes many objects works long: for each object that the scene has made, this share of the reader's patience may
 /// be read again beyond it. 2,000 tokens, as patience commonly is.
 pub(super) const PATIENCE_FOR_OBJECT: u64 = 75_000;

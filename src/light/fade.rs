@@ -2,9 +2,6 @@
 
 use crate::args::{Args, Parse, Word};
 
-/// Up to this a `fade_distance` counts as none; POV-Ray's value.
-const NO_FADE: f64 = 1e-10;
-
 /// How light weakens; the default does not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fade {
@@ -34,7 +31,7 @@ impl Fade {
     #[must_use]
     #[inline]
     pub fn share(&self, distance: f64) -> f64 {
-        if self.power > 0.0 && self.distance.abs() > NO_FADE {
+        if self.power > 0.0 && self.distance != 0.0 {
             2.0 / (1.0 + (distance / self.distance).powf(self.power))
         } else {
             1.0

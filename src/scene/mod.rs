@@ -4,6 +4,7 @@
 mod extent;
 mod globals;
 mod object;
+mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
@@ -54,6 +55,8 @@ pub struct Globals {
     pub charset: Charset,
     /// The wavelengths of red, green and blue for `irid`, in micrometres.
     pub irid_wavelength: Rgb,
+    /// The length in which POV-Ray's own lengths count: how far away the sky is. 1 in a scene as it is written.
+    pub unit: f64,
     /// How long the unit of the scene is, in millimetres.
     pub mm_per_unit: f64,
     /// Light that surfaces gather from each other, if the file asks for it.
@@ -80,6 +83,7 @@ impl Default for Globals {
             ambient_light: Rgb::WHITE,
             charset: Charset::default(),
             irid_wavelength: IRID_WAVELENGTH,
+            unit: 1.0,
             mm_per_unit: 10.0,
             radiosity: None,
             photons: None,

@@ -24,7 +24,7 @@ const MOST_STEPS: u32 = 20;
 /// A normal shorter than this share of the square of the size is rounding noise. POV-Ray 3.7 takes the noise, so that
 /// its poles have rays of light and shade.
 const NO_NORMAL: f64 = 1e-12;
-/// Corners nearer than this are one to POV-Ray.
+/// Corners nearer than this share of the piece are one; POV-Ray has it in units of the scene.
 const SAME_CORNER: f64 = 1e-10;
 /// The flatness of the old form without words.
 const OLD_FLATNESS: f64 = 0.1;
@@ -242,7 +242,13 @@ impl Net {
     fn is_flat(&self, points: &Points) -> bool {
         let [a, b, c, d] = [points[0][0], points[0][3], points[3][3], points[3][0]];
         let corner = a;
-        let second = if (a - b).length() < SAME_CORNER { c } else { b };
+        let all = points.iter().flatten();
+        let size = all.fold(0.0_f64, |size, p| size.max((*p - a).abs().max_element()));
+        let second = if (a - b).length() < SAME_CORNER * size {
+            c
+        } else {
+            b
+        };
         let Some(normal) = (second - a).cross(d - a).try_normalize() else {
             return true;
         };
@@ -337,6 +343,11 @@ impl Geometry for BicubicPatch {
         }
         self.pieces = None;
         true
+    }
+
+    fn change_unit(&mut self, factor: f64) {
+        self.net.flatness *= factor;
+        self.pieces = None;
     }
 
     fn prepare(&mut self) {

@@ -5,6 +5,9 @@
 //! the caps; there `|p|² − w²` has coefficients of the cone's own size, and its differences of squares are factored.
 //! The closed cone is the inside of that quadratic clipped to the slab between the caps, where no other nappe is.
 //!
+//! Error bound: a cone narrower by 10⁻¹⁵ of its radius meets a ray within a rounding of where the cylinder does (tested);
+//! parity is right by construction.
+//!
 //! Radii of different signs make an hourglass and two negative ones a cone, as POV-Ray draws them.
 
 use super::axial::{APEX, Axis, BASE};

@@ -2,7 +2,7 @@
 //!
 //! Slabs: on each axis the ray lies between the two faces for a stretch; the box is what the three share. Every depth
 //! is `(corner − origin) / dir` and nothing else, so faces in one plane get the same bits, whatever box they belong to.
-//! Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
+//! Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
 
 use super::four::{FourRays, FourSpans, Three, minus, same};
 use super::{Geometry, Root, Start, first_visible, push_span, read, span};

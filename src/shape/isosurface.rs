@@ -44,6 +44,8 @@ struct Solid {
     container: Container,
     threshold: f64,
     accuracy: f64,
+    /// The length in which `accuracy` counts along a ray; POV-Ray has it 1 whatever the transform of the object.
+    unit: f64,
     gradient: f64,
     evaluate: Option<Evaluate>,
     is_open: bool,
@@ -81,6 +83,7 @@ impl Isosurface {
             container: Container::DEFAULT,
             threshold: 0.0,
             accuracy: ACCURACY,
+            unit: 1.0,
             gradient: MAX_GRADIENT,
             evaluate: None,
             is_open: false,
@@ -137,6 +140,11 @@ fn positive(args: &mut dyn Args, word: &str, default: f64) -> Parse<f64> {
 }
 
 impl Solid {
+    /// The accuracy along a ray.
+    fn way(&self) -> f64 {
+        self.unit * self.accuracy
+    }
+
     fn value(&self, point: DVec3) -> f64 {
         self.function.eval(&point.to_array()) - self.threshold
     }
@@ -159,7 +167,7 @@ impl Solid {
         let mut is_inside = false;
         let mut at = enter.0.max(0.0);
         let value = search.value(at, 1.0);
-        let starts_outside = enter.0 > self.accuracy;
+        let starts_outside = enter.0 > self.way();
         if starts_outside {
             is_inside = value < 0.0;
             if is_inside && !emit(self.face(enter, Crossing::Enter)) {
@@ -167,7 +175,7 @@ impl Solid {
             }
         } else if value < self.gradient * self.accuracy * AT_SURFACE {
             // This may lie beyond the container, whose end is then the root.
-            at = AFTER_ROOT * self.accuracy;
+            at = AFTER_ROOT * self.way();
             is_inside = search.value(at, 1.0) < 0.0;
         }
         let start = if is_inside && !starts_outside {
@@ -185,12 +193,12 @@ impl Solid {
                 Crossing::Enter
             };
             is_inside = !is_inside;
-            at = t + AFTER_ROOT * self.accuracy;
+            at = t + AFTER_ROOT * self.way();
             let goes_on = emit(Root {
                 t,
                 crossing,
                 face: SURFACE,
-                is_visible: t > self.accuracy,
+                is_visible: t > self.way(),
             });
             if !goes_on {
                 return start;
@@ -211,7 +219,7 @@ impl Solid {
             t,
             crossing,
             face,
-            is_visible: !self.is_open && t > self.accuracy,
+            is_visible: !self.is_open && t > self.way(),
         }
     }
 }
@@ -239,7 +247,7 @@ impl Search<'_> {
 
     fn halve(&mut self, from: (f64, f64), to: (f64, f64), sign: f64, left: u32) -> Option<f64> {
         let step = to.0 - from.0;
-        if step < self.solid.accuracy || left == 0 {
+        if step < self.solid.way() || left == 0 {
             return (to.1 < 0.0).then_some(to.0);
         }
         if let Some(Evaluate { factor }) = self.solid.evaluate {
@@ -318,6 +326,10 @@ impl Geometry for Isosurface {
         false
     }
 
+    fn change_unit(&mut self, factor: f64) {
+        Arc::make_mut(&mut self.0).unit *= factor;
+    }
+
     /// So that rays which leave it are told from others.
     fn is_faceted(&self) -> bool {
         true
@@ -344,6 +356,7 @@ mod tests {
             container: Container::DEFAULT,
             threshold: 0.0,
             accuracy: 1e-6,
+            unit: 1.0,
             gradient: 1.0,
             evaluate: None,
             is_open,

@@ -52,6 +52,8 @@ struct Fractal {
     slope: DVec3,
     offset: f64,
     radius: f64,
+    /// The length in which `LEAST_WAY` counts.
+    unit: f64,
 }
 
 /// What is done in each iteration.
@@ -131,6 +133,7 @@ impl JuliaFractal {
             slope: -normal.truncate() / normal.w,
             offset: distance / normal.w,
             radius,
+            unit: 1.0,
         })))
     }
 }
@@ -444,10 +447,11 @@ impl Geometry for JuliaFractal {
     /// for one place only, and forgets it if it is too near.
     fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, _: u32) -> Option<Root> {
         let (unit, length) = unit(ray);
+        let least = from.max(self.0.unit * LEAST_WAY);
         let mut found = None;
         self.0.follow(&unit, TOLERANCE, &mut |t, crossing| {
-            found = Some(root(t / length, crossing, true))
-                .filter(|root| from.max(LEAST_WAY) < root.t && root.t < to);
+            found =
+                Some(root(t / length, crossing, true)).filter(|root| least < root.t && root.t < to);
             found.is_none()
         });
         found
@@ -478,6 +482,10 @@ impl Geometry for JuliaFractal {
 
     fn absorb(&mut self, _: &Step) -> bool {
         false
+    }
+
+    fn change_unit(&mut self, factor: f64) {
+        self.0.unit *= factor;
     }
 
     /// So that rays which leave it are not sent through the whole ball again.

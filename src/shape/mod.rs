@@ -159,6 +159,10 @@ pub trait Geometry {
     /// Works out what rays need, when no further step is to be absorbed.
     fn prepare(&mut self) {}
 
+    /// Makes the lengths larger that POV-Ray counts in units of the scene, whatever the transform of the shape: how fine
+    /// a surface is searched for along a ray, how flat its pieces are.
+    fn change_unit(&mut self, _factor: f64) {}
+
     /// Texture coordinates of a surface point for `uv_mapping`.
     fn uv(&self, point: DVec3) -> [f64; 2] {
         [point.x, point.y]
@@ -280,6 +284,9 @@ macro_rules! shapes {
             }
             fn prepare(&mut self) {
                 match self { $(Shape::$name(shape) => shape.prepare()),+ }
+            }
+            fn change_unit(&mut self, factor: f64) {
+                match self { $(Shape::$name(shape) => shape.change_unit(factor)),+ }
             }
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }

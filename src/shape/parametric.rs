@@ -43,6 +43,8 @@ struct Surface {
     high: DVec2,
     container: Container,
     accuracy: f64,
+    /// The length in which lengths along a ray count; POV-Ray has it 1 whatever the transform of the object.
+    unit: f64,
     gradient: f64,
 }
 
@@ -76,6 +78,7 @@ impl Parametric {
             high: a.max(b),
             container: Container::DEFAULT,
             accuracy: ACCURACY,
+            unit: 1.0,
             gradient: MAX_GRADIENT,
         };
         loop {
@@ -200,12 +203,12 @@ impl Surface {
         let [enter, leave] = self.container.chord(ray)?;
         // In POV-Ray the way through a ball begins behind a ray that starts in it, and what is met there hides the rest.
         let is_ball = matches!(self.container, Container::Ball { .. });
-        let start = if is_ball && from < LEAST_DEPTH {
+        let start = if is_ball && from < self.unit * LEAST_DEPTH {
             f64::NEG_INFINITY
         } else {
             from
         };
-        let least = enter.0.max(start) + LEAST_WAY * self.accuracy;
+        let least = enter.0.max(start) + LEAST_WAY * self.unit * self.accuracy;
         let mut end = leave.0.min(to);
         let mut best: Option<Root> = None;
         let mut open: SmallVec<[Patch; 64]> = SmallVec::new();
@@ -236,7 +239,7 @@ impl Surface {
                 });
             }
         }
-        best.filter(|root| start == from || root.t > LEAST_DEPTH)
+        best.filter(|root| start == from || root.t > self.unit * LEAST_DEPTH)
     }
 
     #[allow(
@@ -326,6 +329,10 @@ impl Geometry for Parametric {
         false
     }
 
+    fn change_unit(&mut self, factor: f64) {
+        Arc::make_mut(&mut self.0).unit *= factor;
+    }
+
     fn uv_of_face(&self, _: DVec3, face: u32) -> [f64; 2] {
         self.0.parameters(face).to_array()
     }
@@ -370,6 +377,7 @@ mod tests {
                 high: DVec3::splat(1.1),
             },
             accuracy: 1e-4,
+            unit: 1.0,
             gradient: 1.0,
         }))
     }

@@ -4,7 +4,7 @@
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse};
-use crate::math::conditioning::unit;
+use crate::math::conditioning::{power_of_two, unit};
 use crate::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -66,11 +66,18 @@ impl Plane {
     /// The plane with the normal replaced by one of any length, and `distance` in units of that length.
     fn set(&mut self, normal: DVec3, distance: f64) -> bool {
         let length = normal.length();
-        if !(length > 0.0 && length.is_finite()) {
-            return false;
+        if length.is_normal() {
+            self.normal = normal / length;
+            self.distance = distance / length;
+            return true;
         }
-        self.normal = normal / length;
-        self.distance = distance / length;
+        // A square that cannot be held says nothing about a length.
+        let size = power_of_two(normal.abs().max_element());
+        let Some(direction) = unit(normal) else {
+            return false;
+        };
+        self.normal = direction;
+        self.distance = distance / size / (normal / size).length();
         true
     }
 }

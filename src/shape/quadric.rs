@@ -5,6 +5,9 @@
 //! the digits of a translation. A ray is first moved to where it comes closest to the middle of the quadric; there its
 //! quadratic has coefficients of the quadric's own size, and the discriminant is taken to the last digit (Kahan 2004,
 //! "On the cost of floating-point computation without extra-precise arithmetic").
+//!
+//! Error bound: the quadratic about the nearest point has coefficients known to a few roundings of the ray's and the
+//! quadric's own size, so a root is off by a rounding of the distance (tested at 10³ to 10⁹ times the size).
 
 use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
 use crate::args::{Args, Parse};

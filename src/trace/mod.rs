@@ -207,7 +207,8 @@ impl<'w> Tracer<'w> {
                 (self.world.nearest(&query, scratch), &[])
             });
             let Some(hit) = hit else {
-                let air = self.air(&path.ray, WAY_TO_NOTHING, &path.inside, &mut scratch.stream);
+                let way = self.world.globals.unit * WAY_TO_NOTHING;
+                let air = self.air(&path.ray, way, &path.inside, &mut scratch.stream);
                 break self.behind_everything(&path).through(air);
             };
             let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);

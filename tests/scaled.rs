@@ -1,0 +1,126 @@
+//! Every scene of `pov_scenes/`, drawn in a unit of length larger or smaller by a power of two, gives the same picture to
+//! the last bit: no length in povr is compared with a length that the scene has not given.
+
+mod support;
+
+use glam::DVec3;
+use libtest_mimic::{Arguments, Failed, Trial};
+use povr::film::Film;
+use povr::lang::{Probe, Texts};
+use povr::options::{ReadOptions, RenderOptions};
+use povr::scene::{Object, Scene};
+use povr::source::Sources;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 36;
+
+/// The powers every scene is drawn with; one more comes from its name.
+const POWERS: [i32; 2] = [-60, 60];
+
+/// Scenes that say lengths in a way that no transform reaches, with the reason.
+const EXCEPT: &[(&str, &str)] = &[
+    (
+        "finish/irid_turbulence",
+        "the film's turbulence is that of the place in the world, as in POV-Ray",
+    ),
+    (
+        "pattern/slope_altitude",
+        "the range of heights is in units of the world, as in POV-Ray",
+    ),
+    (
+        "pattern/slope_waves",
+        "the range of heights is in units of the world, as in POV-Ray",
+    ),
+];
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let trials = match support::scenes(Path::new(support::SCENES)) {
+        Ok(scenes) => scenes.into_iter().map(trial).collect(),
+        Err(error) => vec![Trial::test("pov_scenes", move || Err(error.into()))],
+    };
+    libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+fn trial(path: PathBuf) -> Trial {
+    let relative = path.strip_prefix(support::SCENES).unwrap_or(&path);
+    let name = relative.with_extension("").display().to_string();
+    let is_left_out = EXCEPT.iter().any(|(scene, _)| *scene == name);
+    let shown = name.clone();
+    Trial::test(shown, move || check(&path, &name)).with_ignored_flag(is_left_out)
+}
+
+fn check(path: &Path, name: &str) -> Result<(), Failed> {
+    // Scenes for messages and for switches need not have a picture.
+    let Some(scene) = read(path) else {
+        return Ok(());
+    };
+    let expected = drawn(scene.clone());
+    let mut hasher = DefaultHasher::new();
+    name.hash(&mut hasher);
+    let own = i32::try_from(hasher.finish() % 119).unwrap_or(0) - 59;
+    for power in POWERS.into_iter().chain([own]) {
+        let film = drawn(scene.clone().scaled(2f64.powi(power)));
+        let pairs = expected.pixels.iter().zip(&film.pixels);
+        let differing = pairs.filter(|(a, b)| bits(a) != bits(b)).count();
+        if differing > 0 {
+            return Err(format!("{differing} pixels differ at 2^{power}").into());
+        }
+    }
+    Ok(())
+}
+
+fn bits(pixel: &povr::film::Pixel) -> [u32; 4] {
+    let rgb = pixel.rgb;
+    [rgb.r, rgb.g, rgb.b, pixel.transmit].map(f32::to_bits)
+}
+
+fn drawn(scene: Scene) -> Film {
+    let options = RenderOptions {
+        width: WIDTH,
+        height: HEIGHT,
+        columns: 0..WIDTH,
+        rows: 0..HEIGHT,
+        ..RenderOptions::default()
+    };
+    let world = povr::compile::compile(scene, &options);
+    povr::render::render(&world, &options, None, &|_| {}).film
+}
+
+/// The objects of the scene, for scenes that shoot rays while they are read.
+#[derive(Default)]
+struct OwnObjects(povr::compile::Probed);
+
+impl Probe for OwnObjects {
+    fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
+        self.0.trace(object, from, dir)
+    }
+
+    fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
+        self.0.is_inside(object, point)
+    }
+}
+
+fn read(path: &Path) -> Option<Scene> {
+    let mut library_paths = vec![PathBuf::from("/usr/share/povray-3.7/include")];
+    library_paths.extend(path.parent().map(Path::to_owned));
+    let options = ReadOptions {
+        width: WIDTH,
+        height: HEIGHT,
+        library_paths: library_paths.clone(),
+        ..ReadOptions::default()
+    };
+    let mut sources = Sources::new(library_paths);
+    let file = sources.load_file(path).ok()?;
+    let mut probe = OwnObjects::default();
+    let texts = Texts {
+        scene: file,
+        sources: &mut sources,
+        lexicon: None,
+    };
+    povr::lang::evaluate_with(texts, &options, &mut probe, &mut |_| {}).scene
+}

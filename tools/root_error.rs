@@ -1,0 +1,302 @@
+//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus and sphere and for
+//! other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program for the terminal"
+)]
+#![allow(dead_code, reason = "the suite's other parts are for other programs")]
+
+#[path = "../tests/stability/rays/mod.rs"]
+mod rays;
+#[path = "../tests/stability/wide.rs"]
+mod wide;
+
+#[path = "candidates"]
+mod candidates {
+    pub(crate) mod sphere;
+    pub(crate) mod torus;
+}
+
+use candidates::torus::Solve;
+use plotters::coord::combinators::IntoLogRange;
+use plotters::prelude::*;
+use povr::shape::Root;
+use rays::families::{Family, Question, SPHERES, TORI};
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// Rays of each family.
+const RAYS: usize = 10_000;
+/// Timings of each family, of which the least counts.
+const TIMINGS: usize = 5;
+/// Families of the report on numerics; the others are povr's own.
+const OF_REPORT: usize = 31;
+const SIZE: (u32, u32) = (760, 460);
+const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
+
+/// How one way does on one family.
+#[derive(Clone, Copy, Default)]
+struct Score {
+    bad: usize,
+    /// The largest backward error of the rays that are not bad, in roundings.
+    worst: f64,
+    /// The largest of all.
+    worst_of_all: f64,
+    nanoseconds: f64,
+}
+
+fn main() -> ExitCode {
+    let mut arguments = std::env::args().skip(1);
+    let folder = arguments
+        .next()
+        .map_or_else(|| "target/stability/report".into(), PathBuf::from);
+    let rays = arguments
+        .next()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(RAYS);
+    match run(&folder, rays) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("root_error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn torus_of_povr(question: &Question, out: &mut Vec<f64>) {
+    roots_of(question, out, rays::torus_of_povr);
+}
+
+fn sphere_of_povr(question: &Question, out: &mut Vec<f64>) {
+    roots_of(question, out, rays::sphere_of_povr);
+}
+
+fn roots_of(question: &Question, out: &mut Vec<f64>, ask: fn(&Question, &mut Vec<Root>)) {
+    thread_local! {
+        static ROOTS: std::cell::RefCell<Vec<Root>> = const { std::cell::RefCell::new(Vec::new()) };
+    }
+    ROOTS.with_borrow_mut(|roots| {
+        roots.clear();
+        ask(question, roots);
+        out.extend(roots.iter().map(|root| root.t));
+    });
+}
+
+fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
+    std::fs::create_dir_all(folder)?;
+    let mut page = String::new();
+    let tori: Vec<(&str, Solve)> = [("povr", torus_of_povr as Solve)]
+        .into_iter()
+        .chain(candidates::torus::ALL.iter().copied())
+        .collect();
+    let spheres: Vec<(&str, Solve)> = [("povr", sphere_of_povr as Solve)]
+        .into_iter()
+        .chain(candidates::sphere::ALL.iter().copied())
+        .collect();
+    section(&mut page, "torus", TORI, &tori, rays);
+    section(&mut page, "sphere", SPHERES, &spheres, rays);
+    std::fs::write(folder.join("root_error.html"), page)
+}
+
+fn section(
+    page: &mut String,
+    shape: &str,
+    families: &[Family],
+    ways: &[(&str, Solve)],
+    rays: usize,
+) {
+    let scores: Vec<Vec<Score>> = families
+        .iter()
+        .map(|family| {
+            let questions = family.rays(rays);
+            let exact: Vec<usize> = questions.iter().map(Question::roots).collect();
+            let scores: Vec<Score> = ways
+                .iter()
+                .map(|way| score(&questions, &exact, way.1))
+                .collect();
+            let told: Vec<String> = scores
+                .iter()
+                .map(|score| format!("{}/{:.1}/{:.0}", score.bad, score.worst, score.nanoseconds))
+                .collect();
+            println!("{shape}, {}: {}", family.name, told.join("  "));
+            scores
+        })
+        .collect();
+    let _ = writeln!(
+        page,
+        "<h2>Roots of the {shape}: bad rays of {rays}</h2>\n<p>A ray is bad if a root lies more than 64 roundings of the \
+         problem's size off the surface, or if a root is missing or too many that no shift of the surface by so little \
+         explains.</p>"
+    );
+    table(page, families, ways, &scores, |score| score.bad.to_string());
+    let _ = writeln!(
+        page,
+        "<h2>Roots of the {shape}: largest backward error in roundings, bad rays left out</h2>"
+    );
+    table(page, families, ways, &scores, |score| {
+        format!("{:.2}", score.worst)
+    });
+    let _ = writeln!(
+        page,
+        "<h2>Roots of the {shape}: nanoseconds a ray, the least of {TIMINGS}</h2>"
+    );
+    table(page, families, ways, &scores, |score| {
+        format!("{:.0}", score.nanoseconds)
+    });
+    let first = if shape == "torus" {
+        OF_REPORT.min(families.len())
+    } else {
+        families.len()
+    };
+    for (name, number) in ways.iter().map(|way| way.0).zip(0..) {
+        let bad = |of: &[Vec<Score>]| of.iter().map(|scores| scores[number].bad).sum::<usize>();
+        println!(
+            "{shape}, {name}: {} bad of {} in the families of the report, {} of {} in others",
+            bad(&scores[..first]),
+            first * rays,
+            bad(&scores[first..]),
+            (families.len() - first) * rays
+        );
+    }
+    *page += "<div class=\"plots\">\n";
+    *page += &plot(shape, ways, &scores, rays)
+        .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
+    *page += "</div>\n";
+}
+
+fn table(
+    page: &mut String,
+    families: &[Family],
+    ways: &[(&str, Solve)],
+    scores: &[Vec<Score>],
+    told: impl Fn(&Score) -> String,
+) {
+    *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\">family</th>";
+    for (name, _) in ways {
+        let _ = write!(page, "<th>{name}</th>");
+    }
+    *page += "</tr></thead><tbody>\n";
+    for (family, scores) in families.iter().zip(scores) {
+        let _ = write!(page, "<tr><td class=\"text\">{}</td>", family.name);
+        for score in scores {
+            let _ = write!(page, "<td>{}</td>", told(score));
+        }
+        *page += "</tr>\n";
+    }
+    *page += "</tbody></table></div>\n";
+}
+
+fn score(questions: &[Question], exact: &[usize], solve: Solve) -> Score {
+    let mut roots = Vec::with_capacity(8);
+    let mut score = Score {
+        nanoseconds: f64::INFINITY,
+        ..Score::default()
+    };
+    for _ in 0..TIMINGS {
+        let start = Instant::now();
+        for question in questions {
+            roots.clear();
+            solve(black_box(question), &mut roots);
+            black_box(&roots);
+        }
+        let each = start.elapsed().as_secs_f64() * 1e9 / count(questions.len());
+        score.nanoseconds = score.nanoseconds.min(each);
+    }
+    for (question, exact) in questions.iter().zip(exact) {
+        roots.clear();
+        solve(question, &mut roots);
+        let verdict = question.verdict(&roots, *exact);
+        score.worst_of_all = score.worst_of_all.max(verdict.worst);
+        if verdict.is_bad {
+            score.bad += 1;
+        } else {
+            score.worst = score.worst.max(verdict.worst);
+        }
+    }
+    score
+}
+
+fn count(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+/// Bad rays of a million over nanoseconds, a dot for each family and way; none is drawn as a tenth.
+fn plot(
+    shape: &str,
+    ways: &[(&str, Solve)],
+    scores: &[Vec<Score>],
+    rays: usize,
+) -> Result<String, Box<dyn std::error::Error>> {
+    let mut text = String::new();
+    let all = || scores.iter().flatten();
+    let slowest = all().fold(1.0, |most: f64, score| most.max(score.nanoseconds));
+    let fastest = all().fold(slowest, |least: f64, score| least.min(score.nanoseconds));
+    let most_error = all()
+        .filter(|score| score.worst_of_all.is_finite())
+        .fold(10.0, |most: f64, score| most.max(score.worst_of_all));
+    for (title, value, range) in [
+        (
+            format!("{shape}: bad rays of a hundred over nanoseconds a ray (0 is drawn at 0.003)"),
+            (|score: &Score, rays| (100.0 * count(score.bad) / rays).max(0.003))
+                as fn(&Score, f64) -> f64,
+            0.002..150.0,
+        ),
+        (
+            format!("{shape}: largest backward error in roundings over nanoseconds a ray"),
+            |score: &Score, _| score.worst_of_all.clamp(0.1, 1e16),
+            0.1..most_error.min(1e16) * 2.0,
+        ),
+    ] {
+        let mut part = String::new();
+        {
+            let area = SVGBackend::with_string(&mut part, SIZE).into_drawing_area();
+            area.fill(&WHITE)?;
+            let mut chart = ChartBuilder::on(&area)
+                .caption(title, (FONT, 15))
+                .margin(12)
+                .x_label_area_size(42)
+                .y_label_area_size(64)
+                .build_cartesian_2d(
+                    (0.7 * fastest..1.4 * slowest).log_scale(),
+                    range.log_scale(),
+                )?;
+            chart
+                .configure_mesh()
+                .x_desc("nanoseconds a ray")
+                .label_style((FONT, 12))
+                .y_label_formatter(&|v| format!("{v:e}"))
+                .light_line_style(TRANSPARENT)
+                .draw()?;
+            for (number, (name, _)) in ways.iter().enumerate() {
+                let color = Palette99::pick(number).to_rgba();
+                let dots = scores.iter().map(|scores| {
+                    let score = &scores[number];
+                    Circle::new(
+                        (score.nanoseconds, value(score, count(rays))),
+                        4,
+                        color.filled(),
+                    )
+                });
+                chart
+                    .draw_series(dots)?
+                    .label(*name)
+                    .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
+            }
+            chart
+                .configure_series_labels()
+                .position(SeriesLabelPosition::UpperRight)
+                .background_style(WHITE.mix(0.85))
+                .border_style(BLACK.mix(0.3))
+                .label_font((FONT, 12))
+                .draw()?;
+            area.present()?;
+        }
+        text += &part;
+    }
+    Ok(text)
+}
