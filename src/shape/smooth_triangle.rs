@@ -1,9 +1,9 @@
 //! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle shaded as if it
 //! were round.
 //!
-//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` and
-//! `rotate` leave unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them,
-//! and so change their shares in the mean (measured with `trace`).
+//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` leaves
+//! unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them, and so change
+//! their shares in the mean (measured with `trace`).
 
 use super::{Geometry, Root, Start, Triangle, read};
 use crate::args::{Args, Parse};
@@ -110,7 +110,7 @@ impl Geometry for SmoothTriangle {
         let transform = step.transform();
         let moved = self.normals.map(|normal| {
             let moved = transform.normal(normal);
-            let keeps_length = matches!(step, Step::General(_));
+            let keeps_length = !matches!(step, Step::Scale(_));
             let is_usable = keeps_length && moved.is_finite() && moved != DVec3::ZERO;
             is_usable.then_some(moved).or_else(|| unit(moved))
         });
