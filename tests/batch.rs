@@ -414,14 +414,16 @@ object { U }\n")),
         names,
         right.map(|name| PathBuf::from(format!("{name}.png")))
     );
+    // On a fast machine all the tokens that loops may read are read before the time is over.
+    let endless = ran.why("c_endless.pov");
+    assert!(
+        endless.contains("do not come to an end") || endless.contains("it took longer than 4s"),
+        "{endless}"
+    );
     for (scene, expected) in [
         (
             "a_missing.pov",
             "cannot find the include file `nowhere.inc`",
-        ),
-        (
-            "c_endless.pov",
-            "it took longer than 4s, which `--timeout` allows",
         ),
         (
             "e_mirrors.pov",

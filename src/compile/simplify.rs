@@ -43,6 +43,7 @@ impl Program {
             if !leaf.shape.is_solid() && self.is_inverse(number) {
                 let operand = &mut self.operands[number as usize];
                 operand.is_inverse = !operand.is_inverse;
+                self.turned.push(number);
             }
         }
     }
@@ -258,7 +259,9 @@ mod tests {
         let mut sweep = Sweep::default();
         let (mut hits, mut trees, mut narrowed) = (0, 0, 0);
         for _ in 0..8000 {
-            let (plain, leaves, bounds) = random_program(&mut rng);
+            let (mut plain, leaves, bounds) = random_program(&mut rng);
+            plain.leave_patches(&leaves);
+            plain.rest = plain.state_outside_all();
             let mut prepared = plain.clone();
             prepared.prepare(&leaves, &bounds);
             trees += usize::from(prepared.order.tree.is_some());

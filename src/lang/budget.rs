@@ -250,6 +250,11 @@ impl Reader<'_> {
                 "objects lie inside each other more than {} deep",
                 limits::HEIGHT
             )
+        } else if size.turns as usize > limits::TURNS {
+            format!(
+                "combinations that differ lie inside each other more than {} deep",
+                limits::TURNS
+            )
         } else if u64::from(size.leaves) > limits::SHOWN {
             format!("this object comes to more than {} shapes", limits::SHOWN)
         } else {

@@ -13,6 +13,8 @@ pub(super) const EXPRESSION: usize = 1_000;
 pub(super) const INCLUDES: usize = 100;
 /// Objects inside each other, by whatever names they got there.
 pub(super) const HEIGHT: usize = 120_000;
+/// The same without those that come to one with the object around them: a ray's time may grow with the square.
+pub(super) const TURNS: usize = 2_000;
 /// Who makes many objects works long: for each object that the scene has made, this share of the reader's patience may
 /// be read again beyond it. 2,000 tokens, as patience commonly is.
 pub(super) const PATIENCE_FOR_OBJECT: u64 = 75_000;

@@ -177,7 +177,7 @@ pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<()
     put(&encode(film, options)?, target)
 }
 
-/// Writes the bytes of a file, as [`write`] does.
+/// Writes the bytes of a file, as [`write()`] does.
 ///
 /// # Errors
 /// When the system refuses to write.

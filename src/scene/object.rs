@@ -51,6 +51,9 @@ pub struct Size {
     pub leaves: u32,
     /// Whether lights are among them.
     pub has_lights: bool,
+    /// Combinations inside each other, without those that say no more than the one around them would say of their
+    /// parts: differences whose first part is a difference, unions of unions.
+    pub turns: u32,
 }
 
 /// Something that an object was given after its first `after` transforms, so that only the later ones move it.
@@ -132,6 +135,7 @@ impl Object {
             height: 1,
             leaves: 1,
             has_lights: matches!(kind, Kind::Light { .. }),
+            turns: 0,
         };
         let size = match &kind {
             Kind::Shape(_) => leaf,
@@ -143,14 +147,17 @@ impl Object {
                 let held = looks_like.iter().chain(projected_through);
                 held.fold(leaf, |sum, object| sum.with_inside(object.size))
             }
-            Kind::Csg { children, .. } => children.iter().fold(
-                Size {
-                    height: 1,
-                    leaves: 0,
-                    has_lights: false,
-                },
-                |sum, child| sum.with_inside(child.size),
-            ),
+            Kind::Csg {
+                operation,
+                children,
+            } => {
+                let nothing = Size { leaves: 0, ..leaf };
+                let parts = children.iter().enumerate();
+                parts.fold(nothing, |sum, (at, child)| {
+                    let is_cut = *operation == Operation::Difference && at > 0;
+                    sum.with_part(child, !child.is_part_of(*operation, is_cut))
+                })
+            }
         };
         Object {
             kind,
@@ -185,6 +192,24 @@ impl Object {
             what,
             after: self.steps.len(),
         }
+    }
+
+    /// Whether it says nothing but what the combination around it would say of its parts; `is_cut`: that takes it away.
+    /// Shapes do.
+    fn is_part_of(&self, around: Operation, is_cut: bool) -> bool {
+        let Kind::Csg { operation, .. } = &self.kind else {
+            return true;
+        };
+        let is_bare = self.clipped_by.is_empty() && self.bounded_by.is_empty();
+        let is_shared = |of| matches!(of, Operation::Intersection | Operation::Difference);
+        let is_same = if self.is_inverse == is_cut {
+            *operation == around || (is_shared(*operation) && is_shared(around))
+        } else if is_shared(around) {
+            *operation == Operation::Merge || *operation == Operation::Union
+        } else {
+            around == Operation::Merge && is_shared(*operation)
+        };
+        is_bare && is_same
     }
 
     /// The parts of a union that is no more than all of them: neither inverse, nor clipped or bounded.
@@ -276,6 +301,22 @@ impl Drop for Object {
 impl Size {
     fn with_inside(self, inner: Size) -> Size {
         Size {
+            turns: self.turns.max(inner.turns.saturating_add(1)),
+            ..self.with(inner)
+        }
+    }
+
+    fn with_part(self, part: &Object, is_turn: bool) -> Size {
+        let turns = part.size.turns + u32::from(is_turn);
+        Size {
+            turns: self.turns.max(turns),
+            ..self.with(part.size)
+        }
+    }
+
+    fn with(self, inner: Size) -> Size {
+        Size {
+            turns: self.turns,
             height: self.height.max(inner.height.saturating_add(1)),
             leaves: self.leaves.saturating_add(inner.leaves),
             has_lights: self.has_lights || inner.has_lights,
@@ -320,6 +361,7 @@ mod tests {
             height: 21,
             leaves: 1 << 20,
             has_lights: true,
+            turns: 0,
         };
         assert_eq!(doubled.size(), size);
         for _ in 0..20 {
@@ -337,6 +379,7 @@ mod tests {
             height: 4,
             leaves: 2,
             has_lights: true,
+            turns: 1,
         };
         assert_eq!(object.size(), size);
     }

@@ -19,8 +19,8 @@ use std::time::Duration;
 
 /// No small scene needs this long, however broken.
 const TIME_LIMIT: Duration = Duration::from_secs(20);
-/// The address space a renderer may use, in KiB.
-const MEMORY_LIMIT: u32 = 1 << 20;
+/// The address space a renderer may use, in KiB; the stack of its reader reserves half of it.
+const MEMORY_LIMIT: u32 = 2 << 20;
 /// How many scenes each kind of damage is done to.
 const VARIANTS: u64 = 16;
 
