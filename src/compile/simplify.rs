@@ -40,7 +40,8 @@ impl Program {
     fn leave_patches(&mut self, leaves: &[Leaf]) {
         let own = &leaves[self.first as usize..];
         for (number, leaf) in (0..self.len()).zip(own) {
-            if !leaf.shape.is_solid() && self.is_inverse(number) {
+            let is_left = self.turned.contains(&number);
+            if !leaf.shape.is_solid() && self.is_inverse(number) && !is_left {
                 let operand = &mut self.operands[number as usize];
                 operand.is_inverse = !operand.is_inverse;
                 self.turned.push(number);
