@@ -68,7 +68,7 @@ pub(super) struct Program {
     pub(super) gates: Vec<Gate>,
     /// What a ray is inside of where it is outside of all leaves.
     pub(super) rest: State,
-    /// Patches that are inverse, which changes nothing but the side their normals are on.
+    /// Patches that are inverse, in order, which changes nothing but the side their normals are on.
     pub(super) turned: Vec<u32>,
     /// The order in which operands are asked.
     pub(super) order: Order,
@@ -137,7 +137,7 @@ impl Program {
     /// Whether inside and outside of an operand are exchanged, by itself or by what it is part of; no operand of that
     /// number is not.
     pub(super) fn is_inverse(&self, operand: u32) -> bool {
-        let is_turned = self.turned.contains(&operand);
+        let is_turned = self.turned.binary_search(&operand).is_ok();
         let Some(operand) = self.operands.get(operand as usize) else {
             return false;
         };

@@ -40,8 +40,8 @@ impl Program {
     fn leave_patches(&mut self, leaves: &[Leaf]) {
         let own = &leaves[self.first as usize..];
         for (number, leaf) in (0..self.len()).zip(own) {
-            let is_left = self.turned.contains(&number);
-            if !leaf.shape.is_solid() && self.is_inverse(number) && !is_left {
+            let is_new = || self.turned.binary_search(&number).is_err();
+            if !leaf.shape.is_solid() && is_new() && self.is_inverse(number) {
                 let operand = &mut self.operands[number as usize];
                 operand.is_inverse = !operand.is_inverse;
                 self.turned.push(number);
