@@ -21,7 +21,7 @@ pub(super) struct Look {
     /// Where in the pixel it lies, in parts of 2^16 of the side.
     pub(super) place: (u16, u16),
     /// The surface it met first, and the direction in which that faces.
-    leaf: u32,
+    pub(super) leaf: u32,
     normal: [f32; 3],
 }
 
@@ -92,6 +92,14 @@ impl EyeScratch {
     pub(super) fn take_rays(&mut self) -> Rays {
         self.block.take_rays()
     }
+
+    /// Notes a point of the sequence of a pixel as a place to look at.
+    fn note(&mut self, (x, y): (u32, u32), point: (u32, u32)) {
+        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
+        let (dx, dy) = (share(point.0), share(point.1));
+        self.places.push((f64::from(x) + dx, f64::from(y) + dy));
+        self.cells.push(place(point));
+    }
 }
 
 impl Eye<'_> {
@@ -114,6 +122,22 @@ impl Eye<'_> {
         self.look(scratch, looks);
     }
 
+    /// Samples at these points of the sequence of a pixel.
+    pub(super) fn looks_at_points(
+        &self,
+        (x, y): (u32, u32),
+        points: &[(u32, u32)],
+        scratch: &mut EyeScratch,
+        looks: &mut Vec<Look>,
+    ) {
+        scratch.places.clear();
+        scratch.cells.clear();
+        for &point in points {
+            scratch.note((x, y), point);
+        }
+        self.look(scratch, looks);
+    }
+
     /// Samples of these numbers of each of these pixels, pixel by pixel.
     pub(super) fn looks(
         &self,
@@ -127,11 +151,7 @@ impl Eye<'_> {
         for (x, y) in pixels {
             let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
             for number in numbers.clone() {
-                let point = sobol.point(number);
-                let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
-                let (dx, dy) = (share(point.0), share(point.1));
-                scratch.places.push((f64::from(x) + dx, f64::from(y) + dy));
-                scratch.cells.push(place(point));
+                scratch.note((x, y), sobol.point(number));
             }
         }
         self.look(scratch, looks);
@@ -164,6 +184,6 @@ impl Eye<'_> {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "sixteen bits are left")]
-fn place((x, y): (u32, u32)) -> (u16, u16) {
+pub(super) fn place((x, y): (u32, u32)) -> (u16, u16) {
     ((x >> 16) as u16, (y >> 16) as u16)
 }
