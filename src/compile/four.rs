@@ -256,6 +256,11 @@ impl World {
                 reason = "a small whole number"
             )]
             let leaf = program.first + found.operand[lane] as u32;
+            // A surface on which the ray may start is for the search that looks behind it.
+            if at(lane).from.is_some_and(|left| found.t[lane] <= left.blur) {
+                found.unknown |= 1 << lane;
+                continue;
+            }
             let roots = &mut scratch.roots;
             roots.clear();
             let found_leaf = &self.model.leaves[leaf as usize];
@@ -313,11 +318,16 @@ impl World {
             }
         }
         let found = four(&rays);
-        let unknown = (found.unknown | unclear) & lanes;
+        let mut unknown = (found.unknown | unclear) & lanes;
         let mut met = found.met & lanes & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;
+            let from = &queries[lane.min(queries.len() - 1)].from;
+            if from.is_some_and(|left| found.t[lane] <= left.blur) {
+                unknown |= 1 << lane;
+                continue;
+            }
             let root = Root {
                 t: found.t[lane],
                 crossing: if found.leaves >> lane & 1 == 1 {

@@ -23,7 +23,10 @@ impl Wants for Blocking<'_> {
     #[inline(always)]
     fn takes(&mut self, found: &Found) -> bool {
         let world = self.world;
-        if !world.is_seen(found, self.query.seen) || found.root.t >= self.query.far {
+        if !world.is_seen(found, self.query.seen)
+            || found.root.t >= self.query.far
+            || world.is_left(found, self.query)
+        {
             return false;
         }
         let is_opaque = world.is_opaque || world.opaque[found.surface as usize];
