@@ -1,5 +1,5 @@
-//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus and sphere and for
-//! other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
+//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus, sphere and quadric and
+//! for other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
 
 #![allow(
     clippy::print_stdout,
@@ -15,20 +15,27 @@ mod wide;
 
 #[path = "candidates"]
 mod candidates {
+    pub(crate) mod quadric;
     pub(crate) mod sphere;
     pub(crate) mod torus;
 }
 
-use candidates::torus::Solve;
 use plotters::coord::combinators::IntoLogRange;
 use plotters::prelude::*;
 use povr::shape::Root;
+use rays::Asked;
 use rays::families::{Family, Question, SPHERES, TORI};
+use rays::quadrics::{OnQuadric, QUADRICS};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
+
+/// Fills in the roots of a ray, in any order.
+type Solve<Q> = fn(&Q, &mut Vec<f64>);
+/// A way to the roots, with its name.
+type Way<Q> = (&'static str, Solve<Q>);
 
 /// Rays of each family.
 const RAYS: usize = 10_000;
@@ -76,7 +83,11 @@ fn sphere_of_povr(question: &Question, out: &mut Vec<f64>) {
     roots_of(question, out, rays::sphere_of_povr);
 }
 
-fn roots_of(question: &Question, out: &mut Vec<f64>, ask: fn(&Question, &mut Vec<Root>)) {
+fn quadric_of_povr(question: &OnQuadric, out: &mut Vec<f64>) {
+    roots_of(question, out, rays::quadrics::quadric_of_povr);
+}
+
+fn roots_of<Q>(question: &Q, out: &mut Vec<f64>, ask: fn(&Q, &mut Vec<Root>)) {
     thread_local! {
         static ROOTS: std::cell::RefCell<Vec<Root>> = const { std::cell::RefCell::new(Vec::new()) };
     }
@@ -90,31 +101,31 @@ fn roots_of(question: &Question, out: &mut Vec<f64>, ask: fn(&Question, &mut Vec
 fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     let mut page = String::new();
-    let tori: Vec<(&str, Solve)> = [("povr", torus_of_povr as Solve)]
-        .into_iter()
-        .chain(candidates::torus::ALL.iter().copied())
-        .collect();
-    let spheres: Vec<(&str, Solve)> = [("povr", sphere_of_povr as Solve)]
-        .into_iter()
-        .chain(candidates::sphere::ALL.iter().copied())
-        .collect();
+    fn all<Q>(own: Solve<Q>, others: &[Way<Q>]) -> Vec<Way<Q>> {
+        let others = others.iter().copied();
+        [("povr", own)].into_iter().chain(others).collect()
+    }
+    let tori = all(torus_of_povr, candidates::torus::ALL);
+    let quadrics = all(quadric_of_povr, candidates::quadric::ALL);
+    let spheres = all(sphere_of_povr, candidates::sphere::ALL);
     section(&mut page, "torus", TORI, &tori, rays);
+    section(&mut page, "quadric", QUADRICS, &quadrics, rays);
     section(&mut page, "sphere", SPHERES, &spheres, rays);
     std::fs::write(folder.join("root_error.html"), page)
 }
 
-fn section(
+fn section<Q: Asked>(
     page: &mut String,
     shape: &str,
-    families: &[Family],
-    ways: &[(&str, Solve)],
+    families: &[Family<Q>],
+    ways: &[Way<Q>],
     rays: usize,
 ) {
     let scores: Vec<Vec<Score>> = families
         .iter()
         .map(|family| {
             let questions = family.rays(rays);
-            let exact: Vec<usize> = questions.iter().map(Question::roots).collect();
+            let exact: Vec<usize> = questions.iter().map(Asked::roots).collect();
             let scores: Vec<Score> = ways
                 .iter()
                 .map(|way| score(&questions, &exact, way.1))
@@ -169,10 +180,10 @@ fn section(
     *page += "</div>\n";
 }
 
-fn table(
+fn table<Q>(
     page: &mut String,
-    families: &[Family],
-    ways: &[(&str, Solve)],
+    families: &[Family<Q>],
+    ways: &[Way<Q>],
     scores: &[Vec<Score>],
     told: impl Fn(&Score) -> String,
 ) {
@@ -191,7 +202,7 @@ fn table(
     *page += "</tbody></table></div>\n";
 }
 
-fn score(questions: &[Question], exact: &[usize], solve: Solve) -> Score {
+fn score<Q: Asked>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
     let mut roots = Vec::with_capacity(8);
     let mut score = Score {
         nanoseconds: f64::INFINITY,
@@ -226,9 +237,9 @@ fn count(n: usize) -> f64 {
 }
 
 /// Bad rays of a million over nanoseconds, a dot for each family and way; none is drawn as a tenth.
-fn plot(
+fn plot<Q>(
     shape: &str,
-    ways: &[(&str, Solve)],
+    ways: &[Way<Q>],
     scores: &[Vec<Score>],
     rays: usize,
 ) -> Result<String, Box<dyn std::error::Error>> {
