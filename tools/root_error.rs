@@ -43,7 +43,7 @@ const RAYS: usize = 10_000;
 const TIMINGS: usize = 5;
 /// Families of the report on numerics; the others are povr's own.
 const OF_REPORT: usize = 31;
-const SIZE: (u32, u32) = (760, 460);
+const SIZE: (u32, u32) = (640, 460);
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
 /// How one way does on one family.
@@ -140,25 +140,33 @@ fn section<Q: Asked>(
         .collect();
     let _ = writeln!(
         page,
-        "<h2>Roots of the {shape}: bad rays of {rays}</h2>\n<p>A ray is bad if a root lies more than 64 roundings of the \
-         problem's size off the surface, or if a root is missing or too many that no shift of the surface by so little \
-         explains.</p>"
+        "<h2>Roots of the {shape}: error against run time</h2>\n<p>{} families of {rays} rays. A ray is bad if a root lies more \
+         than 64 roundings of the problem's size off the surface, or if a root is missing or too many that no shift of the \
+         surface by so little explains. Times are the least of {TIMINGS}, on a machine with other work.</p>",
+        families.len()
     );
-    table(page, families, ways, &scores, |score| score.bad.to_string());
-    let _ = writeln!(
-        page,
-        "<h2>Roots of the {shape}: largest backward error in roundings, bad rays left out</h2>"
-    );
-    table(page, families, ways, &scores, |score| {
-        format!("{:.2}", score.worst)
-    });
-    let _ = writeln!(
-        page,
-        "<h2>Roots of the {shape}: nanoseconds a ray, the least of {TIMINGS}</h2>"
-    );
-    table(page, families, ways, &scores, |score| {
-        format!("{:.0}", score.nanoseconds)
-    });
+    overview(page, ways, &scores, rays);
+    *page += "<div class=\"plots\">\n";
+    *page += &plot(shape, ways, &scores, rays)
+        .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
+    *page += "</div>\n";
+    for (name, told) in [
+        (
+            format!("bad rays of {rays}, by family"),
+            (|score: &Score| score.bad.to_string()) as fn(&Score) -> String,
+        ),
+        (
+            "largest backward error in roundings, bad rays left out".to_owned(),
+            |score| format!("{:.2}", score.worst),
+        ),
+        ("nanoseconds a ray".to_owned(), |score| {
+            format!("{:.0}", score.nanoseconds)
+        }),
+    ] {
+        let _ = writeln!(page, "<details><summary>The {shape}: {name}</summary>");
+        table(page, families, ways, &scores, told);
+        *page += "</details>\n";
+    }
     let first = if shape == "torus" {
         OF_REPORT.min(families.len())
     } else {
@@ -174,10 +182,34 @@ fn section<Q: Asked>(
             (families.len() - first) * rays
         );
     }
-    *page += "<div class=\"plots\">\n";
-    *page += &plot(shape, ways, &scores, rays)
-        .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
-    *page += "</div>\n";
+}
+
+/// A line for each way: all families together.
+fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: usize) {
+    *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\">way</th><th>bad rays</th><th>families with bad rays</th>\
+        <th>largest backward error, roundings</th><th>nanoseconds a ray, median family</th></tr></thead><tbody>\n";
+    for (number, (name, _)) in ways.iter().enumerate() {
+        let own = || scores.iter().map(|scores| scores[number]);
+        let bad: usize = own().map(|score| score.bad).sum();
+        let touched = own().filter(|score| score.bad > 0).count();
+        let worst = own().fold(0.0, |worst: f64, score| worst.max(score.worst_of_all));
+        let mut times: Vec<f64> = own().map(|score| score.nanoseconds).collect();
+        times.sort_by(f64::total_cmp);
+        let error = if worst < 1e4 {
+            format!("{worst:.2}")
+        } else {
+            format!("{worst:.0e}")
+        };
+        let class = if bad > 0 { " class=\"bad\"" } else { "" };
+        let _ = writeln!(
+            page,
+            "<tr><td class=\"text\">{name}</td><td{class}>{bad} of {}</td><td>{touched} of {}</td><td>{error}</td><td>{:.0}</td></tr>",
+            scores.len() * rays,
+            scores.len(),
+            times[times.len() / 2]
+        );
+    }
+    *page += "</tbody></table></div>\n";
 }
 
 fn table<Q>(
@@ -250,15 +282,17 @@ fn plot<Q>(
     let most_error = all()
         .filter(|score| score.worst_of_all.is_finite())
         .fold(10.0, |most: f64, score| most.max(score.worst_of_all));
-    for (title, value, range) in [
+    for (title, up, value, range) in [
         (
-            format!("{shape}: bad rays of a hundred over nanoseconds a ray (0 is drawn at 0.003)"),
+            format!("{shape}: bad rays, a dot for each family"),
+            "bad rays, % (none: 0.003)",
             (|score: &Score, rays| (100.0 * count(score.bad) / rays).max(0.003))
                 as fn(&Score, f64) -> f64,
             0.002..150.0,
         ),
         (
-            format!("{shape}: largest backward error in roundings over nanoseconds a ray"),
+            format!("{shape}: largest error, a dot for each family"),
+            "largest backward error, roundings",
             |score: &Score, _| score.worst_of_all.clamp(0.1, 1e16),
             0.1..most_error.min(1e16) * 2.0,
         ),
@@ -271,7 +305,7 @@ fn plot<Q>(
                 .caption(title, (FONT, 15))
                 .margin(12)
                 .x_label_area_size(42)
-                .y_label_area_size(64)
+                .y_label_area_size(74)
                 .build_cartesian_2d(
                     (0.7 * fastest..1.4 * slowest).log_scale(),
                     range.log_scale(),
@@ -279,7 +313,10 @@ fn plot<Q>(
             chart
                 .configure_mesh()
                 .x_desc("nanoseconds a ray")
+                .y_desc(up)
                 .label_style((FONT, 12))
+                .axis_desc_style((FONT, 13))
+                .bold_line_style(BLACK.mix(0.12))
                 .y_label_formatter(&|v| format!("{v:e}"))
                 .light_line_style(TRANSPARENT)
                 .draw()?;

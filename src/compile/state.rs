@@ -76,3 +76,38 @@ impl State {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+
+    #[test]
+    fn what_a_ray_changed_is_put_back_whatever_came_before() {
+        let mut rng = Random::new(41);
+        let all: Vec<State> = [3, 64, 200, 200]
+            .into_iter()
+            .map(|operands| {
+                let leaf_in = (0..operands).map(|_| rng.share() < 0.5).collect();
+                let counts = (0..20).map(|_| 100).collect();
+                State::new(leaf_in, counts)
+            })
+            .collect();
+        let mut state = State::default();
+        for _ in 0..1000 {
+            let number = |rng: &mut Random, below: usize| {
+                usize::try_from(rng.bits()).expect("64 bits") % below
+            };
+            let rest = &all[number(&mut rng, all.len())];
+            state.rest(rest);
+            assert_eq!(state.leaf_in, rest.leaf_in);
+            assert_eq!(state.counts, rest.counts);
+            for _ in 0..number(&mut rng, 9) {
+                let operand = number(&mut rng, rest.leaf_in.len());
+                state.set(u32::try_from(operand).unwrap(), rng.share() < 0.5);
+                let node = number(&mut rng, rest.counts.len());
+                state.count(u32::try_from(node).unwrap(), rng.share() < 0.5);
+            }
+        }
+    }
+}
