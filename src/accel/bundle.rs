@@ -554,11 +554,17 @@ impl Bvh {
                 next = super::nearest_child(node, &near_sq, met, &mut pending, name);
             } else {
                 let item = child.item();
-                let cell = self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
-                let ball = self.balls.get(item as usize).copied().flatten();
+                let known = self.balls.get(item as usize).copied().flatten();
+                let (ball, cell) = match known {
+                    Some(ball) => (ball, None),
+                    None => {
+                        let cell = self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
+                        (Ball::around(&cell), Some(cell))
+                    }
+                };
                 let is_shortened = bundle.try_item(
-                    &ball.unwrap_or_else(|| Ball::around(&cell)),
-                    ball.is_none().then_some(&cell),
+                    &ball,
+                    cell.as_ref(),
                     #[inline(always)]
                     |first, lanes, ended| visit(item, first, lanes, ended),
                 );

@@ -21,8 +21,6 @@ struct Passing<'a> {
     program: &'a Program,
     leaves: &'a [Leaf],
     rays: &'a FourQueries,
-    /// Where each ray has just left an operand; not a number if it has not.
-    left: [f64; 4],
     /// Which rays there are, one bit each.
     lanes: u32,
 }
@@ -104,7 +102,6 @@ impl FourKernel for Passing<'_> {
         }
         let count = self.program.operands.len().min(MOST_OPERANDS);
         let cuts = &ends[required.min(count)..count];
-        let left = F::load(&self.left);
         let mut best = endless;
         for candidate in 0..2 * cuts.len() + 2 {
             let t = match (candidate, cuts.get((candidate / 2).wrapping_sub(1))) {
@@ -118,13 +115,11 @@ impl FourKernel for Passing<'_> {
             for (enter, leave) in cuts {
                 holds = F::both(holds, F::either(t.not_above(*enter), leave.not_above(t)));
             }
-            let t = F::pick(t.equals(left), endless, t);
             best = F::pick(F::both(holds, t.below(best)), t, best);
         }
         let met = best.below(endless);
         let mut operand = F::all(0.0);
         let (mut once, mut twice) = (F::mask(0), F::mask(0));
-        let (mut left_once, mut left_twice) = (F::mask(0), F::mask(0));
         let numbers = order.required.iter().chain(&order.others);
         for ((enter, leave), &number) in ends[..count].iter().zip(numbers) {
             for end in [*enter, *leave] {
@@ -132,13 +127,10 @@ impl FourKernel for Passing<'_> {
                 twice = F::either(twice, F::both(once, is_best));
                 once = F::either(once, is_best);
                 operand = F::pick(is_best, F::all(f64::from(number)), operand);
-                let is_left = end.equals(left);
-                left_twice = F::either(left_twice, F::both(left_once, is_left));
-                left_once = F::either(left_once, is_left);
             }
         }
         let met = F::bits(met) & self.lanes;
-        unknown |= (F::bits(twice) & met) | (F::bits(left_twice) & self.lanes);
+        unknown |= F::bits(twice) & met;
         FoundByFour {
             t: best.store(),
             operand: operand.store(),
@@ -197,9 +189,10 @@ impl Passing<'_> {
 
 impl World {
     /// What some of four rays find of a combination up to and including where they end: calls `take` with the lane of
-    /// each ray that meets it. Gives those that must be asked for singly, one bit each.
+    /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
+    /// told of a root than its distance.
     #[inline(always)]
-    pub(super) fn ask_four(
+    pub(super) fn ask_four<const ASKS_FACE: bool>(
         &self,
         number: u32,
         (rays, lanes): (&FourQueries, u32),
@@ -208,18 +201,10 @@ impl World {
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
         let program = &self.model.programs[number as usize];
-        let own = program.first..program.first + program.len();
-        let mut left = [f64::NAN; 4];
-        for (lane, left) in left.iter_mut().enumerate() {
-            if lanes >> lane & 1 == 1 && own.contains(&rays.left[lane]) {
-                *left = self.left_at(&query(lane), scratch);
-            }
-        }
         let passing = Passing {
             program,
             leaves: &self.model.leaves,
             rays,
-            left,
             lanes,
         };
         let mut found = four(&passing);
@@ -233,11 +218,33 @@ impl World {
                 reason = "a small whole number"
             )]
             let leaf = program.first + found.operand[lane] as u32;
+            // The root that the ray has just left is none; what lies behind it only a single ray finds.
+            if rays.left[lane] == leaf && self.left_at(&query(lane), scratch) == found.t[lane] {
+                found.unknown |= 1 << lane;
+                continue;
+            }
+            let found_leaf = &self.model.leaves[leaf as usize];
+            let surface = found_leaf.surface;
+            if !ASKS_FACE {
+                let root = Root {
+                    t: found.t[lane],
+                    crossing: Crossing::Touch,
+                    face: 0,
+                    is_visible: true,
+                };
+                take(
+                    lane,
+                    Found {
+                        root,
+                        leaf,
+                        surface,
+                    },
+                );
+                continue;
+            }
             let roots = &mut scratch.roots;
             roots.clear();
-            let found_leaf = &self.model.leaves[leaf as usize];
             found_leaf.roots(&query(lane).ray, roots);
-            let surface = found_leaf.surface;
             match roots.iter().find(|root| root.t == found.t[lane]) {
                 Some(&root) => take(
                     lane,

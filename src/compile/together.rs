@@ -85,7 +85,7 @@ impl World {
                                         ended.note(ray - first, new);
                                     }
                                 };
-                            let lanes = self.in_fours(
+                            let lanes = self.in_fours::<true>(
                                 (item, Seen::Image),
                                 (&mut lot, query),
                                 (first, lanes),
@@ -173,7 +173,7 @@ impl World {
                                 if self.is_large_mesh(item) {
                                     return;
                                 }
-                                let lanes = self.in_fours(
+                                let lanes = self.in_fours::<false>(
                                     (item, Seen::Shadow),
                                     (&mut lot, |ray| queries[ray]),
                                     (first, lanes),
@@ -208,9 +208,9 @@ impl World {
 
     /// Asks about an item by four rays at a time, where that goes, those of `lanes` from the first ray on. Gives the rays
     /// that must still be asked for singly; `take` gets the number of each of the others that meets the item, and what it
-    /// meets.
+    /// meets; unless `ASKS_FACE` perhaps no more than the distance.
     #[inline(always)]
-    fn in_fours(
+    fn in_fours<const ASKS_FACE: bool>(
         &self,
         (item, seen): (Numbered, Seen),
         (lot, query): (&mut Lot, impl Fn(usize) -> Query),
@@ -234,7 +234,9 @@ impl World {
             let query = |lane| query(start + lane);
             let take = |lane, found| take(lot, start + lane, found);
             let unknown = match item.item {
-                Item::Program(program) => self.ask_four(program, asked, query, scratch, take),
+                Item::Program(program) => {
+                    self.ask_four::<ASKS_FACE>(program, asked, query, scratch, take)
+                }
                 Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, query, take),
                 Item::Instance(_) => some,
             };
