@@ -181,16 +181,16 @@ pub(crate) fn add(all: &mut Vec<Case>) {
 
 /// Cameras that leave something out or turn against themselves, as POV-Ray takes them.
 fn views(all: &mut Vec<Case>) {
-    let scene = "sphere { 0, 1 } box { <-2, -2, 3>, <0, 0.3, 4> pigment { rgb <1, 0, 0> } }\n";
+    let scene = "sphere { 0, 1 } box { <-2, -2, 3>, <0.5, 0.3, 4> pigment { rgb <1, 0, 0> } }\n";
     let camera = |text: &str| format!("{HEAD}camera {{ {text} }}\n{scene}");
-    let ahead = "location -4*z right 4/3*x up y direction z";
+    let ahead = "location -4*z right 1.33*x up y direction z";
     for (name, text, like) in [
         ("sky along the view", "location -4*z sky z look_at 0", ahead),
         ("no sky", "location -4*z sky 0 look_at 0", ahead),
         (
             "look_at straight down",
             "location 4*y look_at 0",
-            "location 4*y right 4/3*x up z direction -y",
+            "location 4*y right 1.33*x up z direction -y",
         ),
         (
             "no width",
@@ -200,7 +200,7 @@ fn views(all: &mut Vec<Case>) {
         (
             "no height",
             "location -4*z up 0 look_at 0",
-            "location -4*z right 4/3*x up 1e-12*y direction z",
+            "location -4*z right 1.33*x up 1e-12*y direction z",
         ),
     ] {
         all.push(Case::new(
