@@ -9,6 +9,7 @@ use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
 use super::lot::FourQueries;
 use super::query::{Query, Scratch};
+use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, four};
 use crate::shape::{Crossing, FourRays, FourSpans, Root};
@@ -187,6 +188,12 @@ impl Passing<'_> {
     }
 }
 
+/// Whether a ray may start on the surface that it meets at `t`.
+#[inline(always)]
+fn may_be_left(rays: &FourQueries, lane: usize, t: f64) -> bool {
+    SKIN * t <= rays.from[lane]
+}
+
 impl World {
     /// What some of four rays find of a combination up to and including where they end: calls `take` with the lane of
     /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
@@ -218,6 +225,11 @@ impl World {
                 reason = "a small whole number"
             )]
             let leaf = program.first + found.operand[lane] as u32;
+            // A surface on which the ray may start is for the search that looks behind it.
+            if may_be_left(rays, lane, found.t[lane]) {
+                found.unknown |= 1 << lane;
+                continue;
+            }
             // The root that the ray has just left is none; what lies behind it only a single ray finds.
             if rays.left[lane] == leaf && self.left_at(&query(lane), scratch) == found.t[lane] {
                 found.unknown |= 1 << lane;
@@ -298,11 +310,15 @@ impl World {
             return 0;
         }
         let found = four(&asked);
-        let unknown = (found.unknown | unclear) & lanes;
+        let mut unknown = (found.unknown | unclear) & lanes;
         let mut met = found.met & lanes & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;
+            if may_be_left(rays, lane, found.t[lane]) {
+                unknown |= 1 << lane;
+                continue;
+            }
             let root = Root {
                 t: found.t[lane],
                 crossing: if found.leaves >> lane & 1 == 1 {

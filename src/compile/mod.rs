@@ -23,6 +23,7 @@ mod search;
 mod shadow;
 mod share;
 mod simplify;
+mod state;
 mod surface;
 mod together;
 mod world;

@@ -30,7 +30,10 @@ impl World {
     /// Whether a surface lies opaque on a ray to a light; notes if it lies there and is not opaque.
     #[inline(always)]
     pub(super) fn blocks_light(&self, found: &Found, query: &Query, way: &mut Way) -> bool {
-        if !self.is_seen(found, query.seen) || found.root.t >= query.far {
+        if !self.is_seen(found, query.seen)
+            || found.root.t >= query.far
+            || self.is_left(found, query)
+        {
             return false;
         }
         let is_opaque = self.is_opaque || self.opaque[found.surface as usize];

@@ -3,6 +3,10 @@
 //! iteration cannot miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
 //! Chains of higher degree cost more than halving ([`bernstein`]).
 //!
+//! Error bound: the value at a place that is found is within a few roundings of the sum of the coefficients, or the place
+//! within [`LAST_STEP`] squared of the zero; who wants more digits refines it on the shape itself, as torus and poly do. A
+//! pair of changes whose extreme between them is within that rounding of zero may be lost or found.
+//!
 //! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 < x < 1` is searched; whoever asks has
 //! centred and scaled the polynomial so that its coefficients are of one size there.
 

@@ -1,5 +1,6 @@
 //! Where a quartic changes sign, by the quick way where there is one: most rays that meet a torus meet it where the
-//! quartic bends only one way, and there Newton's iteration from either end runs straight into the root.
+//! quartic bends only one way, and there Newton's iteration from either end runs straight into the root: on a convex
+//! function it never passes it. Error bound: that of [`sign_changes`].
 
 use super::polynomial::{self, Places};
 

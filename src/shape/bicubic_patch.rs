@@ -1,5 +1,5 @@
 //! `bicubic_patch { type n [u_steps n] [v_steps n] [flatness x] [uv_vectors ...] <point>, ... }`: a Bézier surface of
-//! 16 points, drawn as triangles.
+//! 16 points, drawn as triangles, with the error bound of those.
 //!
 //! As in POV-Ray the surface is halved along both parameters, `u_steps` and `v_steps` times, or until a piece is flatter
 //! than `flatness`; each piece is two triangles, with the normals of the true surface at their corners. Transforms move

@@ -35,6 +35,8 @@ mod polygon;
 mod prism;
 mod quadric;
 mod read;
+#[cfg(test)]
+mod roundings;
 mod skin;
 mod smooth_triangle;
 mod sor;
