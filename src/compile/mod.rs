@@ -10,6 +10,8 @@ mod interiors;
 mod leaf;
 mod lights;
 mod looks;
+mod lot;
+mod meshes;
 mod model;
 mod order;
 mod passed;

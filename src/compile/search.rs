@@ -41,11 +41,11 @@ impl World {
             #[inline(always)]
             || self.nearest_found(query, scratch),
         );
-        best.map(|best| self.hit(query, &best.found))
+        best.map(|best| self.hit(&query.ray, &best.found))
     }
 
     #[inline(always)]
-    fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
+    pub(super) fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
         for &item in &self.model.finder.unbounded {
@@ -57,12 +57,7 @@ impl World {
 
     /// Makes `best` the nearest of itself and all bounded items.
     #[inline(always)]
-    pub(super) fn nearest_bounded(
-        &self,
-        query: &Query,
-        best: &mut Option<Best>,
-        scratch: &mut Scratch,
-    ) {
+    fn nearest_bounded(&self, query: &Query, best: &mut Option<Best>, scratch: &mut Scratch) {
         let far = best.map_or(query.far, |best| best.found.root.t);
         self.model.finder.tree.nearest(
             &query.ray,
@@ -86,14 +81,26 @@ impl World {
         best: &mut Option<Best>,
         scratch: &mut Scratch,
     ) -> f64 {
+        match self.see_item(item, query, far, scratch) {
+            None => far,
+            Some(found) => self.offer(item.number, found, query, far, best),
+        }
+    }
+
+    /// The first visible surface of one item up to and including `far`.
+    #[inline(always)]
+    pub(super) fn see_item(
+        &self,
+        item: Numbered,
+        query: &Query,
+        far: f64,
+        scratch: &mut Scratch,
+    ) -> Option<Found> {
         let mut wants = Seeing {
             world: self,
             seen: query.seen,
         };
-        match self.find(item, query, far, scratch, &mut wants) {
-            None => far,
-            Some(found) => self.offer(item.number, found, query, far, best),
-        }
+        self.find(item, query, far, scratch, &mut wants)
     }
 
     /// Takes what was found of an item if it is the best so far; gives the new far limit.
@@ -173,11 +180,12 @@ impl World {
         a < b
     }
 
-    pub(super) fn hit(&self, query: &Query, found: &Found) -> Hit {
+    #[inline]
+    pub(super) fn hit(&self, ray: &Ray, found: &Found) -> Hit {
         let Root {
             t, face, crossing, ..
         } = found.root;
-        let point = query.ray.at(t);
+        let point = ray.at(t);
         let (normal, shading_normal) = self.model.normals(found.leaf, point, face);
         let blur = BLUR * point.abs().max_element().max(t);
         let departure = Departure {
@@ -190,7 +198,6 @@ impl World {
         Hit {
             t,
             point,
-            normal,
             shading_normal,
             surface: found.surface,
             departure,

@@ -316,15 +316,11 @@ impl Geometry for BicubicPatch {
         Triangle { corners }.normal(corners[0], 0)
     }
 
-    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
         let shares = self.weights(point, face);
         let corners = self.corners(face);
         let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * corners[i].normal);
-        if mean.is_finite() && mean != DVec3::ZERO {
-            mean
-        } else {
-            self.normal(point, face)
-        }
+        (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
     fn contains(&self, _: DVec3) -> bool {

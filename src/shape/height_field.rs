@@ -292,9 +292,9 @@ impl Geometry for HeightField {
         self.to_world(self.field.flat_normal(face))
     }
 
-    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
         if !self.field.is_smooth || face >= WATER {
-            return self.normal(point, face);
+            return None;
         }
         let (x, z, _) = self.field.cell(face);
         let at = self.point_to_field(point);
@@ -307,8 +307,9 @@ impl Geometry for HeightField {
             let normal = self.field.pixel_normal(x + dx, z + dz);
             self.to_world(normal).normalize_or_zero()
         };
-        (1.0 - v) * ((1.0 - u) * corner(0, 0) + u * corner(1, 0))
-            + v * ((1.0 - u) * corner(0, 1) + u * corner(1, 1))
+        let low = (1.0 - u) * corner(0, 0) + u * corner(1, 0);
+        let high = (1.0 - u) * corner(0, 1) + u * corner(1, 1);
+        Some((1.0 - v) * low + v * high)
     }
 
     fn contains(&self, point: DVec3) -> bool {

@@ -74,6 +74,21 @@ impl PreparedTexture {
         self.is_opaque
     }
 
+    /// Whether it is one opaque layer with nothing to it but light and highlights: no mirror image, no film, no grain.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        match self.layers.as_slice() {
+            [layer] => {
+                let finish = &layer.finish;
+                self.is_opaque
+                    && !self.has_reflection
+                    && finish.crand <= 0.0
+                    && finish.irid.amount <= 0.0
+            }
+            _ => false,
+        }
+    }
+
     /// Whether some layer has a mirror image.
     #[must_use]
     pub fn has_reflection(&self) -> bool {
