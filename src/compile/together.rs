@@ -218,13 +218,17 @@ impl World {
         scratch: &mut Scratch,
         mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
-        if lanes.is_power_of_two() || !self.suits_four(item.item, seen) {
+        if !self.suits_four(item.item, seen) {
+            return lanes;
+        }
+        let is_for_one = |lanes: u32| lanes.is_power_of_two() && !self.model.suits_one(item.item);
+        if is_for_one(lanes) {
             return lanes;
         }
         let mut left = 0;
         for half in [0, 4] {
             let some = lanes >> half & 0b1111;
-            if some == 0 || some.is_power_of_two() {
+            if some == 0 || is_for_one(some) {
                 left |= some << half;
                 continue;
             }
