@@ -21,7 +21,8 @@ const HEIGHT: u32 = 36;
 /// The powers every scene is drawn with; one more comes from its name.
 const POWERS: [i32; 2] = [-60, 60];
 
-/// Scenes that say lengths in a way that no transform reaches, with the reason.
+/// Scenes that say lengths in a way that no transform reaches, with the reason. Drawn at 160x120 in a unit four times as
+/// large, each of them changes in the same pixels by POV-Ray and by povr, which stay equal byte for byte.
 const EXCEPT: &[(&str, &str)] = &[
     (
         "shape/smooth_triangle_matrix",

@@ -1,5 +1,5 @@
-//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus and sphere and for
-//! other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
+//! `root_error FOLDER [RAYS]`: bad rays and backward error against nanoseconds a ray, for povr's torus, sphere and quadric and
+//! for other ways to the same roots, on families of 10,000 rays (or RAYS) whose answers are known to 77 digits.
 
 #![allow(
     clippy::print_stdout,
@@ -15,20 +15,27 @@ mod wide;
 
 #[path = "candidates"]
 mod candidates {
+    pub(crate) mod quadric;
     pub(crate) mod sphere;
     pub(crate) mod torus;
 }
 
-use candidates::torus::Solve;
 use plotters::coord::combinators::IntoLogRange;
 use plotters::prelude::*;
 use povr::shape::Root;
+use rays::Asked;
 use rays::families::{Family, Question, SPHERES, TORI};
+use rays::quadrics::{OnQuadric, QUADRICS};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
+
+/// Fills in the roots of a ray, in any order.
+type Solve<Q> = fn(&Q, &mut Vec<f64>);
+/// A way to the roots, with its name.
+type Way<Q> = (&'static str, Solve<Q>);
 
 /// Rays of each family.
 const RAYS: usize = 10_000;
@@ -36,7 +43,7 @@ const RAYS: usize = 10_000;
 const TIMINGS: usize = 5;
 /// Families of the report on numerics; the others are povr's own.
 const OF_REPORT: usize = 31;
-const SIZE: (u32, u32) = (760, 460);
+const SIZE: (u32, u32) = (640, 460);
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
 /// How one way does on one family.
@@ -76,7 +83,11 @@ fn sphere_of_povr(question: &Question, out: &mut Vec<f64>) {
     roots_of(question, out, rays::sphere_of_povr);
 }
 
-fn roots_of(question: &Question, out: &mut Vec<f64>, ask: fn(&Question, &mut Vec<Root>)) {
+fn quadric_of_povr(question: &OnQuadric, out: &mut Vec<f64>) {
+    roots_of(question, out, rays::quadrics::quadric_of_povr);
+}
+
+fn roots_of<Q>(question: &Q, out: &mut Vec<f64>, ask: fn(&Q, &mut Vec<Root>)) {
     thread_local! {
         static ROOTS: std::cell::RefCell<Vec<Root>> = const { std::cell::RefCell::new(Vec::new()) };
     }
@@ -90,31 +101,31 @@ fn roots_of(question: &Question, out: &mut Vec<f64>, ask: fn(&Question, &mut Vec
 fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     let mut page = String::new();
-    let tori: Vec<(&str, Solve)> = [("povr", torus_of_povr as Solve)]
-        .into_iter()
-        .chain(candidates::torus::ALL.iter().copied())
-        .collect();
-    let spheres: Vec<(&str, Solve)> = [("povr", sphere_of_povr as Solve)]
-        .into_iter()
-        .chain(candidates::sphere::ALL.iter().copied())
-        .collect();
+    fn all<Q>(own: Solve<Q>, others: &[Way<Q>]) -> Vec<Way<Q>> {
+        let others = others.iter().copied();
+        [("povr", own)].into_iter().chain(others).collect()
+    }
+    let tori = all(torus_of_povr, candidates::torus::ALL);
+    let quadrics = all(quadric_of_povr, candidates::quadric::ALL);
+    let spheres = all(sphere_of_povr, candidates::sphere::ALL);
     section(&mut page, "torus", TORI, &tori, rays);
+    section(&mut page, "quadric", QUADRICS, &quadrics, rays);
     section(&mut page, "sphere", SPHERES, &spheres, rays);
     std::fs::write(folder.join("root_error.html"), page)
 }
 
-fn section(
+fn section<Q: Asked>(
     page: &mut String,
     shape: &str,
-    families: &[Family],
-    ways: &[(&str, Solve)],
+    families: &[Family<Q>],
+    ways: &[Way<Q>],
     rays: usize,
 ) {
     let scores: Vec<Vec<Score>> = families
         .iter()
         .map(|family| {
             let questions = family.rays(rays);
-            let exact: Vec<usize> = questions.iter().map(Question::roots).collect();
+            let exact: Vec<usize> = questions.iter().map(Asked::roots).collect();
             let scores: Vec<Score> = ways
                 .iter()
                 .map(|way| score(&questions, &exact, way.1))
@@ -129,25 +140,33 @@ fn section(
         .collect();
     let _ = writeln!(
         page,
-        "<h2>Roots of the {shape}: bad rays of {rays}</h2>\n<p>A ray is bad if a root lies more than 64 roundings of the \
-         problem's size off the surface, or if a root is missing or too many that no shift of the surface by so little \
-         explains.</p>"
+        "<h2>Roots of the {shape}: error against run time</h2>\n<p>{} families of {rays} rays. A ray is bad if a root lies more \
+         than 64 roundings of the problem's size off the surface, or if a root is missing or too many that no shift of the \
+         surface by so little explains. Times are the least of {TIMINGS}, on a machine with other work.</p>",
+        families.len()
     );
-    table(page, families, ways, &scores, |score| score.bad.to_string());
-    let _ = writeln!(
-        page,
-        "<h2>Roots of the {shape}: largest backward error in roundings, bad rays left out</h2>"
-    );
-    table(page, families, ways, &scores, |score| {
-        format!("{:.2}", score.worst)
-    });
-    let _ = writeln!(
-        page,
-        "<h2>Roots of the {shape}: nanoseconds a ray, the least of {TIMINGS}</h2>"
-    );
-    table(page, families, ways, &scores, |score| {
-        format!("{:.0}", score.nanoseconds)
-    });
+    overview(page, ways, &scores, rays);
+    *page += "<div class=\"plots\">\n";
+    *page += &plot(shape, ways, &scores, rays)
+        .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
+    *page += "</div>\n";
+    for (name, told) in [
+        (
+            format!("bad rays of {rays}, by family"),
+            (|score: &Score| score.bad.to_string()) as fn(&Score) -> String,
+        ),
+        (
+            "largest backward error in roundings, bad rays left out".to_owned(),
+            |score| format!("{:.2}", score.worst),
+        ),
+        ("nanoseconds a ray".to_owned(), |score| {
+            format!("{:.0}", score.nanoseconds)
+        }),
+    ] {
+        let _ = writeln!(page, "<details><summary>The {shape}: {name}</summary>");
+        table(page, families, ways, &scores, told);
+        *page += "</details>\n";
+    }
     let first = if shape == "torus" {
         OF_REPORT.min(families.len())
     } else {
@@ -163,16 +182,40 @@ fn section(
             (families.len() - first) * rays
         );
     }
-    *page += "<div class=\"plots\">\n";
-    *page += &plot(shape, ways, &scores, rays)
-        .unwrap_or_else(|error| format!("<p>No plot: {error}</p>"));
-    *page += "</div>\n";
 }
 
-fn table(
+/// A line for each way: all families together.
+fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: usize) {
+    *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\">way</th><th>bad rays</th><th>families with bad rays</th>\
+        <th>largest backward error, roundings</th><th>nanoseconds a ray, median family</th></tr></thead><tbody>\n";
+    for (number, (name, _)) in ways.iter().enumerate() {
+        let own = || scores.iter().map(|scores| scores[number]);
+        let bad: usize = own().map(|score| score.bad).sum();
+        let touched = own().filter(|score| score.bad > 0).count();
+        let worst = own().fold(0.0, |worst: f64, score| worst.max(score.worst_of_all));
+        let mut times: Vec<f64> = own().map(|score| score.nanoseconds).collect();
+        times.sort_by(f64::total_cmp);
+        let error = if worst < 1e4 {
+            format!("{worst:.2}")
+        } else {
+            format!("{worst:.0e}")
+        };
+        let class = if bad > 0 { " class=\"bad\"" } else { "" };
+        let _ = writeln!(
+            page,
+            "<tr><td class=\"text\">{name}</td><td{class}>{bad} of {}</td><td>{touched} of {}</td><td>{error}</td><td>{:.0}</td></tr>",
+            scores.len() * rays,
+            scores.len(),
+            times[times.len() / 2]
+        );
+    }
+    *page += "</tbody></table></div>\n";
+}
+
+fn table<Q>(
     page: &mut String,
-    families: &[Family],
-    ways: &[(&str, Solve)],
+    families: &[Family<Q>],
+    ways: &[Way<Q>],
     scores: &[Vec<Score>],
     told: impl Fn(&Score) -> String,
 ) {
@@ -191,7 +234,7 @@ fn table(
     *page += "</tbody></table></div>\n";
 }
 
-fn score(questions: &[Question], exact: &[usize], solve: Solve) -> Score {
+fn score<Q: Asked>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
     let mut roots = Vec::with_capacity(8);
     let mut score = Score {
         nanoseconds: f64::INFINITY,
@@ -226,9 +269,9 @@ fn count(n: usize) -> f64 {
 }
 
 /// Bad rays of a million over nanoseconds, a dot for each family and way; none is drawn as a tenth.
-fn plot(
+fn plot<Q>(
     shape: &str,
-    ways: &[(&str, Solve)],
+    ways: &[Way<Q>],
     scores: &[Vec<Score>],
     rays: usize,
 ) -> Result<String, Box<dyn std::error::Error>> {
@@ -239,15 +282,17 @@ fn plot(
     let most_error = all()
         .filter(|score| score.worst_of_all.is_finite())
         .fold(10.0, |most: f64, score| most.max(score.worst_of_all));
-    for (title, value, range) in [
+    for (title, up, value, range) in [
         (
-            format!("{shape}: bad rays of a hundred over nanoseconds a ray (0 is drawn at 0.003)"),
+            format!("{shape}: bad rays, a dot for each family"),
+            "bad rays, % (none: 0.003)",
             (|score: &Score, rays| (100.0 * count(score.bad) / rays).max(0.003))
                 as fn(&Score, f64) -> f64,
             0.002..150.0,
         ),
         (
-            format!("{shape}: largest backward error in roundings over nanoseconds a ray"),
+            format!("{shape}: largest error, a dot for each family"),
+            "largest backward error, roundings",
             |score: &Score, _| score.worst_of_all.clamp(0.1, 1e16),
             0.1..most_error.min(1e16) * 2.0,
         ),
@@ -260,7 +305,7 @@ fn plot(
                 .caption(title, (FONT, 15))
                 .margin(12)
                 .x_label_area_size(42)
-                .y_label_area_size(64)
+                .y_label_area_size(74)
                 .build_cartesian_2d(
                     (0.7 * fastest..1.4 * slowest).log_scale(),
                     range.log_scale(),
@@ -268,7 +313,10 @@ fn plot(
             chart
                 .configure_mesh()
                 .x_desc("nanoseconds a ray")
+                .y_desc(up)
                 .label_style((FONT, 12))
+                .axis_desc_style((FONT, 13))
+                .bold_line_style(BLACK.mix(0.12))
                 .y_label_formatter(&|v| format!("{v:e}"))
                 .light_line_style(TRANSPARENT)
                 .draw()?;

@@ -27,6 +27,10 @@ mod wide;
 
 #[path = "report/curves.rs"]
 mod curves;
+#[path = "report/items.rs"]
+mod items;
+#[path = "report/montage.rs"]
+mod montage;
 #[path = "report/page.rs"]
 mod page;
 

@@ -6,7 +6,7 @@
 //! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
 //! are those of one ray at a time, to the bit.
 
-use super::node::{Cell, Frame, Node, WIDTH, larger, smaller};
+use super::node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
 use super::{Bvh, Pending, Stack};
 use crate::math::Bounds;
 use crate::math::lanes::{Eight, Kernel, eight};
@@ -76,11 +76,10 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// Around the points within `radius` of `centre`, or within the bounds if no radius is known.
-    pub(super) fn new(frame: &Frame, bounds: &Bounds, radius: Option<f64>) -> Self {
+    /// Around the points within `radius` of the middle of the bounds.
+    pub(super) fn new(frame: &Frame, bounds: &Bounds, radius: f64) -> Self {
         let centre = frame.place(0.5 * bounds.min + 0.5 * bounds.max);
-        let diagonal = || (0.5 * bounds.max - 0.5 * bounds.min).length();
-        let radius = radius.unwrap_or_else(diagonal) * frame.scale();
+        let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
         let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();
         Ball {
@@ -90,8 +89,24 @@ impl Ball {
     }
 }
 
+impl Ball {
+    /// Around a box.
+    #[inline(always)]
+    fn around(cell: &Cell) -> Self {
+        let (low, high) = (Vec3::from_array(cell.low), Vec3::from_array(cell.high));
+        let centre = 0.5 * low + 0.5 * high;
+        // Beyond what is lost in the rounding of the middle.
+        let size = low.abs().max(high.abs()).max_element();
+        Ball {
+            centre: centre.to_array(),
+            radius: (0.5 * high - 0.5 * low).length() * (1.0 + 4.0 * DOUBT) + DOUBT * size,
+        }
+    }
+}
+
 impl Bundle {
     /// Takes rays for a walk through `tree`: unit directions, and where each ends. False if they cannot go together.
+    #[inline(always)]
     pub fn fill(
         &mut self,
         tree: &Bvh,
@@ -190,6 +205,29 @@ impl Bundle {
         self.pyramid.low = origin.map(f32_below);
         self.pyramid.high = origin.map(f32_above);
         is_narrow
+    }
+
+    /// Whether a ray of it may meet a box, ends not regarded.
+    #[must_use]
+    pub fn may_meet(&self, tree: &Bvh, bounds: &Bounds) -> bool {
+        let cell = tree.frame.cell(bounds);
+        let pyramid = &self.pyramid;
+        (0..4).all(|side| {
+            let normal = pyramid.normals[side];
+            // The corner that lies farthest to the inner side.
+            let nearest = (0..3).fold(0.0, |sum, axis| {
+                let ends = [cell.high[axis], cell.low[axis]];
+                sum + normal[axis] * ends[usize::from(normal[axis] >= 0.0)]
+            });
+            // An infinite end says nothing.
+            nearest.is_nan() || nearest <= pyramid.offsets[side]
+        })
+    }
+
+    /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
+    #[inline]
+    pub fn shorten(&mut self, ray: usize, end: f64) {
+        self.groups[ray / LANES].end[ray % LANES] = frame_end(end, self.scale);
     }
 
     /// The farthest end of a ray; negative when all are done.
@@ -495,28 +533,38 @@ impl Bvh {
     ) -> bool {
         let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
         let mut end = bundle.farthest();
-        let mut pending: Stack<Pending> = Stack::new();
-        let mut next = self.root();
-        while let Some(child) = next {
+        let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
+        // A child with the place of its box in the list of all nodes' boxes.
+        let mut next = self.root().map(|root| (root, 0));
+        while let Some((child, at)) = next {
             next = None;
             patience -= 1;
             if patience == 0 {
                 return false;
             }
-            if let Some(node) = child.node() {
-                let node = &self.nodes[node as usize];
+            if let Some(number) = child.node() {
+                let node = &self.nodes[number as usize];
                 let (near_sq, met) = eight(&PyramidAndNode {
                     pyramid: &bundle.pyramid,
                     node,
                     end,
                 });
-                next = super::nearest_child(node, &near_sq, met, &mut pending);
+                #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
+                let name = |place: usize, child| (child, number * WIDTH as u32 + place as u32);
+                next = super::nearest_child(node, &near_sq, met, &mut pending, name);
             } else {
                 let item = child.item();
-                let (ball, cell) = (&self.balls[item as usize], self.cells.get(item as usize));
+                let known = self.balls.get(item as usize).copied().flatten();
+                let (ball, cell) = match known {
+                    Some(ball) => (ball, None),
+                    None => {
+                        let cell = self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
+                        (Ball::around(&cell), Some(cell))
+                    }
+                };
                 let is_shortened = bundle.try_item(
-                    ball,
-                    cell,
+                    &ball,
+                    cell.as_ref(),
                     #[inline(always)]
                     |first, lanes, ended| visit(item, first, lanes, ended),
                 );

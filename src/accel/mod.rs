@@ -23,17 +23,15 @@ use node::{Cell, Child, Frame, FrameRay, Node, WIDTH};
 pub struct Bvh {
     nodes: Vec<Node>,
     frame: Frame,
-    /// A ball around each item, for bundles; empty if none will come.
-    balls: Vec<Ball>,
-    /// The box of each item, for bundles; empty if the items are balls.
-    cells: Vec<Cell>,
+    /// For bundles, the balls of items that are balls; empty if none is known to be one.
+    balls: Vec<Option<Ball>>,
 }
 
 /// A place still to be visited, with the earliest parameter of the ray in it.
 #[derive(Clone, Copy, Default)]
-struct Pending {
+struct Pending<C> {
     enter: f32,
-    child: Child,
+    child: C,
 }
 
 /// The places still to be visited, the next on top. Those of all but the deepest trees need no heap.
@@ -104,13 +102,12 @@ impl Bvh {
             nodes: build::build(&mut entries),
             frame,
             balls: Vec::new(),
-            cells: Vec::new(),
         }
     }
 
-    /// The tree over these boxes, made ready for bundles of rays, and the items in the order of the tree. That order is
-    /// what it then knows them by, so that neighbours can be kept together. `radius` gives the radius of an item that is
-    /// a ball about the middle of its box.
+    /// The tree over these boxes, and the items in the order of the tree. That order is what it then knows them by, so that
+    /// neighbours can be kept together. `radius` gives the radius of an item that is a ball about the middle of its box,
+    /// which helps bundles of rays.
     ///
     /// # Panics
     /// For 2³¹ − 1 boxes or more.
@@ -124,15 +121,14 @@ impl Bvh {
         for node in &mut tree.nodes {
             node.renumber(&mut order);
         }
-        let all = order
-            .iter()
-            .map(|&item| (&bounds[item as usize], radius(item as usize)));
-        tree.balls = all
-            .clone()
-            .map(|(bounds, radius)| Ball::new(&tree.frame, bounds, radius))
-            .collect();
-        if all.clone().any(|(_, radius)| radius.is_none()) {
-            tree.cells = all.map(|(bounds, _)| tree.frame.cell(bounds)).collect();
+        let balls = || {
+            order.iter().map(|&item| {
+                let radius = radius(item as usize)?;
+                Some(Ball::new(&tree.frame, &bounds[item as usize], radius))
+            })
+        };
+        if balls().any(|ball| ball.is_some()) {
+            tree.balls = balls().collect();
         }
         (tree, order)
     }
@@ -196,8 +192,7 @@ impl Bvh {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.nodes.capacity() * size_of::<Node>()
-            + self.balls.capacity() * size_of::<Ball>()
-            + self.cells.capacity() * size_of::<Cell>()
+            + self.balls.capacity() * size_of::<Option<Ball>>()
     }
 
     fn root(&self) -> Option<Child> {
@@ -233,32 +228,35 @@ fn enter_node(
     node: &Node,
     ray: &FrameRay,
     (from, to): (f32, f32),
-    pending: &mut Stack<Pending>,
+    pending: &mut Stack<Pending<Child>>,
 ) -> Option<Child> {
     let (enter, met) = node.meet(ray, from, to);
-    nearest_child(node, &enter, met, pending)
+    nearest_child(node, &enter, met, pending, |_, child| child)
 }
 
-/// The nearest of the marked children, one bit each. The others go on the stack, the next nearest on top.
+/// The nearest of the marked children, one bit each. The others go on the stack, the next nearest on top. `name` gives
+/// what they are kept as, from the place in the node and the child.
 #[inline(always)]
-fn nearest_child(
+fn nearest_child<C: Copy + Default>(
     node: &Node,
     enter: &[f32; WIDTH],
     mut met: u32,
-    pending: &mut Stack<Pending>,
-) -> Option<Child> {
+    pending: &mut Stack<Pending<C>>,
+    name: impl Fn(usize, Child) -> C,
+) -> Option<C> {
     let mut found = [Pending::default(); WIDTH];
     let mut count = 0;
     while met != 0 {
         let place = met.trailing_zeros() as usize % WIDTH;
         met &= met - 1;
-        let next = Pending {
-            enter: enter[place],
-            child: node.child(place),
-        };
-        if next.child == Child::NOTHING {
+        let child = node.child(place);
+        if child == Child::NOTHING {
             continue;
         }
+        let next = Pending {
+            enter: enter[place],
+            child: name(place, child),
+        };
         let mut at = count;
         while at > 0 && found[at - 1].enter < next.enter {
             found[at] = found[at - 1];

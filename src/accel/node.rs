@@ -274,6 +274,15 @@ impl Node {
         &self.planes
     }
 
+    /// One of the boxes.
+    #[inline(always)]
+    pub(super) fn cell(&self, place: usize) -> Cell {
+        Cell {
+            low: [0, 1, 2].map(|axis| self.planes[axis][0][place]),
+            high: [0, 1, 2].map(|axis| self.planes[axis][1][place]),
+        }
+    }
+
     #[inline]
     pub(super) fn child(&self, place: usize) -> Child {
         self.children[place]

@@ -132,7 +132,7 @@ impl Camera {
         Ok(true)
     }
 
-    /// `angle` and its degrees, which only some projections bound; 0 is as if it were not there.
+    /// `angle` and its degrees, which only some projections bound; to those 0 is as if it were not there.
     fn read_angle(&mut self, args: &mut dyn Args) -> Parse<Option<f64>> {
         let at = args.span();
         args.accept(Word::Angle)?;
@@ -154,7 +154,7 @@ impl Camera {
         } else if is_flat && degrees >= 180.0 {
             "must be less than 180 degrees"
         } else {
-            return Ok((degrees > 0.0).then_some(degrees));
+            return Ok((degrees > 0.0 || !is_flat).then_some(degrees));
         };
         Err(Box::new(Diagnostic::error(
             at.to(args.last_span()),

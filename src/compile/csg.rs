@@ -12,6 +12,7 @@
 use super::leaf::Leaf;
 use super::query::Departure;
 use super::simplify::Order;
+use super::state::State;
 use crate::math::Ray;
 use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
@@ -72,15 +73,6 @@ pub(super) struct Program {
     pub(super) turned: Vec<u32>,
     /// The order in which operands are asked.
     pub(super) order: Order,
-}
-
-/// What a ray is inside of at a place.
-#[derive(Clone, Debug, Default)]
-pub(super) struct State {
-    /// For each operand, whether the ray is inside of what it stands for.
-    pub(super) leaf_in: Vec<bool>,
-    /// For each node, how many children hold the ray.
-    pub(super) counts: Vec<u32>,
 }
 
 /// A ray on its way through a program.
@@ -222,8 +214,7 @@ impl Program {
     /// if nothing is shown in the stretch from `from` to `to`. Outside of that stretch neither need be right.
     fn collect(&self, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) -> Option<f64> {
         sweep.events.clear();
-        sweep.state.leaf_in.clone_from(&self.rest.leaf_in);
-        sweep.state.counts.clone_from(&self.rest.counts);
+        sweep.state.rest(&self.rest);
         self.try_gates(passing.leaves, passing.ray, sweep);
         let (mut from, mut to) = (from, to);
         for &number in &self.order.required {
@@ -269,8 +260,8 @@ impl Program {
         if start == Start::Inside {
             let operand = &self.operands[number as usize];
             let is_in = !operand.is_inverse;
-            sweep.state.leaf_in[number as usize] = is_in;
-            self.climb(operand.parent, is_in, &mut sweep.state.counts);
+            sweep.state.set(number, is_in);
+            self.climb(operand.parent, is_in, &mut sweep.state);
         }
         let (Some(first), Some(last)) = (sweep.roots.first(), sweep.roots.last()) else {
             return;
@@ -337,16 +328,12 @@ impl Program {
     }
 
     /// A child of `node` has been entered or left: counts it, and goes on as long as nodes change.
-    fn climb(&self, mut node: u32, mut enters: bool, counts: &mut [u32]) {
+    fn climb(&self, mut node: u32, mut enters: bool, state: &mut State) {
         while node != NONE {
             let at = node as usize;
-            let was_in = self.node_in(at, counts);
-            if enters {
-                counts[at] += 1;
-            } else {
-                counts[at] -= 1;
-            }
-            let is_in = self.node_in(at, counts);
+            let was_in = self.node_in(at, &state.counts);
+            state.count(node, enters);
+            let is_in = self.node_in(at, &state.counts);
             if was_in == is_in {
                 return;
             }
@@ -363,10 +350,9 @@ impl Program {
         };
         let operand = &self.operands[event.leaf as usize];
         let is_in = enters != operand.is_inverse;
-        let leaf_in = &mut state.leaf_in[event.leaf as usize];
-        if *leaf_in != is_in {
-            *leaf_in = is_in;
-            self.climb(operand.parent, is_in, &mut state.counts);
+        if state.leaf_in[event.leaf as usize] != is_in {
+            state.set(event.leaf, is_in);
+            self.climb(operand.parent, is_in, state);
         }
     }
 

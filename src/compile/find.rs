@@ -32,6 +32,8 @@ pub(super) struct Search<'a> {
     pub(super) from: Option<&'a Departure>,
     /// Up to this distance nothing counts.
     pub(super) least: f64,
+    /// Up to this distance a surface may be refused because the ray starts on it, and another one come behind.
+    pub(super) blur: f64,
     /// Where the numbers of what is found begin.
     pub(super) start: Start,
 }
@@ -75,22 +77,30 @@ impl Model {
             }
             Item::Leaf(number) => {
                 let leaf = &self.leaves[number as usize];
-                let (ray, least) = (search.ray, search.least);
-                let root = match search.from {
-                    Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
-                        leaf.nearest_beside(ray, least, next_after(far), left.face)?
+                let (ray, mut least) = (search.ray, search.least);
+                loop {
+                    let root = match search.from {
+                        Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
+                            leaf.nearest_beside(ray, least, next_after(far), left.face)?
+                        }
+                        Some(left) if left.leaf == number => {
+                            nearest_but(leaf, left, ray, least, &mut scratch.roots)?
+                        }
+                        _ => leaf.nearest(ray, least, next_after(far))?,
+                    };
+                    let found = Found {
+                        root,
+                        leaf: start.leaf + number,
+                        surface: start.surface + leaf.surface,
+                    };
+                    if root.t <= far && wants.takes(&found) {
+                        return Some(found);
                     }
-                    Some(left) if left.leaf == number => {
-                        nearest_but(leaf, left, ray, least, &mut scratch.roots)?
+                    if root.t > search.blur {
+                        return None;
                     }
-                    _ => leaf.nearest(ray, least, next_after(far))?,
-                };
-                let found = Found {
-                    root,
-                    leaf: start.leaf + number,
-                    surface: start.surface + leaf.surface,
-                };
-                (root.t <= far && wants.takes(&found)).then_some(found)
+                    least = root.t;
+                }
             }
             Item::Instance(number) => {
                 self.instances[number as usize].find(search, far, scratch, wants)

@@ -7,7 +7,9 @@
 
 use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
+use super::lot::FourQueries;
 use super::query::{Query, Scratch};
+use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, four};
 use crate::shape::{Crossing, FourRays, FourSpans, Root};
@@ -19,14 +21,7 @@ const MOST_OPERANDS: usize = 8;
 struct Passing<'a> {
     program: &'a Program,
     leaves: &'a [Leaf],
-    origin: [[f64; 4]; 3],
-    dir: [[f64; 4]; 3],
-    /// Nothing up to here counts.
-    from: [f64; 4],
-    /// Nothing beyond counts.
-    far: [f64; 4],
-    /// Where each ray has just left an operand; not a number if it has not.
-    left: [f64; 4],
+    rays: &'a FourQueries,
     /// Which rays there are, one bit each.
     lanes: u32,
 }
@@ -66,12 +61,9 @@ impl FourKernel for Passing<'_> {
 
     #[inline(always)]
     fn run<F: Four>(&self) -> FoundByFour {
-        let rays = FourRays {
-            origin: load(&self.origin),
-            dir: load(&self.dir),
-        };
+        let rays = self.rays.load();
         let endless = F::all(f64::INFINITY);
-        let (from, far) = (F::load(&self.from), F::load(&self.far));
+        let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
         let mut ends = [(endless, endless); MOST_OPERANDS];
         let (mut low, mut high) = (from, far);
         let (mut enter, mut leave) = (endless.negated(), endless);
@@ -111,7 +103,6 @@ impl FourKernel for Passing<'_> {
         }
         let count = self.program.operands.len().min(MOST_OPERANDS);
         let cuts = &ends[required.min(count)..count];
-        let left = F::load(&self.left);
         let mut best = endless;
         for candidate in 0..2 * cuts.len() + 2 {
             let t = match (candidate, cuts.get((candidate / 2).wrapping_sub(1))) {
@@ -125,13 +116,11 @@ impl FourKernel for Passing<'_> {
             for (enter, leave) in cuts {
                 holds = F::both(holds, F::either(t.not_above(*enter), leave.not_above(t)));
             }
-            let t = F::pick(t.equals(left), endless, t);
             best = F::pick(F::both(holds, t.below(best)), t, best);
         }
         let met = best.below(endless);
         let mut operand = F::all(0.0);
         let (mut once, mut twice) = (F::mask(0), F::mask(0));
-        let (mut left_once, mut left_twice) = (F::mask(0), F::mask(0));
         let numbers = order.required.iter().chain(&order.others);
         for ((enter, leave), &number) in ends[..count].iter().zip(numbers) {
             for end in [*enter, *leave] {
@@ -139,13 +128,10 @@ impl FourKernel for Passing<'_> {
                 twice = F::either(twice, F::both(once, is_best));
                 once = F::either(once, is_best);
                 operand = F::pick(is_best, F::all(f64::from(number)), operand);
-                let is_left = end.equals(left);
-                left_twice = F::either(left_twice, F::both(left_once, is_left));
-                left_once = F::either(left_once, is_left);
             }
         }
         let met = F::bits(met) & self.lanes;
-        unknown |= (F::bits(twice) & met) | (F::bits(left_twice) & self.lanes);
+        unknown |= F::bits(twice) & met;
         FoundByFour {
             t: best.store(),
             operand: operand.store(),
@@ -158,10 +144,7 @@ impl FourKernel for Passing<'_> {
 /// Four rays on their way to a primitive.
 struct FourOfLeaf<'a> {
     leaf: &'a Leaf,
-    origin: [[f64; 4]; 3],
-    dir: [[f64; 4]; 3],
-    from: [f64; 4],
-    to: [f64; 4],
+    rays: &'a FourQueries,
     /// Which have just left a root of it that enters, and which one that leaves, one bit each.
     left: [u32; 2],
 }
@@ -179,16 +162,12 @@ impl FourKernel for FourOfLeaf<'_> {
 
     #[inline(always)]
     fn run<F: Four>(&self) -> NearestOfFour {
-        let mut rays = FourRays {
-            origin: load(&self.origin),
-            dir: load(&self.dir),
-        };
+        let mut rays: FourRays<F> = self.rays.load();
         if let Some(matrix) = &self.leaf.object_from_world {
             rays = rays.to_object(matrix);
         }
-        let (from, to) = (F::load(&self.from), F::load(&self.to));
-        let roots = self.leaf.shape.roots_of_four(&rays);
-        let nearest = roots.nearest(from, to, self.left);
+        let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
+        let nearest = self.leaf.shape.nearest_of_four(&rays, from, far, self.left);
         NearestOfFour {
             t: nearest.t.store(),
             leaves: nearest.leaves,
@@ -196,11 +175,6 @@ impl FourKernel for FourOfLeaf<'_> {
             unknown: nearest.unknown,
         }
     }
-}
-
-#[inline(always)]
-fn load<F: Four>(from: &[[f64; 4]; 3]) -> [F; 3] {
-    [F::load(&from[0]), F::load(&from[1]), F::load(&from[2])]
 }
 
 impl Passing<'_> {
@@ -214,35 +188,30 @@ impl Passing<'_> {
     }
 }
 
+/// Whether a ray may start on the surface that it meets at `t`.
+#[inline(always)]
+fn may_be_left(rays: &FourQueries, lane: usize, t: f64) -> bool {
+    SKIN * t <= rays.from[lane]
+}
+
 impl World {
-    /// What some of four rays find of a combination up to and including `far`: calls `take` with the number of each ray
-    /// that meets it. Gives those that must be asked for singly, one bit each.
+    /// What some of four rays find of a combination up to and including where they end: calls `take` with the lane of
+    /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
+    /// told of a root than its distance.
     #[inline(always)]
-    pub(super) fn ask_four(
+    pub(super) fn ask_four<const ASKS_FACE: bool>(
         &self,
         number: u32,
-        (queries, lanes): (&[Query], u32),
-        far: impl Fn(usize) -> f64,
+        (rays, lanes): (&FourQueries, u32),
+        query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
         let program = &self.model.programs[number as usize];
-        let at = |lane: usize| &queries[lane.min(queries.len() - 1)];
-        let each = |of: &dyn Fn(&Query) -> f64| std::array::from_fn(|lane| of(at(lane)));
-        let mut left = [f64::NAN; 4];
-        for (lane, left) in left.iter_mut().enumerate() {
-            if lanes >> lane & 1 == 1 {
-                *left = self.left_at(program, at(lane), scratch);
-            }
-        }
         let passing = Passing {
             program,
             leaves: &self.model.leaves,
-            origin: [0, 1, 2].map(|axis| each(&|query| query.ray.origin[axis])),
-            dir: [0, 1, 2].map(|axis| each(&|query| query.ray.dir[axis])),
-            from: each(&|query| self.least_distance(query)),
-            far: std::array::from_fn(|lane| far(lane.min(queries.len() - 1))),
-            left,
+            rays,
             lanes,
         };
         let mut found = four(&passing);
@@ -256,11 +225,38 @@ impl World {
                 reason = "a small whole number"
             )]
             let leaf = program.first + found.operand[lane] as u32;
+            // A surface on which the ray may start is for the search that looks behind it.
+            if may_be_left(rays, lane, found.t[lane]) {
+                found.unknown |= 1 << lane;
+                continue;
+            }
+            // The root that the ray has just left is none; what lies behind it only a single ray finds.
+            if rays.left[lane] == leaf && self.left_at(&query(lane), scratch) == found.t[lane] {
+                found.unknown |= 1 << lane;
+                continue;
+            }
+            let found_leaf = &self.model.leaves[leaf as usize];
+            let surface = found_leaf.surface;
+            if !ASKS_FACE {
+                let root = Root {
+                    t: found.t[lane],
+                    crossing: Crossing::Touch,
+                    face: 0,
+                    is_visible: true,
+                };
+                take(
+                    lane,
+                    Found {
+                        root,
+                        leaf,
+                        surface,
+                    },
+                );
+                continue;
+            }
             let roots = &mut scratch.roots;
             roots.clear();
-            let found_leaf = &self.model.leaves[leaf as usize];
-            found_leaf.roots(&at(lane).ray, roots);
-            let surface = found_leaf.surface;
+            found_leaf.roots(&query(lane).ray, roots);
             match roots.iter().find(|root| root.t == found.t[lane]) {
                 Some(&root) => take(
                     lane,
@@ -276,48 +272,53 @@ impl World {
         found.unknown
     }
 
-    /// What some of four rays find of a primitive up to and including `far`: calls `take` with the number of each ray
-    /// that meets it. Gives those that must be asked for singly, one bit each.
+    /// What some of four rays find of a primitive up to and including where they end: calls `take` with the lane of
+    /// each ray that meets it. Gives those that must be asked for singly, one bit each.
     #[inline(always)]
     pub(super) fn ask_four_of_leaf(
         &self,
         number: u32,
-        (queries, lanes): (&[Query], u32),
-        far: impl Fn(usize) -> f64,
+        (rays, lanes): (&FourQueries, u32),
+        query: impl Fn(usize) -> Query,
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
         let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
-        let mut rays = FourOfLeaf {
+        let mut asked = FourOfLeaf {
             leaf,
-            origin: [[0.0; 4]; 3],
-            dir: [[0.0; 4]; 3],
-            from: [0.0; 4],
-            to: [0.0; 4],
+            rays,
             left: [0, 0],
         };
-        for lane in 0..4 {
-            let place = lane.min(queries.len() - 1);
-            let query = &queries[place];
-            for axis in 0..3 {
-                rays.origin[axis][lane] = query.ray.origin[axis];
-                rays.dir[axis][lane] = query.ray.dir[axis];
-            }
-            rays.from[lane] = self.least_distance(query);
-            rays.to[lane] = far(place).next_up();
-            if let Some(left) = query.from.filter(|left| left.leaf == number) {
+        let mut own = rays.have_left(number) & lanes;
+        let mut lanes = lanes;
+        while own != 0 {
+            let lane = own.trailing_zeros() as usize % 4;
+            own &= own - 1;
+            let query = query(lane);
+            if let Some(left) = &query.from {
                 let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
                 let leaves = left.normal.dot(query.ray.dir) > 0.0;
-                rays.left[usize::from(leaves)] |= 1 << lane;
+                if leaves && leaf.is_left_behind(&query.ray) {
+                    lanes &= !(1 << lane);
+                    continue;
+                }
+                asked.left[usize::from(leaves)] |= 1 << lane;
                 unclear |= u32::from(!is_plain) << lane;
             }
         }
-        let found = four(&rays);
-        let unknown = (found.unknown | unclear) & lanes;
+        if lanes == 0 {
+            return 0;
+        }
+        let found = four(&asked);
+        let mut unknown = (found.unknown | unclear) & lanes;
         let mut met = found.met & lanes & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;
+            if may_be_left(rays, lane, found.t[lane]) {
+                unknown |= 1 << lane;
+                continue;
+            }
             let root = Root {
                 t: found.t[lane],
                 crossing: if found.leaves >> lane & 1 == 1 {
@@ -342,14 +343,11 @@ impl World {
     }
 
     /// Where a ray has just left a part of a combination; not a number if it has not.
-    #[inline(always)]
-    fn left_at(&self, program: &Program, query: &Query, scratch: &mut Scratch) -> f64 {
+    #[inline(never)]
+    fn left_at(&self, query: &Query, scratch: &mut Scratch) -> f64 {
         let Some(left) = &query.from else {
             return f64::NAN;
         };
-        if !(program.first..program.first + program.len()).contains(&left.leaf) {
-            return f64::NAN;
-        }
         let leaf = &self.model.leaves[left.leaf as usize];
         let roots = &mut scratch.roots;
         roots.clear();

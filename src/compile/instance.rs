@@ -40,6 +40,7 @@ impl Instance {
             ray: &ray,
             from: from.as_ref(),
             least: search.least,
+            blur: search.blur,
             start: Start {
                 leaf: search.start.leaf + self.first,
                 surface: search.start.surface + self.surface,

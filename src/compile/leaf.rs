@@ -67,13 +67,13 @@ impl Leaf {
     }
 
     #[inline(always)]
-    fn to_object(&self, ray: &Ray) -> Ray {
+    pub(super) fn to_object(&self, ray: &Ray) -> Ray {
         self.object_from_world
             .as_ref()
             .map_or(*ray, |matrix| ray.to_object(matrix))
     }
 
-    fn point_to_object(&self, point: DVec3) -> DVec3 {
+    pub(super) fn point_to_object(&self, point: DVec3) -> DVec3 {
         self.object_from_world
             .as_ref()
             .map_or(point, |matrix| matrix.transform_point3(point))
@@ -114,18 +114,11 @@ impl Leaf {
     #[must_use]
     pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.point_to_object(point);
-        let (geometric, shading) = (
-            self.shape.normal(local, face),
-            self.shape.shading_normal(local, face),
-        );
-        let in_world = self.to_world(geometric);
+        let geometric = self.to_world(self.shape.normal(local, face));
+        let shading = self.shape.shading_normal(local, face);
         (
-            in_world,
-            if shading == geometric {
-                in_world
-            } else {
-                self.to_world(shading)
-            },
+            geometric,
+            shading.map_or(geometric, |normal| self.to_world(normal)),
         )
     }
 

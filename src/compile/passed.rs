@@ -56,6 +56,6 @@ impl World {
             },
         );
         scratch.among = among;
-        best.map(|best| self.hit(query, &best.found))
+        best.map(|best| self.hit(&query.ray, &best.found))
     }
 }

@@ -1,6 +1,8 @@
 //! What rays ask the world, what they get, and what a thread keeps between two questions.
 
 use super::csg::{Found, Sweep};
+use super::lot::Lot;
+use super::meshes::MeshScratch;
 use super::passed::Items;
 use super::rays::Rays;
 use crate::accel::Bundle;
@@ -33,8 +35,6 @@ pub struct Hit {
     pub t: f64,
     /// The point in the world.
     pub point: DVec3,
-    /// The unit outward geometric normal in the world.
-    pub normal: DVec3,
     /// The unit normal for shading, before any `normal` pattern; differs on smooth triangles only.
     pub shading_normal: DVec3,
     /// Index into [`super::World::surfaces`].
@@ -84,6 +84,8 @@ pub struct Scratch {
     pub(super) blockers: SmallVec<[u32; 8]>,
     pub(super) bundle: Bundle,
     pub(super) bests: Vec<Option<Best>>,
+    pub(super) lot: Lot,
+    pub(super) mesh: MeshScratch,
     /// What the ray to a light meets that is being followed.
     pub(super) among: Items,
 }

@@ -10,9 +10,12 @@ use crate::math::{Bounds, Ray};
 use crate::options::LeastDistance;
 use crate::shape::Root;
 
-/// Below this share of the coordinates' size two surfaces are not told apart by a ray that leaves one of them:
-/// 4096 roundings of a double, which covers a chain of transforms and a slanted hit.
+/// How far along a ray, as a share of the coordinates' size, a surface may be met on which the ray starts but for
+/// rounding: 4096 roundings of a double.
 pub(super) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
+/// How far across itself such a surface may be off the start of the ray, as a share of [`BLUR`]: 256 roundings of the
+/// coordinates, which covers a chain of transforms.
+pub(super) const SKIN: f64 = 1.0 / 16.0;
 /// POV-Ray's least distances, in units of the scene: for shadows and for all other rays.
 pub(super) const POV_RAY_SHADOW: f64 = 1e-3;
 const POV_RAY_LEAST: f64 = 1e-4;
@@ -20,7 +23,7 @@ const POV_RAY_LEAST: f64 = 1e-4;
 /// Asks for the first surface that can be seen.
 struct Seeing<'w> {
     world: &'w World,
-    seen: Seen,
+    query: &'w Query,
 }
 
 impl Wants for Seeing<'_> {
@@ -28,7 +31,7 @@ impl Wants for Seeing<'_> {
 
     #[inline(always)]
     fn takes(&mut self, found: &Found) -> bool {
-        self.world.is_seen(found, self.seen)
+        self.world.is_seen(found, self.query.seen) && !self.world.is_left(found, self.query)
     }
 }
 
@@ -41,11 +44,11 @@ impl World {
             #[inline(always)]
             || self.nearest_found(query, scratch),
         );
-        best.map(|best| self.hit(query, &best.found))
+        best.map(|best| self.hit(&query.ray, &best.found))
     }
 
     #[inline(always)]
-    fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
+    pub(super) fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
         for &item in &self.model.finder.unbounded {
@@ -57,12 +60,7 @@ impl World {
 
     /// Makes `best` the nearest of itself and all bounded items.
     #[inline(always)]
-    pub(super) fn nearest_bounded(
-        &self,
-        query: &Query,
-        best: &mut Option<Best>,
-        scratch: &mut Scratch,
-    ) {
+    fn nearest_bounded(&self, query: &Query, best: &mut Option<Best>, scratch: &mut Scratch) {
         let far = best.map_or(query.far, |best| best.found.root.t);
         self.model.finder.tree.nearest(
             &query.ray,
@@ -86,14 +84,23 @@ impl World {
         best: &mut Option<Best>,
         scratch: &mut Scratch,
     ) -> f64 {
-        let mut wants = Seeing {
-            world: self,
-            seen: query.seen,
-        };
-        match self.find(item, query, far, scratch, &mut wants) {
+        match self.see_item(item, query, far, scratch) {
             None => far,
             Some(found) => self.offer(item.number, found, query, far, best),
         }
+    }
+
+    /// The first visible surface of one item up to and including `far`.
+    #[inline(always)]
+    pub(super) fn see_item(
+        &self,
+        item: Numbered,
+        query: &Query,
+        far: f64,
+        scratch: &mut Scratch,
+    ) -> Option<Found> {
+        let mut wants = Seeing { world: self, query };
+        self.find(item, query, far, scratch, &mut wants)
     }
 
     /// Takes what was found of an item if it is the best so far; gives the new far limit.
@@ -127,10 +134,31 @@ impl World {
     /// The distance up to which surfaces are not met: the error of the point that the ray leaves.
     pub(super) fn least_distance(&self, query: &Query) -> f64 {
         match (self.least_distance, query.seen) {
-            (LeastDistance::Rounding, _) => query.from.map_or(0.0, |left| left.blur),
+            (LeastDistance::Rounding, _) => query.from.map_or(0.0, |left| SKIN * left.blur),
             (LeastDistance::PovRay, Seen::Shadow) => POV_RAY_SHADOW,
             (LeastDistance::PovRay, _) => POV_RAY_LEAST,
         }
+    }
+
+    /// Whether a ray starts on the surface that was found, but for rounding: one that coincides with the surface it left.
+    #[inline(always)]
+    pub(super) fn is_left(&self, found: &Found, query: &Query) -> bool {
+        match query.from {
+            Some(left) if found.root.t <= left.blur => {
+                self.is_within_rounding(found, query, left.blur)
+            }
+            _ => false,
+        }
+    }
+
+    #[cold]
+    fn is_within_rounding(&self, found: &Found, query: &Query, blur: f64) -> bool {
+        if self.least_distance == LeastDistance::PovRay {
+            return false;
+        }
+        let Root { t, face, .. } = found.root;
+        let (normal, _) = self.model.normals(found.leaf, query.ray.at(t), face);
+        t * normal.dot(query.ray.dir).abs() <= SKIN * blur
     }
 
     /// The first surface of an item up to and including `far` that is wanted.
@@ -147,6 +175,7 @@ impl World {
             ray: &query.ray,
             from: query.from.as_ref(),
             least: self.least_distance(query),
+            blur: query.from.map_or(0.0, |left| left.blur),
             start: Start::default(),
         };
         self.model.find(item.item, &search, far, scratch, wants)
@@ -173,11 +202,12 @@ impl World {
         a < b
     }
 
-    pub(super) fn hit(&self, query: &Query, found: &Found) -> Hit {
+    #[inline]
+    pub(super) fn hit(&self, ray: &Ray, found: &Found) -> Hit {
         let Root {
             t, face, crossing, ..
         } = found.root;
-        let point = query.ray.at(t);
+        let point = ray.at(t);
         let (normal, shading_normal) = self.model.normals(found.leaf, point, face);
         let blur = BLUR * point.abs().max_element().max(t);
         let departure = Departure {
@@ -190,7 +220,6 @@ impl World {
         Hit {
             t,
             point,
-            normal,
             shading_normal,
             surface: found.surface,
             departure,

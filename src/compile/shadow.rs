@@ -22,19 +22,27 @@ impl Wants for Blocking<'_> {
 
     #[inline(always)]
     fn takes(&mut self, found: &Found) -> bool {
-        let world = self.world;
-        if !world.is_seen(found, self.query.seen) || found.root.t >= self.query.far {
-            return false;
-        }
-        let is_opaque = world.is_opaque || world.opaque[found.surface as usize];
-        if !is_opaque {
-            *self.way = Way::Filtered;
-        }
-        is_opaque
+        self.world.blocks_light(found, self.query, self.way)
     }
 }
 
 impl World {
+    /// Whether a surface lies opaque on a ray to a light; notes if it lies there and is not opaque.
+    #[inline(always)]
+    pub(super) fn blocks_light(&self, found: &Found, query: &Query, way: &mut Way) -> bool {
+        if !self.is_seen(found, query.seen)
+            || found.root.t >= query.far
+            || self.is_left(found, query)
+        {
+            return false;
+        }
+        let is_opaque = self.is_opaque || self.opaque[found.surface as usize];
+        if !is_opaque {
+            *way = Way::Filtered;
+        }
+        is_opaque
+    }
+
     /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
     #[must_use]
     pub fn reach(&self, centre: DVec3, distance: f64) -> f64 {

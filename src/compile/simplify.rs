@@ -4,8 +4,9 @@
 //! What is shown does not change, not even where surfaces coincide: by the rules of `csg` an intersection within an
 //! intersection, and the inverse of a merge within one, are one intersection of all their operands.
 
-use super::csg::{Combine, NONE, Node, Program, State};
+use super::csg::{Combine, NONE, Node, Program};
 use super::leaf::Leaf;
+use super::state::State;
 use crate::accel::Bvh;
 use crate::math::Bounds;
 use crate::shape::Geometry;
@@ -111,10 +112,8 @@ impl Program {
 
     /// The state at a place outside of all leaves.
     fn state_outside_all(&self) -> State {
-        let mut state = State {
-            leaf_in: self.operands.iter().map(|o| o.is_inverse).collect(),
-            counts: vec![0; self.nodes.len()],
-        };
+        let leaf_in = self.operands.iter().map(|o| o.is_inverse).collect();
+        let mut state = State::new(leaf_in, vec![0; self.nodes.len()]);
         for operand in self.operands.iter().filter(|operand| operand.is_inverse) {
             state.counts[operand.parent as usize] += 1;
         }

@@ -57,6 +57,7 @@ struct Traits {
     is_opaque: bool,
     is_lit_from_behind: bool,
     has_fresnel: bool,
+    is_plain: bool,
 }
 
 impl Surface {
@@ -77,6 +78,7 @@ impl Surface {
             is_opaque: textures().all(|texture| texture.is_opaque()),
             is_lit_from_behind: layers().any(|layer| layer.finish.diffuse_back != 0.0),
             has_fresnel: layers().any(|layer| layer.finish.reflection.is_fresnel),
+            is_plain: textures().count() == 1 && texture.is_plain(),
         };
         Surface {
             texture,
@@ -93,6 +95,12 @@ impl Surface {
     #[must_use]
     pub fn is_lit_from_behind(&self) -> bool {
         self.flags.double_illuminate || self.traits.is_lit_from_behind
+    }
+
+    /// Whether it is one opaque layer all over, with nothing to it but light and highlights.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.traits.is_plain
     }
 
     /// Whether the view through it matters to its mirror images.

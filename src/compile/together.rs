@@ -1,20 +1,19 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::csg::Found;
+use super::lot::Lot;
 use super::model::Item;
 use super::order::Numbered;
-use super::query::{Best, Hit, Query, Scratch, Way};
+use super::query::{Hit, Query, Scratch, Seen, Way};
 use super::world::World;
+use crate::accel::Ended;
+use crate::math::Ray;
 use crate::math::lanes::with_widest;
 use glam::DVec3;
-use smallvec::SmallVec;
-
-/// What some of eight rays meet.
-type FoundOfFours = SmallVec<[(usize, Found); 8]>;
 
 /// Calls `visit` with the place of each bit that is set.
 #[inline(always)]
-fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
+pub(super) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
     while bits != 0 {
         visit(bits.trailing_zeros() as usize);
         bits &= bits - 1;
@@ -22,87 +21,101 @@ fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl World {
-    /// The nearest visible surface on each of these rays, which start at the same point and lie in an order in which
-    /// neighbours differ little, added to `hits`.
+    /// The nearest visible surface on each of the camera's rays from `origin` in these unit directions, which lie in an
+    /// order in which neighbours differ little, added to `hits`.
     pub fn nearest_of(
         &self,
-        queries: &[Query],
+        origin: DVec3,
+        dirs: &[DVec3],
         scratch: &mut Scratch,
         hits: &mut Vec<Option<Hit>>,
     ) {
-        let Some(first) = queries.first() else {
-            return;
+        let query = |ray: usize| Query {
+            ray: Ray::new(origin, dirs[ray]),
+            from: None,
+            far: f64::INFINITY,
+            seen: Seen::Image,
         };
-        let origin = first.ray.origin;
-        queries.iter().for_each(|query| scratch.rays.count(query));
+        scratch.rays.camera += dirs.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
-        let mut found = FoundOfFours::new();
+        let mut lot = std::mem::take(&mut scratch.lot);
         bests.clear();
+        bests.resize(dirs.len(), None);
         with_widest(
             #[inline(always)]
             || {
-                for query in queries {
-                    let mut best = None;
-                    let mut far = query.far;
-                    for &item in &self.finder().unbounded {
-                        far = self.try_item(item, query, far, &mut best, scratch);
-                    }
-                    bests.push(best);
-                }
-                let far = |number: usize, bests: &[Option<Best>]| {
-                    bests[number].map_or(queries[number].far, |best| best.found.root.t)
-                };
-                let rays =
-                    (0..queries.len()).map(|number| (queries[number].ray.dir, far(number, &bests)));
-                if !bundle.fill(&self.finder().tree, origin, rays) {
-                    for (query, best) in queries.iter().zip(&mut bests) {
-                        self.nearest_bounded(query, best, scratch);
-                    }
-                    return;
-                }
-                let is_done = self.finder().tree.together(
-                    &mut bundle,
+                lot.fill(
+                    dirs.len(),
+                    query,
                     #[inline(always)]
-                    |number, first, lanes, ended| {
-                        let item = self.finder().bounded[number as usize];
-                        let lanes = self.in_fours(
-                            item,
-                            (queries, first, lanes),
-                            |ray| far(ray, &bests),
-                            scratch,
-                            &mut found,
-                        );
-                        for &(ray, found) in &found {
-                            let old = far(ray, &bests);
-                            let new =
-                                self.offer(item.number, found, &queries[ray], old, &mut bests[ray]);
-                            if new < old {
-                                ended.note(ray - first, new);
-                            }
-                        }
-                        each_bit(lanes, |lane| {
-                            let ray = first + lane;
-                            let old = far(ray, &bests);
-                            let best = &mut bests[ray];
-                            let new = self.try_item(item, &queries[ray], old, best, scratch);
-                            if new < old {
-                                ended.note(lane, new);
-                            }
-                        });
-                    },
+                    |query| self.least_distance(query),
                 );
+                for &item in &self.finder().unbounded {
+                    for (ray, best) in bests.iter_mut().enumerate() {
+                        let far = self.try_item(item, &query(ray), lot.far(ray), best, scratch);
+                        lot.shorten(ray, far);
+                    }
+                }
+                let rays = dirs.iter().enumerate();
+                let rays = rays.map(|(ray, dir)| (*dir, lot.far(ray)));
+                let is_done = bundle.fill(&self.finder().tree, origin, rays)
+                    && self.see_meshes(
+                        (&mut lot, &mut bests),
+                        query,
+                        (&mut bundle, origin),
+                        scratch,
+                    )
+                    && self.finder().tree.together(
+                        &mut bundle,
+                        #[inline(always)]
+                        |number, first, lanes, ended| {
+                            let item = self.finder().bounded[number as usize];
+                            if self.is_large_mesh(item) {
+                                return;
+                            }
+                            let mut offer =
+                                |lot: &mut Lot, ray: usize, found, ended: &mut Ended| {
+                                    let old = lot.far(ray);
+                                    let best = &mut bests[ray];
+                                    let new =
+                                        self.offer(item.number, found, &query(ray), old, best);
+                                    if new < old {
+                                        lot.shorten(ray, new);
+                                        ended.note(ray - first, new);
+                                    }
+                                };
+                            let lanes = self.in_fours::<true>(
+                                (item, Seen::Image),
+                                (&mut lot, query),
+                                (first, lanes),
+                                scratch,
+                                #[inline(always)]
+                                |lot, ray, found| offer(lot, ray, found, ended),
+                            );
+                            each_bit(lanes, |lane| {
+                                let ray = first + lane;
+                                let found = self.see_item(item, &query(ray), lot.far(ray), scratch);
+                                if let Some(found) = found {
+                                    offer(&mut lot, ray, found, ended);
+                                }
+                            });
+                        },
+                    );
                 if !is_done {
-                    for (query, best) in queries.iter().zip(&mut bests) {
-                        self.nearest_bounded(query, best, scratch);
+                    for (ray, best) in bests.iter_mut().enumerate() {
+                        *best = self.nearest_found(&query(ray), scratch);
                     }
                 }
             },
         );
-        let found = queries.iter().zip(&bests);
-        hits.extend(found.map(|(query, best)| best.map(|best| self.hit(query, &best.found))));
+        let found = bests.iter().enumerate();
+        hits.extend(
+            found.map(|(ray, best)| best.map(|best| self.hit(&query(ray).ray, &best.found))),
+        );
         scratch.bundle = bundle;
         scratch.bests = bests;
+        scratch.lot = lot;
     }
 
     /// What lies on each of these rays to the light of this number at `centre`, in an order in which neighbours differ
@@ -116,12 +129,19 @@ impl World {
         ways: &mut Vec<Way>,
     ) -> bool {
         let first = ways.len();
-        let mut found = FoundOfFours::new();
         scratch.rays.shadow += queries.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
+        let mut lot = std::mem::take(&mut scratch.lot);
         let was_of_use = with_widest(
             #[inline(always)]
             || {
+                lot.fill(
+                    queries.len(),
+                    #[inline(always)]
+                    |ray| queries[ray],
+                    #[inline(always)]
+                    |query| self.least_distance(query),
+                );
                 for query in queries {
                     let mut way = Way::Free;
                     let mut unbounded = self.finder().unbounded.iter();
@@ -143,33 +163,38 @@ impl World {
                     self.find_ways(queries, light, scratch, ways);
                     return false;
                 }
-                let is_done = self.finder().tree.together(
-                    &mut bundle,
-                    #[inline(always)]
-                    |number, first, lanes, ended| {
-                        let item = self.finder().bounded[number as usize];
-                        let lanes = self.in_fours(
-                            item,
-                            (queries, first, lanes),
-                            |ray| queries[ray].far,
-                            scratch,
-                            &mut found,
+                let is_done =
+                    self.meshes_block((&mut lot, ways), queries, (&mut bundle, centre), scratch)
+                        && self.finder().tree.together(
+                            &mut bundle,
+                            #[inline(always)]
+                            |number, first, lanes, ended| {
+                                let item = self.finder().bounded[number as usize];
+                                if self.is_large_mesh(item) {
+                                    return;
+                                }
+                                let lanes = self.in_fours::<false>(
+                                    (item, Seen::Shadow),
+                                    (&mut lot, |ray| queries[ray]),
+                                    (first, lanes),
+                                    scratch,
+                                    #[inline(always)]
+                                    |lot, ray, found| {
+                                        if found.root.t < lot.far(ray) {
+                                            ways[ray] = Way::Blocked;
+                                            ended.note(ray - first, f64::NEG_INFINITY);
+                                        }
+                                    },
+                                );
+                                each_bit(lanes, |lane| {
+                                    let way = &mut ways[first + lane];
+                                    if self.blocks(item, &queries[first + lane], way, scratch) {
+                                        *way = Way::Blocked;
+                                        ended.note(lane, f64::NEG_INFINITY);
+                                    }
+                                });
+                            },
                         );
-                        for &(ray, found) in &found {
-                            if found.root.t < queries[ray].far {
-                                ways[ray] = Way::Blocked;
-                                ended.note(ray - first, f64::NEG_INFINITY);
-                            }
-                        }
-                        each_bit(lanes, |lane| {
-                            let way = &mut ways[first + lane];
-                            if self.blocks(item, &queries[first + lane], way, scratch) {
-                                *way = Way::Blocked;
-                                ended.note(lane, f64::NEG_INFINITY);
-                            }
-                        });
-                    },
-                );
                 if !is_done {
                     self.find_ways(queries, light, scratch, ways);
                 }
@@ -177,39 +202,46 @@ impl World {
             },
         );
         scratch.bundle = bundle;
+        scratch.lot = lot;
         was_of_use
     }
 
     /// Asks about an item by four rays at a time, where that goes, those of `lanes` from the first ray on. Gives the rays
-    /// that must still be asked for singly, and in `found` what the others meet.
+    /// that must still be asked for singly; `take` gets the number of each of the others that meets the item, and what it
+    /// meets; unless `ASKS_FACE` perhaps no more than the distance.
     #[inline(always)]
-    fn in_fours(
+    fn in_fours<const ASKS_FACE: bool>(
         &self,
-        item: Numbered,
-        (queries, first, lanes): (&[Query], usize, u32),
-        far: impl Fn(usize) -> f64,
+        (item, seen): (Numbered, Seen),
+        (lot, query): (&mut Lot, impl Fn(usize) -> Query),
+        (first, lanes): (usize, u32),
         scratch: &mut Scratch,
-        found: &mut FoundOfFours,
+        mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
-        found.clear();
-        if lanes.is_power_of_two() || !self.suits_four(item.item, queries[first].seen) {
+        if !self.suits_four(item.item, seen) {
+            return lanes;
+        }
+        let is_for_one = |lanes: u32| lanes.is_power_of_two() && !self.model.suits_one(item.item);
+        if is_for_one(lanes) {
             return lanes;
         }
         let mut left = 0;
         for half in [0, 4] {
             let some = lanes >> half & 0b1111;
-            if some == 0 || some.is_power_of_two() {
+            if some == 0 || is_for_one(some) {
                 left |= some << half;
                 continue;
             }
             let start = first + half;
-            let end = (start + 4).min(queries.len());
-            let asked = (&queries[start..end], some);
-            let far = |lane| far(start + lane);
-            let take = |lane, of_lane| found.push((start + lane, of_lane));
+            let four = *lot.four(start);
+            let asked = (&four, some);
+            let query = |lane| query(start + lane);
+            let take = |lane, found| take(lot, start + lane, found);
             let unknown = match item.item {
-                Item::Program(program) => self.ask_four(program, asked, far, scratch, take),
-                Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, far, take),
+                Item::Program(program) => {
+                    self.ask_four::<ASKS_FACE>(program, asked, query, scratch, take)
+                }
+                Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, query, take),
                 Item::Instance(_) => some,
             };
             left |= unknown << half;

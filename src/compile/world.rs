@@ -6,7 +6,7 @@ use super::interiors::{InteriorId, Interiors};
 use super::leaf::Leaf;
 use super::lights::Lights;
 use super::model::{Item, Model};
-use super::order::Finder;
+use super::order::{Finder, Numbered};
 use super::query::{Departure, Hit, Seen};
 use super::surface::Surface;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
@@ -71,6 +71,8 @@ pub struct World {
     pub(super) model: Model,
     /// Them, by number.
     pub(super) items: Vec<Item>,
+    /// The large meshes, if there are few.
+    pub(super) meshes: Vec<Numbered>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     pub(super) boxes: Vec<Bounds>,
     pub(super) ties_by_box: bool,
@@ -92,7 +94,7 @@ impl World {
             transmit: 1.0,
             ..Color::default()
         };
-        World {
+        let mut world = World {
             camera: scene.camera.clone(),
             lens: Lens::new(&scene.camera, &scene.pattern_settings()),
             background: scene.background.color.unwrap_or(transparent),
@@ -133,7 +135,10 @@ impl World {
             interiors: flat.interiors,
             model,
             items,
-        }
+            meshes: Vec::new(),
+        };
+        world.meshes = world.large_meshes();
+        world
     }
 
     #[inline(always)]

@@ -21,20 +21,7 @@ impl Reader<'_> {
         if self.recording.is_some() {
             return None;
         }
-        let tokens = &*self.here.tokens;
-        let at = self.here.at;
-        let first = tokens.tokens[at];
-        let (number, after) = if first.kind == Kind::Number || first.is_mark('-') {
-            let (number, after) = signed(tokens, at)?;
-            (Number::float(number), after)
-        } else if first.is_mark('<') {
-            components(tokens, at)?
-        } else {
-            return None;
-        };
-        if !ends_expression(*tokens.tokens.get(after)?) {
-            return None;
-        }
+        let (number, after) = literal_at(&self.here.tokens, self.here.at)?;
         self.here.at = after - 1;
         self.pass();
         Some(number)
@@ -83,6 +70,21 @@ impl Reader<'_> {
         };
         Some(number)
     }
+}
+
+/// The literal number or vector at a token if it is a whole expression, and the token behind it.
+#[inline]
+pub(super) fn literal_at(tokens: &Tokens, at: usize) -> Option<(Number, usize)> {
+    let first = tokens.tokens[at];
+    let (number, after) = if first.kind == Kind::Number || first.is_mark('-') {
+        let (number, after) = signed(tokens, at)?;
+        (Number::float(number), after)
+    } else if first.is_mark('<') {
+        components(tokens, at)?
+    } else {
+        return None;
+    };
+    ends_expression(*tokens.tokens.get(after)?).then_some((number, after))
 }
 
 /// The number at a token, perhaps with a sign, and the token behind it.

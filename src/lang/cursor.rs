@@ -171,7 +171,12 @@ impl Reader<'_> {
                     if !(self.is_end(token) && self.is_in_noted_call()) {
                         self.spoil();
                     }
-                    if let Err(error) = self.run_directive(token) {
+                    let is_run = match self.replay_directive(token) {
+                        Ok(false) => self.run_directive(token),
+                        Ok(true) => Ok(()),
+                        Err(error) => Err(error),
+                    };
+                    if let Err(error) = is_run {
                         self.has_faulty_directive = true;
                         return Err(error);
                     }

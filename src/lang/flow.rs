@@ -128,7 +128,7 @@ impl Reader<'_> {
             Word::Switch => self.run_switch(index),
             Word::Case | Word::Range => self.run_case(index, span, word),
             Word::Break => self.run_break(span),
-            Word::End => self.run_end(span),
+            Word::End => self.run_end(),
             Word::Macro => self.define_macro(index, span),
             Word::Declare => self.run_declare(false),
             Word::Local => self.run_declare(true),
@@ -247,7 +247,7 @@ impl Reader<'_> {
     }
 
     /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
-    fn run_end(&mut self, span: Span) -> Parse<()> {
+    pub(super) fn run_end(&mut self) -> Parse<()> {
         if matches!(self.innermost(), Some(Entered::Include { .. }))
             && matches!(
                 self.innermost_group(),
@@ -258,7 +258,7 @@ impl Reader<'_> {
             return Ok(());
         }
         let Some(frame) = self.frames.last_mut() else {
-            return Err(self.unopened_end(span));
+            return Err(self.unopened_end());
         };
         match &mut frame.kind {
             Entered::If | Entered::Switch { .. } => {
@@ -304,11 +304,12 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
-            Entered::Include { .. } => Err(self.unopened_end(span)),
+            Entered::Include { .. } => Err(self.unopened_end()),
         }
     }
 
-    fn unopened_end(&self, span: Span) -> Box<Diagnostic> {
+    fn unopened_end(&self) -> Box<Diagnostic> {
+        let span = self.taken_span();
         self.with_trace(
             Diagnostic::error(
                 span,
@@ -335,6 +336,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn number_in_parentheses(&mut self) -> Parse<f64> {
+        if let Some(number) = self.replay_parentheses(self.here.at)? {
+            return Ok(number);
+        }
         self.expect_mark('(', "`(` and a condition or number")?;
         let open = self.start_taken();
         let value = self.condition_value()?;

@@ -9,7 +9,7 @@ use super::value::Value;
 use crate::args::{Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, FileId, Span};
-use crate::syntax::{Class, Names, number};
+use crate::syntax::{Class, Names, number, word_end};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::cell::Cell;
@@ -71,6 +71,13 @@ impl<'a> Literal<'a> {
     /// The next byte that is no blank; 0 at the end.
     #[inline]
     fn byte(&mut self) -> u8 {
+        match self.text.as_bytes().get(self.at) {
+            Some(&byte) if byte > b' ' => byte,
+            _ => self.byte_behind_blanks(),
+        }
+    }
+
+    fn byte_behind_blanks(&mut self) -> u8 {
         let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
         match rest.iter().position(|byte| !is_blank(*byte)) {
             Some(blanks) => {
@@ -111,21 +118,8 @@ impl<'a> Literal<'a> {
 
     /// The letters, digits and `_` at hand.
     fn spelling(&self) -> &'a str {
-        let rest = &self.text[self.at..];
-        let is_part = |byte: &u8| is_letter(*byte) || byte.is_ascii_digit();
-        let len = rest.bytes().take_while(|byte| is_part(byte)).count();
-        &rest[..len]
-    }
-
-    /// A number with or without a sign, whatever follows.
-    #[inline]
-    fn signed(&mut self) -> Option<f64> {
-        let is_negative = self.take(b'-');
-        self.byte();
-        let (value, end) = number(self.text.as_bytes(), self.at);
-        let value = value.filter(|value| value.is_finite())?;
-        self.at = end;
-        Some(if is_negative { -value } else { value })
+        let end = word_end(self.text.as_bytes(), self.at);
+        &self.text[self.at..end]
     }
 
     /// Whether what is at hand begins something new, so that no expression goes on with it.
@@ -145,24 +139,28 @@ impl<'a> Literal<'a> {
     fn components(&mut self) -> Option<([f64; MOST], usize)> {
         let mut vector = [0.0; MOST];
         let mut len = 0;
-        if self.take(b'<') {
-            loop {
-                *vector.get_mut(len)? = self.signed()?;
-                len += 1;
-                match self.byte() {
-                    b',' => self.at += 1,
-                    b'>' => break,
-                    b'0'..=b'9' => {}
-                    _ => return None,
-                }
+        let is_vector = self.byte() == b'<';
+        let bytes = self.text.as_bytes();
+        let mut at = self.at + usize::from(is_vector);
+        loop {
+            (*vector.get_mut(len)?, at) = signed(bytes, at)?;
+            len += 1;
+            if !is_vector {
+                break;
             }
-            self.at += 1;
-        } else {
-            vector[0] = self.signed()?;
-            len = 1;
+            at = behind_blanks(bytes, at);
+            match bytes.get(at)? {
+                b',' => at += 1,
+                b'>' => {
+                    at += 1;
+                    break;
+                }
+                b'0'..=b'9' => {}
+                _ => return None,
+            }
         }
-        let is_whole = self.is_at_seam();
-        is_whole.then_some((vector, len))
+        self.at = at;
+        self.is_at_seam().then_some((vector, len))
     }
 
     /// A vector of `N` components; a number stands for all of them, and missing ones are zero.
@@ -189,6 +187,27 @@ impl<'a> Literal<'a> {
         }
         item.map(|(vector, _)| vector)
     }
+}
+
+/// A number with or without a sign, whatever follows, and where it ends.
+#[inline]
+fn signed(text: &[u8], at: usize) -> Option<(f64, usize)> {
+    let mut at = behind_blanks(text, at);
+    let is_negative = text.get(at) == Some(&b'-');
+    if is_negative {
+        at = behind_blanks(text, at + 1);
+    }
+    let (value, end) = number(text, at);
+    let value = value.filter(|value| value.is_finite())?;
+    (end > at).then_some((if is_negative { -value } else { value }, end))
+}
+
+#[inline]
+fn behind_blanks(text: &[u8], mut at: usize) -> usize {
+    while text.get(at).is_some_and(|byte| is_blank(*byte)) {
+        at += 1;
+    }
+    at
 }
 
 /// Whether a number is finite in single precision, as colours are.

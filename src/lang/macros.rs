@@ -30,15 +30,15 @@ impl Macro {
 }
 
 /// What a call gives for one parameter.
-enum Argument {
+pub(super) enum Argument {
     Reference(Target),
     Value(Value),
 }
 
 /// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
 #[derive(Default)]
-struct Arguments {
-    values: SmallVec<[Argument; 6]>,
+pub(super) struct Arguments {
+    pub(super) values: SmallVec<[Argument; 6]>,
     sources: SmallVec<[Option<Source>; 6]>,
 }
 
@@ -104,7 +104,10 @@ impl Reader<'_> {
     pub(super) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
         self.pass();
         let call = self.start_taken();
-        let arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
+        let mut arguments = Arguments::default();
+        if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
+            arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
+        }
         if self.scopes.depth() as usize >= limits::CALLS {
             return Err(self.with_trace(
                 Diagnostic::error(

@@ -33,6 +33,7 @@ mod loops;
 mod macros;
 mod missing;
 mod object;
+mod plain;
 mod probe;
 mod reader;
 mod recover;
@@ -122,5 +123,20 @@ pub fn evaluate_with(
                 dependencies: sources.dependencies().to_vec(),
             }
         }
+    }
+}
+
+/// As [`evaluate`], but each token is read as often as reading gets to it: nothing is replayed.
+#[cfg(test)]
+fn evaluate_token_by_token(file: FileId, sources: &mut Sources, options: &ReadOptions) -> Reading {
+    let (mut probe, mut listener) = (Blind, |_: Heard<'_>| {});
+    match Reader::new(file, sources, None, options, &mut probe, &mut listener) {
+        Ok(mut reader) => {
+            reader.replays.forbid();
+            reader.enter_header();
+            reader.statements();
+            reader.finish()
+        }
+        Err(findings) => panic!("no tokens: {findings:?}"),
     }
 }

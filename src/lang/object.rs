@@ -19,6 +19,11 @@ impl Reader<'_> {
         let Some(word) = token.word() else {
             return Ok(None);
         };
+        if matches!(word.class(), Class::Shape | Class::Csg)
+            && let Some(object) = self.replay_object()?
+        {
+            return Ok(Some(Arc::new(object)));
+        }
         let object = match word {
             Word::Union => self.csg(Operation::Union)?,
             Word::Merge => self.csg(Operation::Merge)?,
@@ -378,7 +383,7 @@ pub(super) fn fold_steps(object: &mut Object) {
 }
 
 /// Sees to it that an object has a texture of its own.
-pub(super) fn own_texture(object: &mut Object, default: &Layer) {
+fn own_texture(object: &mut Object, default: &Layer) {
     if object.texture.is_none() {
         let texture = Texture::from(default.clone());
         object.texture = Some(object.attach(Arc::new(texture)));

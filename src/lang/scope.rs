@@ -55,7 +55,9 @@ impl Scopes {
         let start = self.open.pop().unwrap_or(self.bound.len());
         for symbol in self.bound.drain(start..) {
             let stack = &mut self.stacks[symbol.0 as usize];
-            if let Some(at) = stack.iter().rposition(|binding| binding.depth == depth) {
+            if stack.last().is_some_and(|last| last.depth == depth) {
+                stack.pop();
+            } else if let Some(at) = stack.iter().rposition(|binding| binding.depth == depth) {
                 stack.remove(at);
             }
         }
@@ -67,6 +69,7 @@ impl Scopes {
     }
 
     /// The value of a symbol.
+    #[inline]
     pub(super) fn get(&self, symbol: Symbol) -> Option<&Value> {
         let stack = self.stacks.get(symbol.0 as usize)?;
         self.held(stack.last()?)
@@ -78,7 +81,15 @@ impl Scopes {
         self.held(stack.iter().find(|binding| binding.depth == depth)?)
     }
 
-    fn held<'a>(&'a self, mut binding: &'a Binding) -> Option<&'a Value> {
+    #[inline]
+    fn held<'a>(&'a self, binding: &'a Binding) -> Option<&'a Value> {
+        match &binding.held {
+            Held::Value(value) => Some(value),
+            _ => self.held_behind(binding),
+        }
+    }
+
+    fn held_behind<'a>(&'a self, mut binding: &'a Binding) -> Option<&'a Value> {
         loop {
             match &binding.held {
                 Held::Value(value) => return Some(value),
@@ -232,7 +243,16 @@ impl Scopes {
         if self.stacks.len() <= index {
             self.stacks.resize_with(index + 1, Vec::new);
         }
+        let innermost = self.open.len();
         let stack = &mut self.stacks[index];
+        if depth > 0
+            && depth as usize == innermost
+            && stack.last().is_none_or(|last| last.depth <= depth)
+        {
+            stack.push(Binding { depth, held });
+            self.bound.push(symbol);
+            return;
+        }
         let at = stack
             .iter()
             .rposition(|binding| binding.depth <= depth)

@@ -5,13 +5,11 @@
 
 use super::cursor::Place;
 use super::literal::{Ground, Literal};
-use super::object::{baked, fold_steps, own_texture};
+use super::plain::plain_object;
 use super::reader::Reader;
-use crate::args::{Args, Parse, Word, transform_step};
-use crate::scene::{Kind as Is, Object};
-use crate::shape::Shape;
-use crate::syntax::{Class, Kind, behind_more, more_from, tokenize_more};
-use crate::texture::{Layer, Texture};
+use crate::args::{Args, Parse};
+use crate::scene::Object;
+use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
 use std::sync::Arc;
 
 /// Tokens are made of pieces of about so many bytes: few where literals are interrupted, more where they end.
@@ -94,7 +92,7 @@ impl Reader<'_> {
             version: self.version,
         };
         let mut args = Literal::new(text, at, &ground);
-        let object = literal_shape(&mut args, &self.default_layer).ok()??;
+        let object = plain_object(&mut args, &self.default_layer).ok()??;
         args.reached().map(|end| (object, end))
     }
 
@@ -124,45 +122,13 @@ impl Reader<'_> {
     }
 }
 
-/// A shape with its modifiers; `None` if something else stands here.
-fn literal_shape(args: &mut Literal, default: &Layer) -> Parse<Option<Object>> {
-    let Some(word) = args.word()?.filter(|word| word.class() == Class::Shape) else {
-        return Ok(None);
-    };
-    args.accept(word)?;
-    args.open()?;
-    let Some(shape) = Shape::read(word, args) else {
-        return Ok(None);
-    };
-    let mut object = Object::new(Is::Shape(Arc::new(shape?)));
-    while !args.accept_close()? {
-        if let Some(step) = transform_step(args)? {
-            object.steps.push(step);
-            fold_steps(&mut object);
-            continue;
-        }
-        match args.word()? {
-            Some(Word::Texture) if object.texture.is_none() => {
-                args.accept(Word::Texture)?;
-                let texture = Texture::read(args, default)?;
-                object.texture = Some(object.attach(Arc::new(texture)));
-            }
-            Some(part @ (Word::Pigment | Word::Finish)) => {
-                own_texture(&mut object, default);
-                baked(&mut object).top_mut().read_part(part, args)?;
-            }
-            _ => return Ok(None),
-        }
-    }
-    Ok(Some(object))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::lang::scope::Scopes;
     use crate::source::FileId;
     use crate::syntax::Names;
+    use crate::texture::Layer;
 
     /// How much of a text is read as one object of literals.
     fn reached(text: &str) -> Option<usize> {
@@ -174,7 +140,7 @@ mod tests {
             version: 3.7,
         };
         let mut args = Literal::new(text, 0, &ground);
-        literal_shape(&mut args, &Layer::default()).ok()??;
+        plain_object(&mut args, &Layer::default()).ok()??;
         args.reached()
     }
 
@@ -198,7 +164,7 @@ mod tests {
             "sphere { x, 0.5 }",
             "sphere { <1, 2, 3>*2, 0.5 }",
             "sphere { <1, 2, 3>, R }",
-            "sphere { <1, 2, 3>, 0.5 interior { ior 1.5 } }",
+            "sphere { <1, 2, 3>, 0.5 hollow }",
             "union { sphere { 0, 1 } }",
         ] {
             assert_eq!(reached(text), None, "{text}");

@@ -7,7 +7,8 @@
 //!
 //! The form on -1..1 costs no digits, and halving takes means only. A stretch where all coefficients are within the
 //! rounding of the polynomial is not halved again: a touching or multiple root may come as none or as pairs, and a
-//! change is never missed that a polynomial farther than that rounding from this one must have.
+//! change is never missed that a polynomial farther than that rounding from this one must have. Error bound: that rounding
+//! is 4 roundings of the sum of the coefficients for each degree, and a place is off by as much over the slope there.
 
 use super::polynomial::{Places, bracketed};
 use smallvec::SmallVec;

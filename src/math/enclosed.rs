@@ -1,6 +1,9 @@
 //! Sign changes of a smooth function that is no polynomial, from enclosures of its values and of its slopes on whole
 //! stretches (Moore 1966, "Interval Analysis", and the mean value form of Caprani and Madsen 1980): a stretch whose
 //! values keep away from zero has none, a monotone one has one if its ends differ, every other is halved.
+//!
+//! Error bound: the last digit of a place, or as far as the rounding of the function reaches; the bounds of a stretch are
+//! widened by 8 roundings, so that a pair of changes is lost only if the function's own rounding hides it.
 
 use super::polynomial::Places;
 

@@ -3,6 +3,10 @@
 //! iteration cannot miss. Closed forms for degree four lose one ray in four in the plane of a torus; this loses none.
 //! Chains of higher degree cost more than halving ([`bernstein`]).
 //!
+//! Error bound: the value at a place that is found is within a few roundings of the sum of the coefficients, or the place
+//! within [`LAST_STEP`] squared of the zero; who wants more digits refines it on the shape itself, as torus and poly do. A
+//! pair of changes whose extreme between them is within that rounding of zero may be lost or found.
+//!
 //! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 < x < 1` is searched; whoever asks has
 //! centred and scaled the polynomial so that its coefficients are of one size there.
 
@@ -11,9 +15,6 @@ use smallvec::SmallVec;
 
 /// Places on a line, in order.
 pub(crate) type Places = SmallVec<[f64; 8]>;
-
-/// Polynomials of up to so many coefficients are searched by the chain of their derivatives.
-const CHAIN: usize = 5;
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
@@ -30,9 +31,19 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
         [c0, c1, c2] => quadratic(c0, c1, c2),
         [c0, c1] => within(&[-c0 / c1]),
         [] | [_] => Places::new(),
-        _ if c.len() <= CHAIN => between_turns(c),
+        [c0, c1, c2, c3] => cubic(&[c0, c1, c2, c3]),
+        [c0, c1, c2, c3, c4] => quartic(&[c0, c1, c2, c3, c4]),
         _ => bernstein::sign_changes(c),
     }
+}
+
+fn cubic(c: &[f64; 4]) -> Places {
+    between_turns(c, quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
+}
+
+/// The same as [`sign_changes`] for a quartic.
+pub(super) fn quartic(c: &[f64; 5]) -> Places {
+    between_turns(c, cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
 }
 
 /// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
@@ -72,14 +83,9 @@ pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
     even > odd.abs() && inner_even > inner_odd.abs() && middle > 0.0
 }
 
-fn between_turns(c: &[f64]) -> Places {
-    let mut derivative: SmallVec<[f64; 8]> = SmallVec::new();
-    let mut power = 0.0;
-    for c in &c[1..] {
-        power += 1.0;
-        derivative.push(power * c);
-    }
-    let mut stops = sign_changes(&derivative);
+/// The changes of a polynomial whose derivative changes its sign at `stops`. The number of coefficients is known, so that
+/// they stay in registers.
+fn between_turns<const N: usize>(c: &[f64; N], mut stops: Places) -> Places {
     stops.push(1.0);
     let mut places = Places::new();
     let mut low = -1.0;
@@ -95,7 +101,12 @@ fn between_turns(c: &[f64]) -> Places {
 }
 
 /// Newton's iteration for the one root between `low` and `high`, halving where a step would leave the bracket.
-pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool) -> f64 {
+#[inline]
+pub(super) fn bracketed<C>(c: &C, mut low: f64, mut high: f64, is_rising: bool) -> f64
+where
+    C: AsRef<[f64]> + ?Sized,
+{
+    let c = c.as_ref();
     let mut x = 0.5 * (low + high);
     for _ in 0..MAX_STEPS {
         let (value, slope) = value_and_slope(c, x);
@@ -124,10 +135,12 @@ pub(super) fn bracketed(c: &[f64], mut low: f64, mut high: f64, is_rising: bool)
 }
 
 /// The value at a place.
+#[inline]
 pub(crate) fn value(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
+#[inline]
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     let both = |(value, slope): (f64, f64), c: &f64| (value * x + c, slope * x + value);
     c.iter().rev().fold((0.0, 0.0), both)

@@ -1,21 +1,22 @@
 //! Where a quartic changes sign, by the quick way where there is one: most rays that meet a torus meet it where the
-//! quartic bends only one way, and there Newton's iteration from either end runs straight into the root.
+//! quartic bends only one way, and there Newton's iteration from either end runs straight into the root: on a convex
+//! function it never passes it. Error bound: that of [`sign_changes`].
 
-use super::polynomial::{Places, sign_changes};
+use super::polynomial::{self, Places};
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 pub(crate) const LAST_STEP: f64 = 1e-9;
 /// With more steps the roots are so close to each other that the careful way is as fast.
 pub(crate) const MAX_STEPS: u32 = 24;
 
-/// The same places in `-1 < x < 1` as [`sign_changes`] finds, up to the last digits.
+/// The same places in `-1 < x < 1` as [`polynomial::sign_changes`] finds, up to the last digits.
 pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Places {
     if bends_up(c)
         && let Some(places) = from_both_ends(c)
     {
         return places;
     }
-    sign_changes(c)
+    polynomial::quartic(c)
 }
 
 /// Whether the second derivative is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.
@@ -75,6 +76,7 @@ fn value_and_slope(c: &[f64; 5], x: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::polynomial::sign_changes;
     use crate::math::random::Random;
 
     #[test]

@@ -4,6 +4,9 @@
 //! runs along an axis, and each edge gets the sign of `x₁·y₂ − y₁·x₂`. Rounding is monotone, so that sign is right or
 //! zero, and it is the exact opposite for the neighbour on the other side of the edge. Zero counts as inside: a ray
 //! through an edge hits at least one of the two triangles.
+//!
+//! Error bound: no gap at all; the place of a hit lies within 8 roundings of the plane of the triangle
+//! (`shape/roundings.rs`).
 
 use super::{Ray, conditioning::power_of_two};
 use glam::{DVec2, DVec3};
@@ -44,6 +47,24 @@ impl RayFrame {
             along,
             shear: across / ray.dir[along],
         }
+    }
+
+    /// Where the ray starts.
+    #[inline]
+    pub(crate) fn origin(&self) -> DVec3 {
+        self.ray.origin
+    }
+
+    /// The length of the ray's direction.
+    #[inline]
+    pub(crate) fn speed(&self) -> f64 {
+        self.ray.dir.length()
+    }
+
+    /// The direction of the ray, of length 1.
+    #[inline]
+    pub(crate) fn unit_dir(&self) -> DVec3 {
+        self.ray.dir / self.speed()
     }
 
     /// The corners with the ray along an axis: across it, and along it.

@@ -18,6 +18,11 @@ use unfinished::Piece;
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
 
+/// So many tiles are drawn before they are put into the film.
+const LEAST_AT_ONCE: usize = 128;
+/// Or so many for each thread: at the end of each turn threads wait for the last.
+const TILES_OF_THREAD: usize = 32;
+
 /// A rectangle of pixels: columns and rows from, to (not included).
 struct Tile {
     columns: Range<u32>,
@@ -61,10 +66,6 @@ pub fn render(
         progress(drawn.1.0.len() as u64);
         drawn
     };
-    let drawn: Vec<(Tile, Pixels)> = tiles
-        .par_iter()
-        .map_init(BlockScratch::default, draw)
-        .collect();
     let mut film = Film::new(
         options.width,
         options.height,
@@ -72,12 +73,20 @@ pub fn render(
         options.rows.clone(),
     );
     let mut rays = Rays::default();
-    for (tile, (pixels, of_tile)) in drawn {
-        rays += of_tile;
-        let width = (tile.columns.end - tile.columns.start) as usize;
-        for (y, row) in tile.rows.clone().zip(pixels.chunks(width.max(1))) {
-            let start = y as usize * options.width as usize + tile.columns.start as usize;
-            film.pixels[start..start + width].copy_from_slice(row);
+    // Tiles by tiles, or all pixels would lie in memory twice.
+    let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
+    for some in tiles.chunks(at_once) {
+        let drawn: Vec<(Tile, Pixels)> = some
+            .par_iter()
+            .map_init(BlockScratch::default, draw)
+            .collect();
+        for (tile, (pixels, of_tile)) in drawn {
+            rays += of_tile;
+            let width = (tile.columns.end - tile.columns.start) as usize;
+            for (y, row) in tile.rows.clone().zip(pixels.chunks(width.max(1))) {
+                let start = y as usize * options.width as usize + tile.columns.start as usize;
+                film.pixels[start..start + width].copy_from_slice(row);
+            }
         }
     }
     Drawn {

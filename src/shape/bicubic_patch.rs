@@ -1,5 +1,5 @@
 //! `bicubic_patch { type n [u_steps n] [v_steps n] [flatness x] [uv_vectors ...] <point>, ... }`: a Bézier surface of
-//! 16 points, drawn as triangles.
+//! 16 points, drawn as triangles, with the error bound of those.
 //!
 //! As in POV-Ray the surface is halved along both parameters, `u_steps` and `v_steps` times, or until a piece is flatter
 //! than `flatness`; each piece is two triangles, with the normals of the true surface at their corners. Transforms move
@@ -316,15 +316,11 @@ impl Geometry for BicubicPatch {
         Triangle { corners }.normal(corners[0], 0)
     }
 
-    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
         let shares = self.weights(point, face);
         let corners = self.corners(face);
         let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * corners[i].normal);
-        if mean.is_finite() && mean != DVec3::ZERO {
-            mean
-        } else {
-            self.normal(point, face)
-        }
+        (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
     fn contains(&self, _: DVec3) -> bool {

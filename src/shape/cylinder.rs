@@ -3,6 +3,9 @@
 //! The infinite cylinder is the quadratic of a ball for the parts of the ray across the axis ([`ball_chord`]); the
 //! closed one is what it shares with the slab between the caps. An open cylinder is the same solid with caps that are
 //! not visible, as POV-Ray's inside test has it. A negative radius works like its absolute value.
+//!
+//! Error bound: that of the ball; roots lie within 4 roundings of the problem's size from the surface, from up to 10⁹ times
+//! its size (`shape/roundings.rs`).
 
 use super::axial::{APEX, Axis, BASE};
 use super::four::{self, FourRays, FourSpans, Three, chords, dot, minus, same, scaled};

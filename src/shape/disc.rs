@@ -1,6 +1,7 @@
 //! `disc { <centre>, <normal>, radius [, hole radius] }`: a flat ring, edges included.
 //!
 //! In CSG it is the whole half-space on the side opposite to its normal, of which only the ring can be seen.
+//! Error bound: that of a plane (`shape/roundings.rs`).
 //! Negative radii work like their absolute values; a hole wider than the disc leaves nothing (checked with POV-Ray).
 
 use super::{Geometry, Plane, Root, Start, along, even_scale, first_visible, read};

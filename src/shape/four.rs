@@ -43,6 +43,24 @@ impl<F: Four> FourSpans<F> {
     }
 }
 
+impl<F: Four> FourSpans<F> {
+    /// The first ends with `from < t <= far`.
+    #[inline(always)]
+    fn nearest(&self, from: F, far: F) -> FourNearest<F> {
+        let within = F::both(from.below(self.enter), self.enter.not_above(far));
+        let enters = F::both(self.is_met, within);
+        let within = F::both(from.below(self.leave), self.leave.not_above(far));
+        let leaves = F::both(self.is_met, within);
+        let enters_bits = F::bits(enters);
+        FourNearest {
+            t: F::pick(enters, self.enter, self.leave),
+            leaves: F::bits(leaves) & !enters_bits,
+            met: enters_bits | F::bits(leaves),
+            unknown: self.unknown,
+        }
+    }
+}
+
 /// All roots of four lines with a shape of which no line meets more than four, all visible and of face 0, in order:
 /// they enter and leave in turn.
 pub(crate) struct FourRoots<F: Four> {
@@ -74,10 +92,10 @@ impl<F: Four> FourRoots<F> {
         }
     }
 
-    /// The first with `from < t < to`, without the root that a ray has just left: of the roots of that crossing the one
+    /// The first with `from < t <= far`, without the root that a ray has just left: of the roots of that crossing the one
     /// nearest to its start. `left` tells which rays have left a root that enters, and which one that leaves.
     #[inline(always)]
-    pub(crate) fn nearest(&self, from: F, to: F, left: [u32; 2]) -> FourNearest<F> {
+    pub(crate) fn nearest(&self, from: F, far: F, left: [u32; 2]) -> FourNearest<F> {
         let mut nearest = FourNearest {
             t: F::all(f64::INFINITY),
             leaves: 0,
@@ -96,10 +114,13 @@ impl<F: Four> FourRoots<F> {
         }
         let mut passed = 0;
         for place in 0..4 {
+            if self.met[place] == 0 {
+                continue;
+            }
             let is_hidden = F::bits(self.t[place].equals(hidden)) & self.met[place];
             nearest.unknown |= is_hidden & passed;
             passed |= is_hidden;
-            let is_within = F::both(from.below(self.t[place]), self.t[place].below(to));
+            let is_within = F::both(from.below(self.t[place]), self.t[place].not_above(far));
             let new = F::bits(is_within) & self.met[place] & !is_hidden & !nearest.met;
             nearest.t = F::pick(F::mask(new), self.t[place], nearest.t);
             if place % 2 == 1 {
@@ -156,6 +177,21 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
             _ => false,
+        }
+    }
+
+    /// The first roots of four rays, as [`FourRoots::nearest`] finds them.
+    #[inline(always)]
+    pub(crate) fn nearest_of_four<F: Four>(
+        &self,
+        rays: &FourRays<F>,
+        from: F,
+        far: F,
+        left: [u32; 2],
+    ) -> FourNearest<F> {
+        match self {
+            Shape::Sphere(sphere) if left == [0, 0] => sphere.four(rays).nearest(from, far),
+            _ => self.roots_of_four(rays).nearest(from, far, left),
         }
     }
 

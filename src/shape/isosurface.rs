@@ -7,6 +7,8 @@
 //! `accuracy` beyond the surface: a finer one would show another picture, and so would one that found what a wrong
 //! `max_gradient` loses.
 //!
+//! Error bound: `accuracy`, as POV-Ray's, and that alone.
+//!
 //! `evaluate` raises the gradient along each ray anew; in POV-Ray it stays raised for the rays that come later, so that
 //! the picture depends on their order. `max_trace` says how many roots POV-Ray looks for; here all are found that are
 //! wanted. Normals are differences over `accuracy`.
@@ -26,6 +28,9 @@ const AFTER_ROOT: f64 = 5.0;
 const AT_SURFACE: f64 = 4.0;
 /// Halvings of a stretch: more than the digits of a number.
 const MOST_HALVINGS: u32 = 64;
+/// Pieces into which the stretch of one ray is cut. Only numbers that mean nothing need more (a container of 10³⁰ and a
+/// gradient as large), and POV-Ray does not end there.
+const MOST_PIECES: u32 = 1 << 18;
 /// Roots of one ray.
 const MOST_ROOTS: usize = 1000;
 /// What `accuracy` and `max_gradient` are where the scene says nothing.
@@ -163,6 +168,7 @@ impl Solid {
             ray,
             speed: ray.dir.length(),
             gradient: self.gradient,
+            pieces: 0,
         };
         let mut is_inside = false;
         let mut at = enter.0.max(0.0);
@@ -232,6 +238,8 @@ struct Search<'a> {
     speed: f64,
     /// The gradient, which may grow.
     gradient: f64,
+    /// How many pieces of the ray were looked at.
+    pieces: u32,
 }
 
 impl Search<'_> {
@@ -247,7 +255,8 @@ impl Search<'_> {
 
     fn halve(&mut self, from: (f64, f64), to: (f64, f64), sign: f64, left: u32) -> Option<f64> {
         let step = to.0 - from.0;
-        if step < self.solid.way() || left == 0 {
+        self.pieces += 1;
+        if step < self.solid.way() || left == 0 || self.pieces > MOST_PIECES {
             return (to.1 < 0.0).then_some(to.0);
         }
         if let Some(Evaluate { factor }) = self.solid.evaluate {

@@ -109,6 +109,27 @@ impl Mesh {
         Ok(Mesh::new(mesh))
     }
 
+    /// The tree over its triangles.
+    pub(crate) fn tree(&self) -> &Bvh {
+        self.0.tree()
+    }
+
+    /// Whether it has no inside.
+    pub(crate) fn is_patch(&self) -> bool {
+        self.0.inside.is_none()
+    }
+
+    /// Where the whole line of a ray meets a triangle of a patch.
+    #[inline(always)]
+    pub(crate) fn meet(&self, frame: &RayFrame, face: u32) -> Option<f64> {
+        frame.hit(&self.0.corners(face)).map(|hit| hit.t)
+    }
+
+    /// The root of a patch on a triangle.
+    pub(crate) fn root(t: f64, face: u32) -> Root {
+        root(t, face, Crossing::Touch)
+    }
+
     /// The weights of the corners of a triangle at a point of it.
     fn weights(&self, point: DVec3, face: u32) -> [f64; 3] {
         weights(&self.0.corners(face), self.normal(point, face), point)
@@ -254,8 +275,12 @@ impl Triangles {
         self.tree.get_or_init(|| tree)
     }
 
+    // Spelt out: `map` is not always inlined.
+    #[inline(always)]
     fn corners(&self, face: u32) -> [DVec3; 3] {
-        self.corners[face as usize].map(|corner| self.vertices[corner as usize].as_dvec3())
+        let [a, b, c] = self.corners[face as usize];
+        let corner = |number: u32| self.vertices[number as usize].as_dvec3();
+        [corner(a), corner(b), corner(c)]
     }
 
     #[inline]
@@ -421,20 +446,13 @@ impl Geometry for Mesh {
         false
     }
 
-    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
-        let flat = self.normal(point, face);
+    fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
         let smooth = self.0.smooth.get(face as usize).copied();
-        let Some(smooth) = smooth.filter(|smooth| *smooth != FLAT) else {
-            return flat;
-        };
+        let smooth = smooth.filter(|smooth| *smooth != FLAT)?;
         let shares = self.weights(point, face);
         let normals = smooth.map(|normal| self.0.normals[normal as usize].as_dvec3());
         let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * normals[i]);
-        if mean.is_finite() && mean != DVec3::ZERO {
-            mean
-        } else {
-            flat
-        }
+        (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
     fn uv(&self, _: DVec3) -> [f64; 2] {

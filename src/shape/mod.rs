@@ -35,6 +35,8 @@ mod polygon;
 mod prism;
 mod quadric;
 mod read;
+#[cfg(test)]
+mod roundings;
 mod skin;
 mod smooth_triangle;
 mod sor;
@@ -183,9 +185,9 @@ pub trait Geometry {
         Shares::new()
     }
 
-    /// The shading normal where it differs from the geometric one (smooth triangles); not normalised.
-    fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
-        self.normal(point, face)
+    /// The shading normal where it may differ from the geometric one (smooth triangles); not normalised.
+    fn shading_normal(&self, _point: DVec3, _face: u32) -> Option<DVec3> {
+        None
     }
 
     /// Whether it is made of flat pieces, each with a `face` of its own, which a line meets at most once.
@@ -291,7 +293,7 @@ macro_rules! shapes {
             fn uv(&self, point: DVec3) -> [f64; 2] {
                 match self { $(Shape::$name(shape) => shape.uv(point)),+ }
             }
-            fn shading_normal(&self, point: DVec3, face: u32) -> DVec3 {
+            fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
             }
             fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {

@@ -4,10 +4,12 @@
 //! Transforms stay in the matrix of the object and are never multiplied into the coefficients, which would cost twice
 //! the digits of a translation. A ray is first moved to where it comes closest to the middle of the quadric; there its
 //! quadratic has coefficients of the quadric's own size, and the discriminant is taken to the last digit (Kahan 2004,
-//! "On the cost of floating-point computation without extra-precise arithmetic").
+//! "On the cost of floating-point computation without extra-precise arithmetic"). Each root is then refined on the quadric
+//! in space, which a flat one needs: seen from its side, 10⁶ times as wide as high, it lost five digits.
 //!
-//! Error bound: the quadratic about the nearest point has coefficients known to a few roundings of the ray's and the
-//! quadric's own size, so a root is off by a rounding of the distance (tested at 10³ to 10⁹ times the size).
+//! Error bound: the value of the quadric at a root is within 8 roundings of the terms that meet there (the coordinates of
+//! the ray times the slopes, and the terms of the quadric), and no pair of roots deeper than 64 such roundings is lost:
+//! 22 families of rays in `tests/stability`, from 4 to 10⁸ times the size.
 
 use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
 use crate::args::{Args, Parse};
@@ -87,8 +89,32 @@ impl Quadric {
         let a = dir.dot(*self.matrix * dir);
         let b = self.half_gradient(near).dot(dir);
         let c = self.value(near);
-        let (start, places) = sign_changes(a, b, c);
-        alternate(start, places.iter().map(|t| (ahead + t) / dir_size))
+        let (start, mut places) = sign_changes(a, b, c);
+        let line = Ray::new(ray.origin, dir);
+        places.iter_mut().for_each(|t| *t += ahead);
+        let refined: SmallVec<[f64; 2]> = places.iter().map(|t| self.refined(&line, *t)).collect();
+        if refined.is_sorted() {
+            places = refined;
+        }
+        alternate(start, places.iter().map(|t| t / dir_size))
+    }
+
+    /// A root with two of Newton's steps on the quadric in space, as far as they bring it nearer.
+    fn refined(&self, ray: &Ray, mut t: f64) -> f64 {
+        let mut point = ray.at(t);
+        let mut value = self.value(point);
+        for _ in 0..2 {
+            let next = t - 0.5 * value / self.half_gradient(point).dot(ray.dir);
+            let there = ray.at(next);
+            let left = self.value(there);
+            // Asked in the positive: what is no number is not nearer.
+            let is_nearer = left.abs() < value.abs();
+            if !is_nearer {
+                break;
+            }
+            (t, point, value) = (next, there, left);
+        }
+        t
     }
 }
 

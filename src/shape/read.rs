@@ -7,13 +7,12 @@ use glam::DVec3;
 /// A finite number, after an optional comma. `what` names it: "the radius of the sphere".
 pub(super) fn number(args: &mut dyn Args, what: &str) -> Parse<f64> {
     args.comma()?;
-    let at = args.span();
     let value = args.float()?;
     if value.is_finite() {
         return Ok(value);
     }
     Err(Box::new(Diagnostic::error(
-        at.to(args.last_span()),
+        args.last_span(),
         format!("{what} must be finite, found {value}"),
     )))
 }
@@ -21,13 +20,12 @@ pub(super) fn number(args: &mut dyn Args, what: &str) -> Parse<f64> {
 /// A point or direction with finite components, after an optional comma.
 pub(super) fn vector(args: &mut dyn Args, what: &str) -> Parse<DVec3> {
     args.comma()?;
-    let at = args.span();
     let value = args.vector()?;
     if value.is_finite() {
         return Ok(value);
     }
     Err(Box::new(Diagnostic::error(
-        at.to(args.last_span()),
+        args.last_span(),
         format!(
             "{what} must be finite, found <{}, {}, {}>",
             value.x, value.y, value.z

@@ -20,6 +20,7 @@ mod tests;
 pub use lexer::{tokenize, tokenize_around_data};
 pub use names::{Names, Symbol};
 pub use scan::number;
+pub(crate) use scan::word_end;
 pub use stretch::{behind_more, more_from, tokenize_more};
 pub use token::{Directive, END_OF_FILE, Kind, Token, Tokens, span_at};
 pub use whole::Whole;

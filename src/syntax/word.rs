@@ -1,17 +1,39 @@
 //! The reserved words, from `grammar/words.pest`.
 
-use rustc_hash::FxHashMap;
 use std::fmt;
-use std::sync::LazyLock;
 
 include!(concat!(env!("OUT_DIR"), "/words.rs"));
 
-static BY_SPELLING: LazyLock<FxHashMap<&'static str, Word>> = LazyLock::new(|| {
-    WORDS
-        .iter()
-        .map(|&(word, spelling, _)| (spelling, word))
-        .collect()
-});
+/// Places of [`BY_SPELLING`]: many times as many as there are words, so that most have one of their own.
+const PLACES: usize = 1 << 12;
+
+/// For each place of a hash the word there, or `u16::MAX`. A word whose place is taken stands in the next free one.
+static BY_SPELLING: [u16; PLACES] = by_spelling();
+
+const fn by_spelling() -> [u16; PLACES] {
+    let mut table = [u16::MAX; PLACES];
+    let mut word = 0_u16;
+    while (word as usize) < WORDS.len() {
+        let mut at = place(WORDS[word as usize].1.as_bytes());
+        while table[at] != u16::MAX {
+            at = (at + 1) % PLACES;
+        }
+        table[at] = word;
+        word += 1;
+    }
+    table
+}
+
+#[inline]
+const fn place(spelling: &[u8]) -> usize {
+    let mut hash = 0_u32;
+    let mut at = 0;
+    while at < spelling.len() {
+        hash = (hash.rotate_left(5) ^ spelling[at] as u32).wrapping_mul(0x9e37_79b9);
+        at += 1;
+    }
+    (hash >> 20) as usize
+}
 
 impl Word {
     /// How many reserved words there are.
@@ -20,7 +42,14 @@ impl Word {
     /// The word with this spelling; all are lower case.
     #[must_use]
     pub fn from_spelling(spelling: &str) -> Option<Word> {
-        BY_SPELLING.get(spelling).copied()
+        let mut at = place(spelling.as_bytes());
+        loop {
+            let &(word, known, _) = WORDS.get(usize::from(BY_SPELLING[at]))?;
+            if known == spelling {
+                return Some(word);
+            }
+            at = (at + 1) % PLACES;
+        }
     }
 
     /// The word with this number, which is its place in [`Word::all`].

@@ -20,7 +20,7 @@ pub use layers::{Layer, Texture};
 pub use material::Material;
 pub use normal::{Facets, Normal, NormalKind};
 pub use patterned::{Patterned, PatternedKind};
-pub use pigment::{Family, Pigment, PigmentKind};
+pub use pigment::{Family, Mapped, Pigment, PigmentKind};
 pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
 pub use rare::Rare;

@@ -14,24 +14,43 @@ pub struct Pigment {
     /// Where the colour comes from.
     pub kind: PigmentKind,
     /// `quick_color`: the colour in previews of quality 5 and less.
-    pub quick_color: Option<Color>,
+    pub quick_color: Option<Box<Color>>,
     /// Turbulence, waves, warps and transforms of the pattern; the transforms of its texture stand behind its own.
     pub modifiers: Rare<Modifiers>,
 }
 
-/// Where the colour of a pigment comes from.
+/// Where the colour of a pigment comes from. There may be a million of them, most of them plain.
 #[derive(Clone, Debug)]
 pub enum PigmentKind {
     /// The same colour everywhere.
     Plain(Color),
     /// A pattern whose value is looked up among colours.
-    Colors(Box<dyn Pattern>, Map<Color>),
+    Colors(Box<Mapped<Color>>),
     /// A pattern whose value is looked up among pigments.
-    Pigments(Box<dyn Pattern>, Map<Pigment>),
+    Pigments(Box<Mapped<Pigment>>),
     /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
-    Average(Option<Map<Pigment>>),
+    Average(Option<Box<Map<Pigment>>>),
     /// `image_map`: the colours of a picture.
-    Image(bitmap::Source),
+    Image(Box<bitmap::Source>),
+}
+
+/// A pattern, and what its values are looked up among.
+#[derive(Clone, Debug)]
+pub struct Mapped<T> {
+    /// The pattern.
+    pub pattern: Box<dyn Pattern>,
+    /// What its values stand for.
+    pub map: Map<T>,
+}
+
+impl PigmentKind {
+    fn colors(pattern: Box<dyn Pattern>, map: Map<Color>) -> Self {
+        PigmentKind::Colors(Box::new(Mapped { pattern, map }))
+    }
+
+    fn pigments(pattern: Box<dyn Pattern>, map: Map<Pigment>) -> Self {
+        PigmentKind::Pigments(Box::new(Mapped { pattern, map }))
+    }
 }
 
 /// Whose words a pigment is written in: those of a density are other ones, and the two do not mix.
@@ -170,27 +189,26 @@ impl Pigment {
         match word {
             Word::QuickColor | Word::QuickColour => {
                 args.accept(word)?;
-                self.quick_color = Some(args.color()?);
+                self.quick_color = Some(Box::new(args.color()?));
             }
             Word::ColorMap | Word::ColourMap => {
                 let pattern = self.pattern_for_map(args)?;
                 args.accept(word)?;
-                self.kind = PigmentKind::Colors(pattern, Map::read_colors(args)?);
+                self.kind = PigmentKind::colors(pattern, Map::read_colors(args)?);
             }
             _ if word == family.map_word() => {
                 if let PigmentKind::Average(entries) = &mut self.kind {
                     args.accept(word)?;
-                    *entries = Some(family.read_map(Keys::Weights, args)?);
+                    *entries = Some(Box::new(family.read_map(Keys::Weights, args)?));
                     return Ok(true);
                 }
                 let pattern = self.pattern_for_map(args)?;
                 args.accept(word)?;
-                self.kind = PigmentKind::Pigments(pattern, family.read_map(Keys::Positions, args)?);
+                self.kind = PigmentKind::pigments(pattern, family.read_map(Keys::Positions, args)?);
             }
             _ => match &mut self.kind {
-                PigmentKind::Colors(pattern, _) | PigmentKind::Pigments(pattern, _) => {
-                    return pattern.read_modifier(word, args);
-                }
+                PigmentKind::Colors(mapped) => return mapped.pattern.read_modifier(word, args),
+                PigmentKind::Pigments(mapped) => return mapped.pattern.read_modifier(word, args),
                 _ => return Ok(false),
             },
         }
@@ -199,12 +217,13 @@ impl Pigment {
 
     /// The pattern that a map is for: one without a list behind its word.
     fn pattern_for_map(&self, args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-        match &self.kind {
-            PigmentKind::Colors(pattern, _) | PigmentKind::Pigments(pattern, _)
-                if !pattern.has_list() =>
-            {
-                Ok(pattern.clone())
-            }
+        let pattern = match &self.kind {
+            PigmentKind::Colors(mapped) => Some(&mapped.pattern),
+            PigmentKind::Pigments(mapped) => Some(&mapped.pattern),
+            _ => None,
+        };
+        match pattern {
+            Some(pattern) if !pattern.has_list() => Ok(pattern.clone()),
             _ => Err(args.expected("a pattern that takes a map before the map")),
         }
     }
@@ -213,7 +232,7 @@ impl Pigment {
         if word == Word::ImageMap {
             args.accept(word)?;
             let source = bitmap::read(args, bitmap::Purpose::Colors)?;
-            self.kind = PigmentKind::Image(source);
+            self.kind = PigmentKind::Image(Box::new(source));
             return Ok(true);
         }
         if word == Word::Average {
@@ -227,11 +246,11 @@ impl Pigment {
         let has_open_block = pattern.has_open_block();
         let defaults = pattern.default_map();
         self.kind = if !pattern.has_list() {
-            PigmentKind::Colors(pattern, Map::of_stops(defaults))
+            PigmentKind::colors(pattern, Map::of_stops(defaults))
         } else if args.word()? == Some(family.word()) {
-            PigmentKind::Pigments(pattern, pigment_list(defaults, args, family)?)
+            PigmentKind::pigments(pattern, pigment_list(defaults, args, family)?)
         } else {
-            PigmentKind::Colors(pattern, color_list(defaults, args)?)
+            PigmentKind::colors(pattern, color_list(defaults, args)?)
         };
         if has_open_block {
             args.close()?;
@@ -260,9 +279,13 @@ impl Pigment {
         };
         match &mut self.kind {
             PigmentKind::Plain(color) => *color = changed(color),
-            PigmentKind::Colors(_, map) => *map = map.map(changed),
-            PigmentKind::Pigments(_, map) => *map = all_changed(map),
-            PigmentKind::Average(map) => *map = map.as_ref().map(all_changed),
+            PigmentKind::Colors(mapped) => mapped.map = mapped.map.map(changed),
+            PigmentKind::Pigments(mapped) => mapped.map = all_changed(&mapped.map),
+            PigmentKind::Average(map) => {
+                if let Some(map) = map {
+                    **map = all_changed(map);
+                }
+            }
             PigmentKind::Image(_) => {}
         }
     }
@@ -325,7 +348,10 @@ mod tests {
 
     fn list(pigment: &Pigment) -> Vec<Color> {
         match &pigment.kind {
-            PigmentKind::Colors(_, map) => map.entries().iter().map(|entry| entry.1).collect(),
+            PigmentKind::Colors(mapped) => {
+                let entries = mapped.map.entries().iter();
+                entries.map(|entry| entry.1).collect()
+            }
             _ => panic!("the pigment has a pattern of colours"),
         }
     }
@@ -368,7 +394,10 @@ mod tests {
         let mut args = TextArgs::new("{ P quick_color rgb 0.5 }").with("P", known);
         let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
         assert!(matches!(pigment.kind, PigmentKind::Plain(color) if color.rgb == Rgb::WHITE));
-        assert_eq!(pigment.quick_color, Some(Color::opaque(Rgb::splat(0.5))));
+        assert_eq!(
+            pigment.quick_color.as_deref(),
+            Some(&Color::opaque(Rgb::splat(0.5)))
+        );
         assert!(args.is_done());
     }
 

@@ -48,7 +48,7 @@ impl PreparedTexture {
     pub(super) fn new(texture: &Texture, after: &[Step], settings: &Settings) -> Self {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
-            quick_color: layer.pigment.quick_color,
+            quick_color: layer.pigment.quick_color.as_deref().copied(),
             finish: Arc::clone(&layer.finish),
         };
         let layers: SmallVec<[PreparedLayer; 1]> =
@@ -72,6 +72,21 @@ impl PreparedTexture {
     #[must_use]
     pub fn is_opaque(&self) -> bool {
         self.is_opaque
+    }
+
+    /// Whether it is one opaque layer with nothing to it but light and highlights: no mirror image, no film, no grain.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        match self.layers.as_slice() {
+            [layer] => {
+                let finish = &layer.finish;
+                self.is_opaque
+                    && !self.has_reflection
+                    && finish.crand <= 0.0
+                    && finish.irid.amount <= 0.0
+            }
+            _ => false,
+        }
     }
 
     /// Whether some layer has a mirror image.
@@ -106,13 +121,13 @@ impl PreparedPigment {
         let entries = |map: &Map<Pigment>| map.map(|entry| Self::new(entry, &[], settings));
         match &pigment.kind {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
-            PigmentKind::Colors(pattern, map) => {
-                let pattern = modifiers.prepare(&**pattern, after, settings);
-                PreparedPigment::Colors(Box::new(pattern), map.clone())
+            PigmentKind::Colors(mapped) => {
+                let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
+                PreparedPigment::Colors(Box::new(pattern), mapped.map.clone())
             }
-            PigmentKind::Pigments(pattern, map) => {
-                let pattern = modifiers.prepare(&**pattern, after, settings);
-                PreparedPigment::Pigments(Box::new(pattern), entries(map))
+            PigmentKind::Pigments(mapped) => {
+                let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
+                PreparedPigment::Pigments(Box::new(pattern), entries(&mapped.map))
             }
             PigmentKind::Average(Some(map)) => {
                 let chain = modifiers.prepare_chain(after, settings);
@@ -120,7 +135,7 @@ impl PreparedPigment {
             }
             PigmentKind::Image(source) => {
                 let chain = modifiers.prepare_chain(after, settings);
-                PreparedPigment::Image(chain, source.clone())
+                PreparedPigment::Image(chain, (**source).clone())
             }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }

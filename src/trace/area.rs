@@ -30,7 +30,7 @@ impl<'a> Lamps<'a> {
         lit: &'a Lit<'a>,
         arriving: Rgb,
     ) -> Self {
-        let arrival = light.arrival(lit.point);
+        let arrival = light.arrival(lit.at.point);
         Lamps {
             number,
             light,
@@ -117,7 +117,7 @@ impl Tracer<'_> {
                 distance: lamps.distance,
             }
         } else {
-            let offset = centre - lamps.lit.point;
+            let offset = centre - lamps.lit.at.point;
             let distance = offset.length();
             Arrival {
                 to_light: offset / distance,
@@ -148,19 +148,20 @@ impl Tracer<'_> {
         for u in 0..columns {
             for v in 0..rows {
                 let lamp = light.lamp(area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
-                let arrival = lamp.arrival(lit.point);
-                let left = each * lamp.share(lit.point, &arrival);
+                let arrival = lamp.arrival(lit.at.point);
+                let left = each * lamp.share(lit.at.point, &arrival);
                 if is_nothing(left) {
                     continue;
                 }
-                if let Some(side) = coat.side(lit, arrival.to_light) {
+                let cosine = lit.at.normal.dot(arrival.to_light);
+                if let Some(side) = coat.side(cosine, lit.is_double_illuminated) {
                     let shining = Shining {
                         to_light: arrival.to_light,
                         side,
                         arriving: left,
                         has_highlights: side.is_in_front && !light.is_shadowless(),
                     };
-                    sum += self.shine(&shining, lit, coat, scratch);
+                    sum += self.shine(&shining, &lit.at, coat, scratch);
                 }
             }
         }

@@ -1,12 +1,12 @@
 //! A block of pixels at once: what the camera sees at all of them is searched for together, and then, for each light,
 //! what stands between it and all the points seen. Everything else goes one pixel at a time, as for a single one.
 
-use super::light::{faces, shadow_query};
+use super::light::Known;
 use super::surface::facing_normal;
 use super::{Sample, Tracer, begin_sample};
-use crate::compile::{Hit, Query, Rays, Scratch, Seen, Way};
+use crate::compile::{Hit, Query, Rays, Scratch, Way};
 use crate::math::Ray;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, UVec2};
 use std::ops::Range;
 
 /// The side of a block in pixels.
@@ -30,17 +30,18 @@ pub struct BlockScratch {
     whole: Vec<(f64, f64)>,
     /// Where each part of the places that are searched together ends.
     parts: Vec<usize>,
-    /// From the camera, one for each place.
-    queries: Vec<Query>,
-    /// To a light, for the places in `asked`.
+    /// The unit directions of the camera's rays, one for each place.
+    dirs: Vec<DVec3>,
+    /// To a light, for the places in `sorted`.
     shadows: Vec<Query>,
     hits: Vec<Option<Hit>>,
-    /// By pixel and light, what is known to lie between.
-    ways: Vec<Option<Way>>,
-    asked: Vec<usize>,
-    /// The order in which a light sees points.
-    keys: Vec<u32>,
-    sorted: Vec<Query>,
+    /// By pixel and light, what is known of its light there.
+    known: Vec<Known>,
+    asked: Vec<Asked>,
+    /// How many of them the light sees in each cell, or where those of the cell begin.
+    cells: Vec<u16>,
+    /// The places in the order in which the light sees them.
+    sorted: Vec<u16>,
     answers: Vec<Way>,
 }
 
@@ -126,20 +127,28 @@ impl Tracer<'_> {
             return;
         }
         let lights = self.world.lights.len();
-        scratch.ways.clear();
-        scratch.ways.resize(lights * places.len(), None);
+        scratch.known.clear();
+        scratch.known.resize(lights * places.len(), Known::NOTHING);
         if self.quality.has_shadows && self.quality.has_light {
             for light in (0u32..).take(lights) {
                 self.light_block(light, scratch);
             }
         }
+        let origin = self.world.camera.location();
         for (number, &(x, y)) in places.iter().enumerate() {
-            begin_sample(x, y, &mut scratch.single);
-            let path = self.camera_path(scratch.queries[number].ray);
-            let ways = &scratch.ways[number * lights..][..lights];
-            let hit = scratch.hits[number];
-            let sample = self.trace(path, Some((hit, ways)), &mut scratch.single);
-            take(number, sample, hit.as_ref());
+            let single = &mut scratch.single;
+            let dir = scratch.dirs[number];
+            let known = &scratch.known[number * lights..][..lights];
+            let hit = scratch.hits[number].as_ref();
+            let sample = self.plain_view(hit, dir, known, single).unwrap_or_else(|| {
+                begin_sample(x, y, single);
+                self.trace(
+                    self.camera_path(Ray::new(origin, dir)),
+                    Some((hit.copied(), known)),
+                    single,
+                )
+            });
+            take(number, sample, hit);
         }
     }
 
@@ -155,24 +164,23 @@ impl Tracer<'_> {
         if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
         }
-        scratch.queries.clear();
+        scratch.dirs.clear();
         for &(x, y) in places {
             let Some(ray) = camera.primary_ray(x, y, width, height) else {
                 return false;
             };
-            scratch.queries.push(Query {
-                ray,
-                from: None,
-                far: f64::INFINITY,
-                seen: Seen::Image,
-            });
+            scratch.dirs.push(ray.dir);
         }
         scratch.hits.clear();
         let mut first = 0;
         for &end in &scratch.parts {
-            let queries = &scratch.queries[first..end];
-            self.world
-                .nearest_of(queries, &mut scratch.single, &mut scratch.hits);
+            let dirs = &scratch.dirs[first..end];
+            self.world.nearest_of(
+                camera.location(),
+                dirs,
+                &mut scratch.single,
+                &mut scratch.hits,
+            );
             first = end;
         }
         true
@@ -186,28 +194,37 @@ impl Tracer<'_> {
         if !is_one_point || light.is_shadowless() || lights.is_projected(number) {
             return;
         }
-        scratch.shadows.clear();
         scratch.asked.clear();
         for (place, hit) in scratch.hits.iter().enumerate() {
             let Some(hit) = hit else { continue };
-            let surface = &self.world.surfaces[hit.surface as usize];
-            let arrival = light.arrival(hit.point);
-            let normal = facing_normal(hit, scratch.queries[place].ray.dir);
-            if faces(surface, normal.dot(arrival.to_light))
-                && lights.of(surface.lights).contains(&number)
-                && light.share(hit.point, &arrival) != 0.0
-            {
-                let ray = Ray::new(hit.point, arrival.to_light);
-                let query = shadow_query(self.world, &hit.departure, ray, arrival.distance);
-                scratch.shadows.push(query);
-                scratch.asked.push(place);
+            let normal = facing_normal(hit, scratch.dirs[place]);
+            let known = self.light_at(number, hit, normal);
+            if known.share == 0.0 {
+                continue;
             }
+            scratch.known[place * lights.len() + number as usize] = known;
+            #[allow(clippy::cast_possible_truncation, reason = "a block has few places")]
+            scratch.asked.push(Asked {
+                place: place as u16,
+                cell: 0,
+                leaf: hit.departure.leaf,
+                to_light: known.arrival.to_light,
+            });
         }
         scratch.sort_for_light();
+        scratch.shadows.clear();
+        for &place in &scratch.sorted {
+            let place = usize::from(place);
+            if let Some(hit) = &scratch.hits[place] {
+                let known = &scratch.known[place * lights.len() + number as usize];
+                let query = known.shadow_query(self.world, hit);
+                scratch.shadows.push(query);
+            }
+        }
         let (single, answers) = (&mut scratch.single, &mut scratch.answers);
         answers.clear();
         let mut singly = 0;
-        for queries in scratch.sorted.chunks(LIT_TOGETHER) {
+        for queries in scratch.shadows.chunks(LIT_TOGETHER) {
             if singly > 0 {
                 singly -= 1;
                 let ways = queries.iter();
@@ -219,66 +236,80 @@ impl Tracer<'_> {
                 singly = LIT_SINGLY;
             }
         }
-        for (key, way) in scratch.keys.iter().zip(&scratch.answers) {
-            let place = scratch.asked[(key & PLACE_OF_KEY) as usize];
-            scratch.ways[place * lights.len() + number as usize] = Some(*way);
+        for (place, way) in scratch.sorted.iter().zip(&scratch.answers) {
+            let known = &mut scratch.known[usize::from(*place) * lights.len() + number as usize];
+            known.way = Some(*way);
         }
     }
 }
 
-/// The part of a key that is the place in the list before sorting; above it stands the order.
-const PLACE_OF_KEY: u32 = BLOCK * BLOCK - 1;
-/// The steps on each axis in which a light tells points apart.
-const STEPS: f64 = 2047.0;
+/// A place that a light may light.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    place: u16,
+    /// Where the light sees it, along a curve that keeps neighbours together.
+    cell: u16,
+    leaf: u32,
+    to_light: DVec3,
+}
+
+/// The number of cells on each axis by which a light tells points apart.
+const CELLS: u32 = 64;
 
 impl BlockScratch {
-    /// Brings the shadow rays into the order in which the light sees where they start, if they jump about.
+    /// Brings the places that are asked about into the order in which the light sees them, if they jump about.
     fn sort_for_light(&mut self) {
-        self.keys.clear();
         self.sorted.clear();
-        self.keys.extend((0u32..).take(self.shadows.len()));
-        let leaf = |query: &Query| query.from.map(|left| left.leaf);
-        let changes = self
-            .shadows
-            .windows(2)
-            .filter(|pair| leaf(&pair[0]) != leaf(&pair[1]));
-        if changes.count() * SORTED_BELOW < self.shadows.len() {
-            std::mem::swap(&mut self.sorted, &mut self.shadows);
-            return;
-        }
-        let sum: DVec3 = self.shadows.iter().map(|query| query.ray.dir).sum();
-        let Some(axis) = sum.try_normalize() else {
-            std::mem::swap(&mut self.sorted, &mut self.shadows);
+        let asked = &mut self.asked;
+        let changes = asked.windows(2).filter(|pair| pair[0].leaf != pair[1].leaf);
+        let jumps = changes.count() * SORTED_BELOW >= asked.len();
+        let sum: DVec3 = asked.iter().map(|asked| asked.to_light).sum();
+        let Some(axis) = sum.try_normalize().filter(|_| jumps) else {
+            self.sorted.extend(asked.iter().map(|asked| asked.place));
             return;
         };
         let (across, up) = axis.any_orthonormal_pair();
-        let seen = |query: &Query| DVec2::new(query.ray.dir.dot(across), query.ray.dir.dot(up));
+        let seen = |asked: &Asked| DVec2::new(asked.to_light.dot(across), asked.to_light.dot(up));
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for query in &self.shadows {
-            let seen = seen(query);
+        for asked in &*asked {
+            let seen = seen(asked);
             (low, high) = (low.min(seen), high.max(seen));
         }
-        let scale = STEPS / (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
-        for (key, query) in self.keys.iter_mut().zip(&self.shadows) {
-            let step = ((seen(query) - low) * scale).as_uvec2();
-            *key |= interleaved(step.x, step.y) * (BLOCK * BLOCK);
+        let most = f64::from(CELLS) - 1.0;
+        let scale = most / (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
+        // Counting sort: how many lie in each cell, where each cell begins, and then all into their places.
+        self.cells.clear();
+        self.cells.resize((CELLS * CELLS) as usize, 0);
+        for asked in &mut *asked {
+            let cell = ((seen(asked) - low) * scale)
+                .as_uvec2()
+                .min(UVec2::splat(CELLS - 1));
+            asked.cell = interleaved(cell.x, cell.y);
+            self.cells[usize::from(asked.cell)] += 1;
         }
-        self.keys.sort_unstable();
-        let place = |key: &u32| (key & PLACE_OF_KEY) as usize;
-        let sorted = self.keys.iter().map(|key| self.shadows[place(key)]);
-        self.sorted.extend(sorted);
+        let mut next = 0;
+        for count in &mut self.cells {
+            (*count, next) = (next, next + *count);
+        }
+        self.sorted.resize(asked.len(), 0);
+        for asked in asked {
+            let next = &mut self.cells[usize::from(asked.cell)];
+            self.sorted[usize::from(*next)] = asked.place;
+            *next += 1;
+        }
     }
 }
 
-/// The bits of two numbers of eleven bits in turn.
-fn interleaved(x: u32, y: u32) -> u32 {
+/// The bits of two numbers below [`CELLS`] in turn.
+fn interleaved(x: u32, y: u32) -> u16 {
     let spread = |x: u32| {
-        let x = (x | x << 8) & 0x00ff_00ff;
-        let x = (x | x << 4) & 0x0f0f_0f0f;
-        let x = (x | x << 2) & 0x3333_3333;
-        (x | x << 1) & 0x5555_5555
+        let x = (x | x << 4) & 0x0f0f;
+        let x = (x | x << 2) & 0x3333;
+        (x | x << 1) & 0x5555
     };
-    spread(x) | spread(y) << 1
+    #[allow(clippy::cast_possible_truncation, reason = "twice six bits")]
+    let cell = (spread(x) | spread(y) << 1) as u16;
+    cell
 }
 
 /// A range in pieces of this length; the last may be shorter.

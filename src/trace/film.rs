@@ -1,7 +1,7 @@
 //! `irid`: the colours of a thin film on a surface.
 
 use super::Tracer;
-use super::light::Lit;
+use super::light::Viewed;
 use crate::color::Rgb;
 use crate::math::noise::Octaves;
 use crate::texture::Irid;
@@ -18,14 +18,14 @@ const OCTAVES: Octaves = Octaves {
 impl Tracer<'_> {
     /// The factor of a film on light that comes from a unit direction and goes to the viewer: `1 + amount · cos(2π ·
     /// way / wavelength)` for each colour, the way through the film taken as its thickness times both cosines.
-    pub(super) fn film(&self, irid: &Irid, lit: &Lit, from: DVec3) -> Rgb {
+    pub(super) fn film(&self, irid: &Irid, at: &Viewed, from: DVec3) -> Rgb {
         let globals = &self.world.globals;
         let mut thickness = f64::from(irid.thickness);
         if irid.turbulence != 0.0 {
-            let noise = 2.0 * globals.noise.turbulence(lit.point, &OCTAVES) - 1.0;
+            let noise = 2.0 * globals.noise.turbulence(at.point, &OCTAVES) - 1.0;
             thickness *= 1.0 + f64::from(irid.turbulence) * noise;
         }
-        let way = thickness * (lit.normal.dot(from).abs() + lit.normal.dot(lit.view).abs());
+        let way = thickness * (at.normal.dot(from).abs() + at.normal.dot(at.view).abs());
         globals.irid_wavelength.map(|wavelength| {
             let wave = (TAU * way / f64::from(wavelength)).cos();
             #[allow(

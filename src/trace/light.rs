@@ -1,6 +1,7 @@
 //! Light at a point of a surface: diffuse light, highlights, and what stands in the way of them.
 
 use super::area::Lamps;
+use super::surface::facing_normal;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
 use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
@@ -17,20 +18,71 @@ const SMALL_PHONG: f32 = 60.0;
 /// The cosine at which they are cut off.
 const PHONG_CUT: f64 = 0.0008;
 
-/// A point of a surface, as light finds it.
-pub(super) struct Lit<'p> {
+/// A point of a surface, as it is viewed.
+#[derive(Clone, Copy)]
+pub(super) struct Viewed {
     pub(super) point: DVec3,
     /// The unit normal on the side of the viewer.
     pub(super) normal: DVec3,
     /// The unit direction from the viewer.
     pub(super) view: DVec3,
+}
+
+impl Viewed {
+    /// What a ray of this direction meets.
+    #[inline]
+    pub(super) fn new(hit: &Hit, dir: DVec3) -> Viewed {
+        Viewed {
+            point: hit.point,
+            normal: facing_normal(hit, dir),
+            view: dir,
+        }
+    }
+}
+
+/// A point of a surface, as light finds it.
+pub(super) struct Lit<'p> {
+    pub(super) at: Viewed,
     pub(super) departure: &'p Departure,
     pub(super) path: &'p Path,
-    /// By light, what lies between, as far as that is known.
-    pub(super) ways: &'p [Option<Way>],
+    /// By light, what of it is known.
+    pub(super) known: &'p [Known],
     pub(super) is_double_illuminated: bool,
     /// The numbers of the lights that shine on it.
     pub(super) lights: &'p [u32],
+}
+
+/// What is known of the light of a lamp at a point before the point is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known {
+    /// How it arrives.
+    pub(super) arrival: Arrival,
+    /// The cosine between its direction and the normal on the side of the viewer.
+    pub(super) cosine: f64,
+    /// The share of its light that arrives if nothing is in the way.
+    pub(super) share: f64,
+    /// What is in the way, if that was asked.
+    pub(super) way: Option<Way>,
+}
+
+impl Known {
+    /// Nothing.
+    pub(super) const NOTHING: Known = Known {
+        arrival: Arrival {
+            to_light: DVec3::ZERO,
+            distance: 0.0,
+        },
+        cosine: 0.0,
+        share: 0.0,
+        way: None,
+    };
+
+    /// The question what is in the way.
+    #[inline]
+    pub(super) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
+        let ray = Ray::new(hit.point, self.arrival.to_light);
+        shadow_query(world, &hit.departure, ray, self.arrival.distance)
+    }
 }
 
 /// The colour of a layer at a point.
@@ -62,10 +114,10 @@ pub(super) struct Shining {
 }
 
 impl Coat<'_> {
-    /// The side on which light arrives; `None` where the layer takes none from there.
-    pub(super) fn side(&self, lit: &Lit, to_light: DVec3) -> Option<Side> {
-        let cosine = lit.normal.dot(to_light);
-        let (diffuse, is_in_front) = if cosine >= NOTHING || lit.is_double_illuminated {
+    /// The side on which light arrives at this cosine to the normal; `None` where the layer takes none from there.
+    #[inline]
+    pub(super) fn side(&self, cosine: f64, is_double_illuminated: bool) -> Option<Side> {
+        let (diffuse, is_in_front) = if cosine >= NOTHING || is_double_illuminated {
             (self.finish.diffuse, true)
         } else if self.finish.diffuse_back != 0.0 {
             (self.finish.diffuse_back, false)
@@ -90,10 +142,30 @@ impl Tracer<'_> {
         sum
     }
 
+    /// What is known of the light of a lamp at a hit, besides what is in the way; its share is nothing where the surface
+    /// takes none of it.
+    #[inline]
+    pub(super) fn light_at(&self, number: u32, hit: &Hit, normal: DVec3) -> Known {
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let lights = &self.world.lights;
+        let light = lights.get(number);
+        let arrival = light.arrival(hit.point);
+        let cosine = normal.dot(arrival.to_light);
+        if !faces(surface, cosine) || !lights.of(surface.lights).contains(&number) {
+            return Known::NOTHING;
+        }
+        Known {
+            arrival,
+            cosine,
+            share: light.share(hit.point, &arrival),
+            way: None,
+        }
+    }
+
     /// What the light of this number gives to a layer.
     fn light_up(&self, number: u32, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let light = self.world.lights.get(number);
-        let arrival = light.arrival(lit.point);
+        let arrival = light.arrival(lit.at.point);
         if let Some(area) = &light.area
             && area.is_full
             && self.quality.has_area_lights
@@ -101,10 +173,11 @@ impl Tracer<'_> {
             let lamps = Lamps::new(number, light, area, lit, light.color);
             return self.light_up_by_lamps(lamps, coat, scratch);
         }
-        let Some(side) = coat.side(lit, arrival.to_light) else {
+        let cosine = lit.at.normal.dot(arrival.to_light);
+        let Some(side) = coat.side(cosine, lit.is_double_illuminated) else {
             return Rgb::BLACK;
         };
-        let mut arriving = light.color * light.share(lit.point, &arrival);
+        let mut arriving = light.color * light.share(lit.at.point, &arrival);
         if is_nothing(arriving) {
             return Rgb::BLACK;
         }
@@ -120,7 +193,7 @@ impl Tracer<'_> {
             arriving,
             has_highlights: side.is_in_front && !light.is_shadowless(),
         };
-        self.shine(&shining, lit, coat, scratch)
+        self.shine(&shining, &lit.at, coat, scratch)
     }
 
     /// What is left of light after all that stands between a point and the lamps of its source.
@@ -154,7 +227,7 @@ impl Tracer<'_> {
         arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let ray = Ray::new(lit.point, arrival.to_light);
+        let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
         let mut query = shadow_query(self.world, lit.departure, ray, distance);
         let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
@@ -166,7 +239,7 @@ impl Tracer<'_> {
             return arriving;
         }
         let minds_air = source.media_attenuation && !self.world.fogs.is_empty();
-        let known = lit.ways.get(light as usize).copied().flatten();
+        let known = lit.known.get(light as usize).and_then(|known| known.way);
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
             Way::Free | Way::Filtered => self.world.gather(&query, scratch),
@@ -200,10 +273,11 @@ impl Tracer<'_> {
     }
 
     /// What light from one direction gives to a layer.
+    #[inline]
     pub(super) fn shine(
         &self,
         shining: &Shining,
-        lit: &Lit,
+        at: &Viewed,
         coat: &Coat,
         scratch: &mut Scratch,
     ) -> Rgb {
@@ -225,14 +299,14 @@ impl Tracer<'_> {
             sum += coat.rgb * arriving * strength;
         }
         if has_highlights {
-            let strength = phong(finish, lit, to_light) + specular(finish, lit, to_light);
+            let strength = phong(finish, at, to_light) + specular(finish, at, to_light);
             if strength != 0.0 {
                 let shine = metallic(finish.metallic, coat.rgb, cosine);
                 sum += arriving * shine * strength;
             }
         }
         if finish.irid.amount > 0.0 {
-            sum *= self.film(&finish.irid, lit, to_light);
+            sum *= self.film(&finish.irid, at, to_light);
         }
         sum
     }
@@ -255,6 +329,7 @@ fn grain(scratch: &mut Scratch) -> f64 {
 }
 
 /// The question what lies between a point and a light.
+#[inline]
 pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: f64) -> Query {
     Query {
         ray,
@@ -265,10 +340,12 @@ pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: 
 }
 
 /// Whether light at this cosine to the normal can matter to a surface.
+#[inline]
 pub(super) fn faces(surface: &Surface, cosine: f64) -> bool {
     cosine >= NOTHING || surface.is_lit_from_behind()
 }
 
+#[inline]
 pub(super) fn is_nothing(light: Rgb) -> bool {
     let is_small = |c: f32| f64::from(c).abs() < NOTHING;
     is_small(light.r) && is_small(light.g) && is_small(light.b)
@@ -284,11 +361,12 @@ fn power(base: f64, exponent: f32) -> f64 {
 }
 
 /// Phong's highlight: the cosine between mirrored view and light.
-fn phong(finish: &Finish, lit: &Lit, to_light: DVec3) -> f64 {
+#[inline]
+fn phong(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
     if finish.phong == 0.0 {
         return 0.0;
     }
-    let cosine = mirrored(lit.view, lit.normal).dot(to_light);
+    let cosine = mirrored(at.view, at.normal).dot(to_light);
     let is_lit = cosine > 0.0 && (finish.phong_size < SMALL_PHONG || cosine > PHONG_CUT);
     if is_lit {
         f64::from(finish.phong) * power(cosine, finish.phong_size)
@@ -298,12 +376,13 @@ fn phong(finish: &Finish, lit: &Lit, to_light: DVec3) -> f64 {
 }
 
 /// Blinn's highlight: the cosine between the normal and the half-way vector.
-fn specular(finish: &Finish, lit: &Lit, to_light: DVec3) -> f64 {
+#[inline]
+fn specular(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
     if finish.specular == 0.0 {
         return 0.0;
     }
-    let half_way = 0.5 * (to_light - lit.view);
-    let cosine = half_way.dot(lit.normal) / half_way.length();
+    let half_way = 0.5 * (to_light - at.view);
+    let cosine = half_way.dot(at.normal) / half_way.length();
     if cosine > 0.0 {
         f64::from(finish.specular) * power(cosine, finish.shininess)
     } else {

@@ -11,6 +11,7 @@ mod film;
 mod lens;
 mod light;
 mod passage;
+mod plain;
 mod spectrum;
 mod surface;
 #[cfg(test)]
@@ -19,12 +20,14 @@ mod through;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Surface, Way, World};
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Surface, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
 use air::Air;
 pub use block::{BLOCK, BlockScratch};
+use glam::DVec3;
+use light::Known;
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -66,6 +69,17 @@ struct Quality {
     has_reflection: bool,
 }
 
+impl Quality {
+    /// Nothing.
+    const FULL: Quality = Quality {
+        has_light: true,
+        has_shadows: true,
+        has_area_lights: true,
+        has_transparency: true,
+        has_reflection: true,
+    };
+}
+
 /// A ray on its way.
 struct Path {
     ray: Ray,
@@ -96,6 +110,8 @@ pub struct Tracer<'w> {
     quality: Quality,
     /// Whether it matters in which interiors a ray is.
     minds_interiors: bool,
+    /// Whether what is plain may be coloured the short way.
+    takes_plain: bool,
     /// The interiors around the camera, if all rays start in one point.
     around_camera: Inside,
     background: Background,
@@ -117,15 +133,17 @@ impl<'w> Tracer<'w> {
             Inside::new()
         };
         let (background, reflected_background) = backgrounds(world);
+        let quality = Quality {
+            has_light: quality >= 2,
+            has_shadows: quality >= 4,
+            has_area_lights: quality >= 5,
+            has_transparency: quality >= 6,
+            has_reflection: quality >= 8,
+        };
         Tracer {
             world,
-            quality: Quality {
-                has_light: quality >= 2,
-                has_shadows: quality >= 4,
-                has_area_lights: quality >= 5,
-                has_transparency: quality >= 6,
-                has_reflection: quality >= 8,
-            },
+            quality,
+            takes_plain: plain::suits(world, quality),
             minds_interiors,
             around_camera,
             background,
@@ -185,11 +203,11 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What a ray sees. `first` is what it meets first and what lies between there and the lights, where that is known.
+    /// What a ray sees. `first` is what it meets first, and what is known of the lights there, where that was asked.
     fn trace(
         &self,
         mut path: Path,
-        mut first: Option<(Option<Hit>, &[Option<Way>])>,
+        mut first: Option<(Option<Hit>, &[Known])>,
         scratch: &mut Scratch,
     ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
@@ -197,7 +215,7 @@ impl<'w> Tracer<'w> {
             if !self.is_worth(&path) || passed.len() == MOST_PASSED {
                 break Sample::BLACK;
             }
-            let (hit, ways) = first.take().unwrap_or_else(|| {
+            let (hit, known) = first.take().unwrap_or_else(|| {
                 let query = Query {
                     ray: path.ray,
                     from: path.from,
@@ -209,10 +227,13 @@ impl<'w> Tracer<'w> {
             let Some(hit) = hit else {
                 let way = self.world.globals.unit * WAY_TO_NOTHING;
                 let air = self.air(&path.ray, way, &path.inside, &mut scratch.stream);
-                break self.behind_everything(&path).through(air);
+                break self.behind_everything(path.ray.dir, path.seen).through(air);
             };
+            if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
+                break plain;
+            }
             let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);
-            let view = self.shade(&path, &hit, ways, scratch);
+            let view = self.shade(&path, &hit, known, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
@@ -253,14 +274,14 @@ impl<'w> Tracer<'w> {
     }
 
     /// What a ray sees that meets nothing.
-    fn behind_everything(&self, path: &Path) -> Sample {
-        let background = match path.seen {
+    fn behind_everything(&self, dir: DVec3, seen: Seen) -> Sample {
+        let background = match seen {
             Seen::Reflection => &self.reflected_background,
             Seen::Image | Seen::Shadow => &self.background,
         };
         match &self.world.sky {
             None => background.seen,
-            Some(sky) => background.behind(sky.seen(path.ray.dir)),
+            Some(sky) => background.behind(sky.seen(dir)),
         }
     }
 }

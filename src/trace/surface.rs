@@ -1,10 +1,10 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
-use super::light::{Coat, Lit, metallic, mirrored};
+use super::light::{Coat, Known, Lit, Viewed, metallic, mirrored};
 use super::through::StraightOn;
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface, Way};
+use crate::compile::{Hit, Scratch, Seen, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
@@ -75,24 +75,24 @@ struct Mirror<'f> {
 }
 
 impl Tracer<'_> {
-    /// What a ray sees at a hit, without what comes straight through. `ways` tells by light what lies between, as far as
-    /// that is known.
+    /// What a ray sees at a hit, without what comes straight through. `known` tells by light what is
+    /// known of it.
     pub(super) fn shade(
         &self,
         path: &Path,
         hit: &Hit,
-        ways: &[Option<Way>],
+        known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self.looks(surface, hit, path.ray.dir).as_slice() {
-            [(_, texture)] => self.shade_texture(path, hit, texture, ways, scratch),
+            [(_, texture)] => self.shade_texture(path, hit, texture, known, scratch),
             several => {
                 let mut sum = View::NOTHING;
                 for (weight, texture) in several {
                     sum.add(
                         *weight,
-                        self.shade_texture(path, hit, texture, ways, scratch),
+                        self.shade_texture(path, hit, texture, known, scratch),
                     );
                 }
                 sum
@@ -130,7 +130,7 @@ impl Tracer<'_> {
         path: &Path,
         hit: &Hit,
         texture: &PreparedTexture,
-        ways: &[Option<Way>],
+        known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
@@ -142,12 +142,10 @@ impl Tracer<'_> {
             return view;
         }
         let lit = Lit {
-            point: hit.point,
-            normal: facing_normal(hit, path.ray.dir),
-            view: path.ray.dir,
+            at: Viewed::new(hit, path.ray.dir),
             departure: &hit.departure,
             path,
-            ways,
+            known,
             is_double_illuminated: surface.flags.double_illuminate,
             lights: self.world.lights.of(surface.lights),
         };
@@ -182,7 +180,14 @@ impl Tracer<'_> {
 
     /// The light of one layer itself.
     fn layer(&self, lit: &Lit, layer: &PreparedLayer, color: Color, scratch: &mut Scratch) -> Rgb {
-        let finish = &layer.finish;
+        let (own, coat) = self.coat(layer, color);
+        own + self.illuminate(lit, &coat, scratch)
+    }
+
+    /// What one layer shines of itself, and how it takes light.
+    #[inline]
+    pub(super) fn coat<'l>(&self, layer: &'l PreparedLayer, color: Color) -> (Rgb, Coat<'l>) {
+        let finish = &*layer.finish;
         let passing = if self.world.globals.rules_37 {
             color.filter + color.transmit
         } else {
@@ -195,13 +200,13 @@ impl Tracer<'_> {
         };
         let own = color.rgb * finish.ambient * self.world.globals.ambient_light
             + color.rgb * finish.emission;
-        own * coat.opacity + self.illuminate(lit, &coat, scratch)
+        (own * coat.opacity, coat)
     }
 
     /// How much of its surroundings a layer reflects at this angle.
     fn mirror<'f>(&self, lit: &Lit, hit: &Hit, finish: &'f Finish, pigment: Rgb) -> Mirror<'f> {
         let reflection = &finish.reflection;
-        let cosine = -lit.view.dot(lit.normal);
+        let cosine = -lit.at.view.dot(lit.at.normal);
         let mut reflectivity = if reflection.min == reflection.max {
             reflection.min
         } else {
@@ -231,7 +236,7 @@ impl Tracer<'_> {
     fn reflect(&self, lit: &Lit, hit: &Hit, mirror: &Mirror, scratch: &mut Scratch) -> Rgb {
         let path = lit.path;
         let onward = Path {
-            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
+            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.at.normal)),
             from: Some(hit.departure),
             seen: Seen::Reflection,
             level: path.level + 1,
@@ -248,7 +253,7 @@ impl Tracer<'_> {
         };
         let irid = &mirror.finish.irid;
         if irid.amount > 0.0 {
-            let film = self.film(irid, lit, mirrored(path.ray.dir, lit.normal));
+            let film = self.film(irid, &lit.at, mirrored(path.ray.dir, lit.at.normal));
             return rgb * mirror.reflectivity * film;
         }
         rgb * mirror.reflectivity
@@ -291,7 +296,8 @@ impl Tracer<'_> {
 }
 
 /// The place that patterns are asked about.
-fn spot(hit: &Hit, dir: DVec3) -> Spot {
+#[inline]
+pub(super) fn spot(hit: &Hit, dir: DVec3) -> Spot {
     Spot {
         point: hit.point,
         normal: facing_normal(hit, dir),
@@ -300,6 +306,7 @@ fn spot(hit: &Hit, dir: DVec3) -> Spot {
 }
 
 /// The shading normal on the side from which a ray comes.
+#[inline]
 pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
     if hit.shading_normal.dot(dir) > 0.0 {
         -hit.shading_normal

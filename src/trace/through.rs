@@ -62,7 +62,7 @@ impl Tracer<'_> {
             return false;
         }
         let ratio = through.passage.ratio_at(path.wavelength);
-        match bend(path.ray.dir, lit.normal, ratio) {
+        match bend(path.ray.dir, lit.at.normal, ratio) {
             Bend::None => {
                 view.straight_on = Some(StraightOn {
                     factor: through.factor,
@@ -126,7 +126,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let path = lit.path;
         let onward = Path {
-            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.normal)),
+            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.at.normal)),
             from: Some(hit.departure),
             seen: Seen::Reflection,
             level: path.level + 1,
@@ -155,7 +155,7 @@ impl Tracer<'_> {
             let band = spectrum::band(number, count);
             let wavelength = Some(band.wavelength);
             let dir = lit.path.ray.dir;
-            let dir = match bend(dir, lit.normal, through.passage.ratio_at(wavelength)) {
+            let dir = match bend(dir, lit.at.normal, through.passage.ratio_at(wavelength)) {
                 Bend::None => dir,
                 Bend::To(dir) => dir,
                 Bend::Total => {

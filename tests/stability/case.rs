@@ -60,6 +60,8 @@ pub(crate) struct Outcome {
     pub(crate) not_numbers: usize,
     /// What came of it, if there is a picture.
     pub(crate) picture: Option<Picture>,
+    /// What it was to be like, by the same renderer.
+    pub(crate) like: Option<Picture>,
     /// What the renderer said.
     pub(crate) said: String,
 }
@@ -108,6 +110,8 @@ impl Case {
     pub(crate) fn size(&self) -> (u32, u32) {
         match &self.asks {
             Asks::Model(model) => model.size,
+            // There are thousands of them.
+            Asks::Sound(_) => (24, 18),
             _ => SIZE,
         }
     }
@@ -144,10 +148,14 @@ impl Case {
                         |_, _, _| None,
                     );
                 };
-                judged(drawn, size, |x, y, color| {
+                let outcome = judged(drawn, size, |x, y, color| {
                     let other = expected.pixels[(y * size.0 + x) as usize];
                     Some((0..3).any(|i| (color[i] - other[i]).abs() > *within))
-                })
+                });
+                Outcome {
+                    like: Some(expected),
+                    ..outcome
+                }
             }
             Asks::Even {
                 text,

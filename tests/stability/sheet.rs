@@ -5,10 +5,15 @@ use super::draw::Picture;
 use image::{Rgb, RgbImage, imageops};
 
 /// How much larger pixels are shown.
-const FACTOR: u32 = 3;
-const GAP: u32 = 4;
-/// What is shown where there is no picture.
-const NOTHING: Rgb<u8> = Rgb([90, 90, 90]);
+pub(crate) const FACTOR: u32 = 3;
+pub(crate) const GAP: u32 = 4;
+/// What is shown where there is no picture, in stripes.
+const NOTHING: [Rgb<u8>; 2] = [Rgb([200, 200, 200]), Rgb([228, 228, 228])];
+/// The ground of wrong pixels, and their colours: of the first renderer, of the second, of both.
+const GROUND: Rgb<u8> = Rgb([236, 236, 236]);
+const OF_FIRST: Rgb<u8> = Rgb([200, 60, 40]);
+const OF_SECOND: Rgb<u8> = Rgb([20, 110, 190]);
+const OF_BOTH: Rgb<u8> = Rgb([120, 30, 140]);
 
 #[allow(
     clippy::cast_possible_truncation,
@@ -24,34 +29,53 @@ fn shown(picture: &Picture) -> RgbImage {
     })
 }
 
-/// White where a pixel is wrong.
-fn map(outcome: &Outcome, size: (u32, u32)) -> RgbImage {
+fn nothing(size: (u32, u32)) -> RgbImage {
+    RgbImage::from_fn(size.0, size.1, |x, y| NOTHING[((x + y) / 3 % 2) as usize])
+}
+
+/// The wrong pixels of two renderers, the last of which is povr.
+fn wrong(outcomes: &[&Outcome], size: (u32, u32)) -> RgbImage {
+    let (first, second) = match outcomes {
+        [one] => (None, Some(*one)),
+        [first, second, ..] => (Some(*first), Some(*second)),
+        [] => (None, None),
+    };
+    let is_wrong = |of: Option<&Outcome>, at: usize| {
+        of.is_some_and(|one| one.picture.is_none() || one.map.get(at).copied().unwrap_or(false))
+    };
     RgbImage::from_fn(size.0, size.1, |x, y| {
         let at = (y * size.0 + x) as usize;
-        match outcome.map.get(at) {
-            Some(true) => Rgb([255, 255, 255]),
-            Some(false) => Rgb([0, 0, 0]),
-            None => NOTHING,
+        match (is_wrong(first, at), is_wrong(second, at)) {
+            (true, true) => OF_BOTH,
+            (true, false) => OF_FIRST,
+            (false, true) => OF_SECOND,
+            (false, false) => GROUND,
         }
     })
 }
 
-/// What is right, and for each outcome its picture and its wrong pixels, in a row.
+/// What is right, the picture of each outcome, and the wrong pixels of all, in a row; povr is the last.
 pub(crate) fn row(case: &Case, outcomes: &[&Outcome]) -> RgbImage {
     let size = case.size();
-    let empty = || RgbImage::from_pixel(size.0, size.1, NOTHING);
-    let mut pictures = vec![match &case.asks {
-        Asks::Model(model) => shown(&reference(model)),
-        Asks::Even { color, .. } => shown(&Picture {
+    let right = match &case.asks {
+        Asks::Model(model) => Some(shown(&reference(model))),
+        Asks::Even { color, .. } => Some(shown(&Picture {
             size,
             pixels: vec![*color; (size.0 * size.1) as usize],
-        }),
-        _ => empty(),
-    }];
-    for outcome in outcomes {
-        pictures.push(outcome.picture.as_ref().map_or_else(empty, shown));
-        pictures.push(map(outcome, size));
-    }
+        })),
+        _ => outcomes
+            .last()
+            .and_then(|outcome| outcome.like.as_ref().map(shown)),
+    };
+    let drawn = outcomes
+        .iter()
+        .map(|outcome| outcome.picture.as_ref().map(shown));
+    let mut pictures: Vec<RgbImage> = [right]
+        .into_iter()
+        .chain(drawn)
+        .map(|picture| picture.unwrap_or_else(|| nothing(size)))
+        .collect();
+    pictures.push(wrong(outcomes, size));
     let step = size.0 * FACTOR + GAP;
     let count = u32::try_from(pictures.len()).unwrap_or(0);
     let mut row = RgbImage::from_pixel(count * step - GAP, size.1 * FACTOR, Rgb([255; 3]));

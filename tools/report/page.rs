@@ -3,10 +3,11 @@
 use crate::Answered;
 use crate::case::{Asks, Outcome};
 use crate::curves::Curve;
-use crate::sheet;
+use crate::items::{ITEMS, why};
+use crate::{montage, sheet};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use image::{ImageFormat, Rgb, RgbImage, imageops};
+use image::{ImageFormat, RgbImage};
 use std::fmt::Write as _;
 use std::io::{Cursor, Error};
 use std::path::Path;
@@ -19,79 +20,135 @@ h1 { font-size: 1.6rem; margin: 0.5rem 0; } h2 { font-size: 1.2rem; margin: 2rem
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.9rem; }
 th, td { padding: 0.2rem 0.7rem; text-align: right; border-bottom: 1px solid #ddd; }
 td.text, th.text { text-align: left; } .bad { color: #b3261e; font-weight: 600; }
-figure { margin: 0 0 1rem; } figure img { max-width: 100%; image-rendering: pixelated; display: block; }
+.plots { display: flex; flex-wrap: wrap; gap: 1rem; } .plots svg { flex: 1 1 560px; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(592px, 1fr)); gap: 1.2rem 1.5rem; }
+figure { margin: 0; } figure img { max-width: 100%; image-rendering: pixelated; display: block; }
 figcaption { font-size: 0.85rem; }
+.heads { display: grid; grid-template-columns: repeat(4, 148px); font-size: 0.75rem; color: #666; }
+.first { color: #c83c28; } .second { color: #146ebe; } summary { cursor: pointer; font-weight: 600; margin: 0.6rem 0; }
+nav { margin: 0.6rem 0; } nav a { margin-right: 1.2rem; }
 ";
 
-/// Why POV-Ray is wrong, by item, where the reason is known.
-fn why(item: u8) -> &'static str {
-    match item {
-        1 | 2 | 8 => {
-            "a hit must be 1e-4 away; roots of the quartic are compared with fixed numbers"
-        }
-        11 | 12 | 45 => {
-            "half chords below 1e-5, boxes thinner than 1e-6 and depths beyond 1e7 do not exist"
-        }
-        9 | 17 => "depths are compared in units of the object",
-        10 | 46 | 47 => "a shadow's cause must be 1e-3 away",
-        13 | 54 => "1e-4, 1e-3, 1e7 are lengths of the scene",
-        14 | 15 => "boxes in single precision; translations multiplied into coefficients",
-        19..=25 | 53 => {
-            "points of a face are asked whether they are inside the other face: rounding decides"
-        }
-        26 | 27 => "one stack frame for each difference",
-        36 => "a light's last 1e-3 casts no shadow; nothing is met beyond 1e7",
-        37..=40 => "surfaces within 1e-4 (shadows: 1e-3) of the last one are skipped",
-        49 => "nothing is met beyond 1e7",
-        _ => "",
-    }
-}
-
-/// Writes `index.html`, `sheet.png` and `table.md`.
+/// Writes `index.html`, `sheet.png`, `items.md` and `table.md`.
 pub(crate) fn write(folder: &Path, answered: &[Answered], curves: &[Curve]) -> Result<(), Error> {
     let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Stability</title>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>povr: stability</title>\n\
          <style>{STYLE}</style>\n</head>\n<body>\n<h1>Right where rounding goes wrong</h1>\n\
-         <p>Each pixel or ray has an answer that is known to 77 digits; those whose answer changes with the millionth part \
-         of a pixel (or with half a step of the scene's own numbers) are not counted.</p>\n{}",
+         <p>A catalogue of hard scenes and rays, drawn by POV-Ray 3.7 and by povr. What each pixel shows is worked out with \
+         numbers of 77 digits. A pixel is <em>certain</em> if its answer does not change with a millionth of its width, nor \
+         with half a step of the scene's own numbers; only certain ones are counted.</p>\n{}\
+         <nav><a href=\"#items\">Items</a><a href=\"#unit\">Unit and place</a><a href=\"#pictures\">Pictures</a>\
+         <a href=\"#roots\">Root finders</a><a href=\"#cases\">All cases</a></nav>\n",
         summary(answered)
     );
-    page += "<h2>Unit and place</h2>\n<div class=\"plots\">\n";
+    let mut items = String::new();
+    let mut list = String::new();
+    for (number, name) in (1..).zip(ITEMS) {
+        item_row(&mut items, &mut list, number, name, answered);
+    }
+    let _ = write!(
+        page,
+        "<h2 id=\"items\">Items</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>item</th><th class=\"text\">about</th>\
+         <th>cases</th><th>certain pixels, rays or scenes</th><th>POV-Ray wrong</th><th>povr wrong</th>\
+         <th class=\"text\">why POV-Ray is wrong</th></tr></thead>\n<tbody>\n{items}</tbody></table></div>\n\
+         <p>– : POV-Ray was not asked.</p>\n"
+    );
+    page += "<h2 id=\"unit\">Unit and place</h2>\n<p>One room with every kind of solid, lit, in other units of length and \
+        at other places. Far from the origin fewer and fewer pixels are certain: the numbers of the scene end there.</p>\n\
+        <div class=\"plots\">\n";
     for curve in curves {
         page += &curve.svg();
     }
-    page += "</div>\n";
+    page += "</div>\n<h2 id=\"pictures\">Pictures</h2>\n\
+        <p>Of the cases with something wrong. Wrong pixels are <span class=\"first\">red</span> where POV-Ray is wrong, \
+        <span class=\"second\">blue</span> where povr is, violet where both are. Stripes: there is no picture.</p>\n\
+        <div class=\"pictures\">\n";
+    let mut rows = Vec::new();
+    for one in answered.iter().filter(|one| is_shown(one)) {
+        let outcomes: Vec<&Outcome> = one.pov_ray.iter().chain([&one.povr]).collect();
+        let picture = sheet::row(&one.case, &outcomes);
+        let caption = caption(one);
+        let heads: Vec<&str> = ["right", "POV-Ray", "povr", "wrong pixels"]
+            .into_iter()
+            .filter(|head| one.pov_ray.is_some() || *head != "POV-Ray")
+            .collect();
+        let _ = writeln!(
+            page,
+            "<figure><figcaption>{}</figcaption><div class=\"heads\"><span>{}</span></div>\
+             <img alt=\"{0}\" src=\"data:image/png;base64,{}\"></figure>",
+            escaped(&caption),
+            heads.join("</span><span>"),
+            STANDARD.encode(png(&picture)?),
+        );
+        rows.push((caption, picture));
+    }
+    page += "</div>\n<div id=\"roots\">\n";
     if let Ok(roots) = std::fs::read_to_string(folder.join("root_error.html")) {
         page += &roots;
     }
-    page += "<h2>Cases</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>item</th><th class=\"text\">case</th><th>certain</th>\
+    page += "</div>\n<h2 id=\"cases\">All cases</h2>\n<details><summary>Table</summary><div class=\"wide\"><table>\n\
+        <thead><tr><th>item</th><th class=\"text\">case</th><th>certain</th>\
         <th>POV-Ray wrong</th><th>povr wrong</th><th class=\"text\">remark</th></tr></thead>\n<tbody>\n";
     let mut table = "| item | case | certain | POV-Ray wrong | povr wrong | remark |\n|--:|---|--:|--:|--:|---|\n".to_owned();
     for one in answered {
         row(&mut page, &mut table, one);
     }
-    page += "</tbody></table></div>\n<h2>Pictures</h2>\n\
-        <p>What is right | POV-Ray | its wrong pixels | povr | its wrong pixels. Of the cases with something wrong.</p>\n";
-    let mut rows = Vec::new();
-    for one in answered.iter().filter(|one| is_shown(one)) {
-        let outcomes: Vec<&Outcome> = one.pov_ray.iter().chain([&one.povr]).collect();
-        let picture = sheet::row(&one.case, &outcomes);
-        let _ = writeln!(
-            page,
-            "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{2}: {0}</figcaption></figure>",
-            escaped(&one.case.name),
-            STANDARD.encode(png(&picture)?),
-            one.case.item
-        );
-        rows.push(picture);
-    }
-    page += "</body>\n</html>\n";
+    page += "</tbody></table></div></details>\n</body>\n</html>\n";
     std::fs::write(folder.join("index.html"), page)?;
     std::fs::write(folder.join("table.md"), table)?;
+    let head = "| item | about | cases | certain | POV-Ray wrong | povr wrong | why POV-Ray is wrong |\n\
+        |--:|---|--:|--:|--:|--:|---|\n";
+    std::fs::write(folder.join("items.md"), format!("{head}{list}"))?;
     if !rows.is_empty() {
-        std::fs::write(folder.join("sheet.png"), png(&stacked(&rows))?)?;
+        std::fs::write(folder.join("sheet.png"), png(&montage::of(&rows)?)?)?;
     }
     Ok(())
+}
+
+fn caption(one: &Answered) -> String {
+    let (case, certain) = (&one.case, one.povr.decided);
+    let of = |outcome: &Outcome| outcome.wrong.to_string();
+    let pov_ray = one
+        .pov_ray
+        .as_ref()
+        .map_or_else(|| "not asked".to_owned(), of);
+    format!(
+        "{} {}: POV-Ray {pov_ray}, povr {} of {certain}",
+        case.item, case.name, one.povr.wrong
+    )
+}
+
+/// One item in numbers, for the page and as text.
+fn item_row(page: &mut String, list: &mut String, item: u8, name: &str, answered: &[Answered]) {
+    let own = || answered.iter().filter(|one| one.case.item == item);
+    if own().next().is_none() {
+        return;
+    }
+    let asked: Vec<&Outcome> = own().filter_map(|one| one.pov_ray.as_ref()).collect();
+    let wrong: usize = asked.iter().map(|outcome| outcome.wrong).sum();
+    let pov_ray = if asked.is_empty() {
+        "–".to_owned()
+    } else {
+        wrong.to_string()
+    };
+    let reason = if wrong > 0 { why(item) } else { "" };
+    let cases = own().count();
+    let certain: usize = own().map(|one| one.povr.decided).sum();
+    let povr: usize = own().map(|one| one.povr.wrong).sum();
+    let class = |is_bad: bool| if is_bad { " class=\"bad\"" } else { "" };
+    let _ = writeln!(
+        page,
+        "<tr><td>{item}</td><td class=\"text\">{}</td><td>{cases}</td><td>{certain}</td><td{}>{pov_ray}</td>\
+         <td{}>{povr}</td><td class=\"text\">{}</td></tr>",
+        escaped(name),
+        class(wrong > 0),
+        class(povr > 0),
+        escaped(reason)
+    );
+    let _ = writeln!(
+        list,
+        "| {item} | {name} | {cases} | {certain} | {pov_ray} | {povr} | {reason} |"
+    );
 }
 
 fn summary(answered: &[Answered]) -> String {
@@ -155,19 +212,6 @@ fn row(page: &mut String, table: &mut String, one: &Answered) {
         one.povr.wrong,
         remark
     );
-}
-
-fn stacked(rows: &[RgbImage]) -> RgbImage {
-    let width = rows.iter().map(RgbImage::width).max().unwrap_or(1);
-    let gap = 4;
-    let height = rows.iter().map(|row| row.height() + gap).sum();
-    let mut sheet = RgbImage::from_pixel(width, height, Rgb([255; 3]));
-    let mut top = 0;
-    for row in rows {
-        imageops::replace(&mut sheet, row, 0, i64::from(top));
-        top += row.height() + gap;
-    }
-    sheet
 }
 
 fn png(picture: &RgbImage) -> Result<Vec<u8>, Error> {

@@ -11,9 +11,16 @@
 //!
 //! Not recorded is what cannot be repeated in this way: expressions in which a directive runs or a file ends, strings,
 //! and the functions that [`Op::of_call`] does not know. What their parts hold is recorded alone.
+//!
+//! Statements are replayed as far as they are made of recorded expressions: the directives of loops and the arguments of
+//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`quiet`]).
 
+#[cfg(test)]
+mod both_ways;
+mod directives;
 mod notes;
 mod op;
+mod quiet;
 mod stack;
 
 pub(super) use notes::{Recording, Source};
@@ -22,6 +29,7 @@ pub(super) use op::{Binary, Op};
 use super::cursor::is_bare_directive;
 use super::macros::Macro;
 use super::reader::Reader;
+use super::scope::Scopes;
 use super::value::{Number, Value};
 use crate::args::Parse;
 use crate::source::FileId;
@@ -31,6 +39,8 @@ use std::rc::Rc;
 
 /// After so many replays that gave up, an expression is no longer recorded.
 const MOST_MISSES: u8 = 50;
+/// What running through a macro costs beside its tokens.
+const AGAIN: usize = 8;
 /// Tokens of a page of [`Replays`].
 const PAGE: usize = 32;
 
@@ -45,7 +55,12 @@ pub(super) enum Level {
     Sum,
     /// With `*` and `/`.
     Product,
+    /// No expression: an object.
+    Object,
 }
+
+/// How many they are.
+const LEVELS: usize = 5;
 
 /// What an expression gives.
 pub(super) trait Replayed: Sized {
@@ -103,10 +118,12 @@ enum Known {
     Never,
     /// The index of its program.
     Program(u32),
+    /// An object that was read so many times since it was last replayed.
+    Read(u8),
 }
 
 /// What is known of the tokens of a page.
-type Page = [[Known; 4]; PAGE];
+type Page = [[Known; LEVELS]; PAGE];
 
 /// All recorded expressions of a run.
 #[derive(Debug, Default)]
@@ -115,9 +132,65 @@ pub(super) struct Replays {
     files: Vec<Vec<Option<Box<Page>>>>,
     programs: Vec<Program>,
     stack: Stack,
+    /// Tokens of macros that were run through since it was last begun.
+    again: usize,
+    /// Nothing is replayed: tests compare both ways.
+    is_off: bool,
 }
 
 impl Replays {
+    /// Forbids all replays.
+    #[cfg(test)]
+    pub(super) fn forbid(&mut self) {
+        self.is_off = true;
+    }
+
+    /// Begins what is replayed as a whole or not at all.
+    fn begin(&mut self) {
+        self.again = 0;
+        self.stack.begin();
+    }
+
+    /// Gives up what was begun, as if nothing had happened.
+    fn give_up(&mut self, streams: &mut [u32]) {
+        self.stack.give_up(streams);
+    }
+
+    /// The value of a recorded expression; `None` if it has to be read.
+    #[inline]
+    fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<Number> {
+        let program = &self.programs[index as usize];
+        if program.behind.is_some_and(|name| scopes.is_macro(name)) {
+            return None;
+        }
+        if !program.calls.is_empty() {
+            let is_still = |(name, called): &(Symbol, Rc<Macro>)| match scopes.get(*name) {
+                Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
+                _ => false,
+            };
+            if !program.calls.iter().all(is_still) {
+                return None;
+            }
+            self.again += program.again;
+        }
+        // Most expressions are short, and need no stack.
+        match *program.ops {
+            [Op::Float(float)] => return Some(Number::float(float)),
+            [Op::Name(name, len)] => {
+                return match scopes.get(name) {
+                    Some(Value::Number(number)) if number.len == len => Some(*number),
+                    _ => None,
+                };
+            }
+            [Op::Name(name, 1), Op::WithFloat(binary, right)] if binary != Binary::Divide => {
+                let left = stack::float(scopes, name)?;
+                return Some(Number::float(binary.of(left, right)));
+            }
+            _ => {}
+        }
+        self.stack.run(&program.ops, program.len, scopes, streams)
+    }
+
     #[inline]
     fn known(&self, file: FileId, at: usize, level: Level) -> Known {
         let pages = self.files.get(file.0 as usize);
@@ -172,17 +245,21 @@ impl Reader<'_> {
         level: Level,
         read: impl FnOnce(&mut Self) -> Parse<T>,
     ) -> Parse<T> {
-        if self.recording.is_some() || self.here.tokens.is_part() {
+        if self.recording.is_some()
+            || self.here.tokens.is_part()
+            || self.replays.is_off
+            || !self.deprecated.is_empty()
+        {
             return read(self);
         }
         let old = match self
             .replays
             .known(self.here.tokens.file, self.here.at, level)
         {
-            Known::Never => return read(self),
+            Known::Never | Known::Read(_) => return read(self),
             Known::Nothing if !self.is_repeated() => return read(self),
             Known::Nothing => None,
-            Known::Program(index) => match self.replay(index as usize)? {
+            Known::Program(index) => match self.replay(index)? {
                 Some(number) => return Ok(T::of(number)),
                 None => Some(index),
             },
@@ -214,7 +291,7 @@ impl Reader<'_> {
         };
         let is_whole = recording.is_whole(len, self.frames.len());
         (is_quiet && is_whole).then(|| Program {
-            ops: recording.ops.into(),
+            ops: op::fused(recording.ops),
             len,
             after: self.here.at,
             behind: behind.symbol(),
@@ -225,30 +302,27 @@ impl Reader<'_> {
     }
 
     /// The value of a recorded expression; `None`, and nothing changed, if it has to be read.
-    fn replay(&mut self, index: usize) -> Parse<Option<Number>> {
-        let program = &self.replays.programs[index];
-        let is_macro = |name: Symbol| self.scopes.is_macro(name);
-        let is_still = |(name, called): &(Symbol, Rc<Macro>)| match self.scopes.get(*name) {
-            Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
-            _ => false,
-        };
-        if program.behind.is_some_and(is_macro) || !program.calls.iter().all(is_still) {
-            return Ok(None);
-        }
-        let (after, again) = (program.after, program.again);
-        let Some(number) =
-            self.replays
-                .stack
-                .run(&program.ops, program.len, &self.scopes, &mut self.streams)
-        else {
+    fn replay(&mut self, index: u32) -> Parse<Option<Number>> {
+        self.replays.begin();
+        let value = self.replays.value(index, &self.scopes, &mut self.streams);
+        let Some(number) = value else {
+            self.replays.give_up(&mut self.streams);
             return Ok(None);
         };
-        if again > 0 {
-            let start = self.start_here();
-            self.count_again(again, start)?;
-        }
+        let after = self.replays.programs[index as usize].after;
+        self.count_replayed()?;
         self.here.at = after - 1;
         self.pass();
         Ok(Some(number))
+    }
+
+    /// Counts the tokens of macros that were run through.
+    #[inline]
+    fn count_replayed(&mut self) -> Parse<()> {
+        match self.replays.again {
+            0 => Ok(()),
+            // The count itself adds what going round costs once.
+            again => self.count_again(again - AGAIN, self.start_here()),
+        }
     }
 }

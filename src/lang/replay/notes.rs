@@ -1,5 +1,6 @@
 //! What is noted of an expression while it is read for the first time.
 
+use super::AGAIN;
 use super::op::Op;
 use super::stack::{DEPTH, SLOTS};
 use crate::args::Word;
@@ -181,7 +182,7 @@ impl Reader<'_> {
             return;
         };
         recording.calls.push((name, Rc::clone(called)));
-        recording.again += length + 8;
+        recording.again += length + AGAIN;
         let parameters = called.parameters();
         for (at, (&parameter, source)) in parameters.iter().zip(sources).enumerate() {
             let (Some(top), &Some(source)) = (self.scopes.top(parameter), source) else {

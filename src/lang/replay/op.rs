@@ -20,6 +20,10 @@ pub(in crate::lang) enum Op {
     Item(Symbol, u8, u8),
     /// Combines two values with so many components.
     Binary(Binary, u8, u8),
+    /// Combines the float on top with another one.
+    WithFloat(Binary, f64),
+    /// Combines the float on top with the one that an identifier holds.
+    WithName(Binary, Symbol),
     /// Turns the sign of so many components.
     Negate(u8),
     /// Takes so many components for truths and turns them.
@@ -86,6 +90,25 @@ impl Binary {
     }
 }
 
+/// The same steps, fewer where one does for two.
+pub(super) fn fused(ops: Vec<Op>) -> Box<[Op]> {
+    let mut fewer: Vec<Op> = Vec::with_capacity(ops.len());
+    for op in ops {
+        let one = match (fewer.last(), op) {
+            (Some(&Op::Float(float)), Op::Binary(binary, 1, 1)) => Op::WithFloat(binary, float),
+            (Some(&Op::Name(name, 1)), Op::Binary(binary, 1, 1)) => Op::WithName(binary, name),
+            (Some(&Op::Float(float)), Op::Negate(1)) => Op::Float(-float),
+            _ => {
+                fewer.push(op);
+                continue;
+            }
+        };
+        fewer.pop();
+        fewer.push(one);
+    }
+    fewer.into()
+}
+
 impl Op {
     /// The step of a call, if calls of this function can be repeated; `min` and `max` note theirs themselves.
     pub(in crate::lang) fn of_call(word: Word) -> Option<Op> {
@@ -111,6 +134,7 @@ impl Op {
             Op::Store(_, len) => (len, 0),
             Op::Item(_, indices, len) => (indices, len),
             Op::Binary(_, a, b) => (a + b, a.max(b)),
+            Op::WithFloat(..) | Op::WithName(..) => (1, 1),
             Op::Negate(len) | Op::Not(len) => (len, len),
             Op::Member(len, _) | Op::Grey(len) | Op::Min(len) | Op::Max(len) => (len, 1),
             Op::Promote(from, to) => (from, to),

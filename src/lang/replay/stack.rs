@@ -37,8 +37,19 @@ impl Default for Stack {
 }
 
 impl Stack {
-    /// Takes the steps of a program and gives its value; `None`, and the streams as they were, if that is to be read
-    /// from the tokens.
+    /// Begins what is replayed as a whole or not at all.
+    pub(super) fn begin(&mut self) {
+        self.drawn.clear();
+    }
+
+    /// Gives up what was begun: the streams are as they were.
+    pub(super) fn give_up(&mut self, streams: &mut [u32]) {
+        while let Some((stream, state)) = self.drawn.pop() {
+            streams[stream] = state;
+        }
+    }
+
+    /// Takes the steps of a program and gives its value; `None` if that is to be read from the tokens.
     pub(super) fn run(
         &mut self,
         ops: &[Op],
@@ -47,14 +58,8 @@ impl Stack {
         streams: &mut [u32],
     ) -> Option<Number> {
         self.top = 0;
-        self.drawn.clear();
         for &op in ops {
-            if self.step(op, scopes, streams).is_none() {
-                while let Some((stream, state)) = self.drawn.pop() {
-                    streams[stream] = state;
-                }
-                return None;
-            }
+            self.step(op, scopes, streams)?;
         }
         Some(self.take(len))
     }
@@ -64,6 +69,10 @@ impl Stack {
     fn step(&mut self, op: Op, scopes: &Scopes, streams: &mut [u32]) -> Option<()> {
         match op {
             Op::Float(float) => self.push(float),
+            Op::Name(name, 1) => {
+                let float = float(scopes, name)?;
+                self.push(float);
+            }
             Op::Name(name, len) => match scopes.get(name) {
                 Some(Value::Number(number)) if number.len == len => self.push_all(number),
                 _ => return None,
@@ -84,12 +93,10 @@ impl Stack {
             }
             Op::Binary(binary, 1, 1) => {
                 let right = self.pop();
-                if binary == Binary::Divide && right == 0.0 {
-                    return None;
-                }
-                let left = self.pop();
-                self.push(binary.of(left, right));
+                self.with(binary, right)?;
             }
+            Op::WithFloat(binary, right) => self.with(binary, right)?,
+            Op::WithName(binary, name) => self.with(binary, float(scopes, name)?)?,
             Op::Binary(binary, left, right) => self.combine(binary, left, right)?,
             Op::Negate(len) => self.change(len, |float| -float),
             Op::Not(len) => self.change(len, |float| f64::from(u8::from(float.abs() <= EQUAL))),
@@ -155,6 +162,17 @@ impl Stack {
         Some(())
     }
 
+    /// Combines the float on top with one on its right; `None` if that is a divisor of zero.
+    #[inline]
+    fn with(&mut self, binary: Binary, right: f64) -> Option<()> {
+        if binary == Binary::Divide && right == 0.0 {
+            return None;
+        }
+        let left = &mut self.floats[self.top.wrapping_sub(1) % DEPTH];
+        *left = binary.of(*left, right);
+        Some(())
+    }
+
     #[inline]
     fn push(&mut self, float: f64) {
         self.floats[self.top % DEPTH] = float;
@@ -163,8 +181,10 @@ impl Stack {
 
     #[inline]
     fn push_all(&mut self, number: &Number) {
-        for &float in &number.v[..usize::from(number.len)] {
-            self.push(float);
+        for (at, &float) in number.v.iter().enumerate() {
+            if at < usize::from(number.len) {
+                self.push(float);
+            }
         }
     }
 
@@ -186,10 +206,18 @@ impl Stack {
     }
 
     /// Takes the floats on top as a value.
+    #[inline]
     fn take(&mut self, len: u8) -> Number {
-        let mut number = Number { v: [0.0; 5], len };
-        number.v[..usize::from(len)].copy_from_slice(self.last(len));
+        if len == 1 {
+            return Number::float(self.pop());
+        }
         self.drop(len);
+        let mut number = Number { v: [0.0; 5], len };
+        for (at, float) in number.v.iter_mut().enumerate() {
+            if at < usize::from(len) {
+                *float = self.floats[(self.top + at) % DEPTH];
+            }
+        }
         number
     }
 
@@ -221,6 +249,15 @@ impl Stack {
             self.push(binary.of(a, b));
         }
         Some(())
+    }
+}
+
+/// What an identifier holds, if that is a float.
+#[inline]
+pub(super) fn float(scopes: &Scopes, name: Symbol) -> Option<f64> {
+    match scopes.get(name) {
+        Some(Value::Number(number)) if number.len == 1 => Some(number.v[0]),
+        _ => None,
     }
 }
 

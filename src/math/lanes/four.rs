@@ -181,6 +181,23 @@ mod wide {
         };
     }
 
+    /// By the bits of a mask, numbers that are negative where a bit is set.
+    const SIGNS: [[f64; 4]; 16] = {
+        let mut signs = [[0.0; 4]; 16];
+        let mut bits = 0;
+        while bits < 16 {
+            let mut lane = 0;
+            while lane < 4 {
+                if bits >> lane & 1 == 1 {
+                    signs[bits][lane] = -0.0;
+                }
+                lane += 1;
+            }
+            bits += 1;
+        }
+        signs
+    };
+
     impl Four for __m256d {
         type Mask = __m256d;
         #[inline(always)]
@@ -248,10 +265,8 @@ mod wide {
         }
         #[inline(always)]
         fn mask(bits: u32) -> __m256d {
-            let signs: [f64; 4] =
-                std::array::from_fn(|i| if bits >> i & 1 == 1 { -0.0 } else { 0.0 });
             // Only the sign of a number of a mask is ever looked at, except by `both` and `either`, which keep it.
-            Self::load(&signs)
+            Self::load(&SIGNS[bits as usize % 16])
         }
     }
 }

@@ -167,3 +167,21 @@ fn the_water_is_never_seen() {
         }
     }
 }
+
+#[test]
+fn ground_as_high_as_the_water_is_seen() {
+    // A hill in one corner of a plain.
+    let mut rows = [0; 25];
+    rows[4] = 30_000;
+    let shape = field(5, &rows, 0.0, false);
+    for (x, z) in [(0.2, 0.3), (0.25, 0.25), (0.6, 0.1), (0.5, 0.25)] {
+        for dir in [DVec3::NEG_Y, DVec3::new(0.1, -1.0, 0.05)] {
+            let ray = Ray::new(DVec3::new(x, 2.0, z) - 2.0 * (dir - DVec3::NEG_Y), dir);
+            let root = shape.nearest(&ray, 0.0, f64::INFINITY).unwrap();
+            assert!((root.t - 2.0).abs() < 1e-9, "{ray:?}: {root:?}");
+        }
+    }
+    let drowned = field(5, &rows, 0.1, false);
+    let down = Ray::new(DVec3::new(0.2, 2.0, 0.3), DVec3::NEG_Y);
+    assert_eq!(drowned.nearest(&down, 0.0, f64::INFINITY), None);
+}

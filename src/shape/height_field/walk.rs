@@ -81,7 +81,8 @@ impl Field {
             walk.squares((enter.max(near), end), (from, to));
             if far < leave {
                 if bottom == self.water && below_after {
-                    walk.water(far, true);
+                    let face = walk.face_at(far);
+                    walk.level(far, true, face);
                 } else {
                     walk.change(far, below_after, None);
                 }
@@ -281,7 +282,7 @@ impl Walk<'_> {
             // The end of the stretch before was rounded to the other side.
             Some(was_inside) if was_inside != is_inside => {
                 if wet.abs() < above.abs() {
-                    self.water(from, is_inside);
+                    self.level(from, is_inside, face);
                 } else {
                     self.change(from, is_inside, Some(face));
                 }
@@ -293,15 +294,15 @@ impl Walk<'_> {
         let is_inside_after = above_after < 0.0 || wet_after < 0.0;
         match (is_inside, is_inside_after) {
             (false, true) => match (ground, sea) {
-                (Some(ground), Some(sea)) if sea < ground => self.water(sea, true),
+                (Some(ground), Some(sea)) if sea < ground => self.level(sea, true, face),
                 (Some(ground), _) => self.change(ground, true, Some(face)),
-                (None, Some(sea)) => self.water(sea, true),
+                (None, Some(sea)) => self.level(sea, true, face),
                 (None, None) => {}
             },
             (true, false) => match (ground, sea) {
-                (Some(ground), Some(sea)) if sea > ground => self.water(sea, false),
+                (Some(ground), Some(sea)) if sea > ground => self.level(sea, false, face),
                 (Some(ground), _) => self.change(ground, false, Some(face)),
-                (None, Some(sea)) => self.water(sea, false),
+                (None, Some(sea)) => self.level(sea, false, face),
                 (None, None) => {}
             },
             (true, true) => {
@@ -317,6 +318,15 @@ impl Walk<'_> {
                 }
             }
             (false, false) => {}
+        }
+    }
+
+    /// At the level of the water: of ground that lies as high, the ground is met (measured with POV-Ray).
+    fn level(&mut self, t: f64, is_inside: bool, face: u32) {
+        if self.field.ground(self.at(t), face) >= self.field.water {
+            self.change(t, is_inside, Some(face));
+        } else {
+            self.water(t, is_inside);
         }
     }
 

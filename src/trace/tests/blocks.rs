@@ -1,4 +1,4 @@
-//! Blocks of pixels give what single pixels give.
+//! Blocks of pixels give what single pixels give, and the short way to a colour gives what the long one gives.
 
 use super::*;
 use crate::trace::{BLOCK, BlockScratch};
@@ -8,6 +8,10 @@ fn assert_same(text: &str) {
     const SIZE: (u32, u32) = (75, 53);
     let world = world(text, 3.7, false);
     let tracer = Tracer::new(&world, 9);
+    let long = Tracer {
+        takes_plain: false,
+        ..Tracer::new(&world, 9)
+    };
     let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
     let mut drawn = 0;
     for top in (0..SIZE.1).step_by(BLOCK as usize) {
@@ -15,7 +19,7 @@ fn assert_same(text: &str) {
             let columns = left..(left + BLOCK).min(SIZE.0);
             let rows = top..(top + BLOCK).min(SIZE.1);
             tracer.block(&columns, &rows, SIZE, &mut scratch, |x, y, sample| {
-                let alone = tracer.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
+                let alone = long.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
                 assert_eq!(sample, alone, "at {x}, {y}");
                 drawn += 1;
             });
@@ -55,6 +59,28 @@ fn solids_that_touch_and_tori_that_cross() {
           torus { 0.5, 0.02 + 0.5 * rand(R) #if (mod(I, 3)) rotate 360 * rand(R) #end
             translate <rand(R), rand(R), rand(R)> * 5 - 2.5 pigment { rgb <1, 0.5, 0.2> } }
         #end",
+    );
+}
+
+#[test]
+fn large_meshes_turned_and_stretched() {
+    assert_same(
+        "camera { location <0, 3, -9> look_at 0 angle 55 }
+        light_source { <-8, 9, -9>, 1 } light_source { <2, 0.5, -4>, 0.5 }
+        #declare P = function(I, J) { 0.3 * sin(I) + 0.2 * cos(2 * J) }
+        #macro Wavy(Word)
+          mesh { #for (I, 0, 17) #for (J, 0, 17)
+            #local A = <I - 9, P(I, J), J - 9> / 9; #local B = <I - 8, P(I + 1, J), J - 9> / 9;
+            #local C = <I - 8, P(I + 1, J + 1), J - 8> / 9; #local D = <I - 9, P(I, J + 1), J - 8> / 9;
+            triangle { A, B, C } smooth_triangle { A, y, C, y + 0.3 * x, D, y - 0.2 * z }
+          #end #end }
+        #end
+        #declare One = Wavy(1)
+        object { One scale 3 translate -2*y pigment { checker rgb 1 rgb <0.3, 0.5, 1> scale 0.3 } finish { phong 1 } }
+        object { One scale <1, 4, 0.7> rotate <40, 30, 110> translate <-1, 0, 0> pigment { rgb <1, 0.5, 0.5> } }
+        object { One rotate 70 * z translate <1.5, 0.4, 0.5> pigment { rgbt <1, 0.7, 0.2, 0.4> } no_shadow }
+        object { One scale 0.6 rotate <20, -50, 0> translate <0.4, -0.6, -3> pigment { rgb 1 } no_image }
+        sphere { <1, -1, -2>, 0.5 pigment { rgb 1 } finish { reflection 0.3 } } plane { y, -2.4 pigment { rgb 0.8 } }",
     );
 }
 

@@ -267,4 +267,49 @@ fn clips(all: &mut Vec<Case>) {
             ));
         }
     }
+    bounds(all);
+}
+
+/// A bounding object that is too small cuts off of a combination all that no ray through it can see, and nothing of a
+/// single solid, from which POV-Ray takes it away (`Remove_Bounds`).
+fn bounds(all: &mut Vec<Case>) {
+    let head = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#default { finish { ambient 1 diffuse 0 } pigment { rgb 1 } }\n\
+        camera { orthographic location <0.01, 0.02, -4> direction z right 3*x up 2.25*y }\n";
+    let everything = "box { -3, 3 }";
+    for (name, body, bound, like) in [
+        ("sphere", "sphere { 0, 1", "sphere { 0, 0.5 }", everything),
+        (
+            "box",
+            "box { -1, 1",
+            "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
+            everything,
+        ),
+        (
+            "torus",
+            "torus { 0.7, 0.3 rotate 90*x",
+            "cylinder { -3*z, 3*z, 0.7 }",
+            everything,
+        ),
+        (
+            "difference",
+            "difference { box { -1, 1 } sphere { -z, 0.5 }",
+            "sphere { 0, 0.8 }",
+            "cylinder { -3*z, 3*z, 0.8 }",
+        ),
+        (
+            "intersection",
+            "intersection { box { -1, 1 } sphere { -0.2*z, 1.2 }",
+            "box { <-0.3, -0.6, -1>, <0.6, 0.4, 2> }",
+            "box { <-0.3, -0.6, -3>, <0.6, 0.4, 3> }",
+        ),
+    ] {
+        let text = format!("{head}{body} bounded_by {{ {bound} }} }}\n");
+        let like = format!("{head}intersection {{ {body} }} {like} }}\n");
+        let within = 0.0;
+        all.push(Case::new(
+            53,
+            format!("{name} bounded by less"),
+            Asks::Same { text, like, within },
+        ));
+    }
 }

@@ -5,6 +5,7 @@ mod extreme;
 pub(crate) mod far;
 mod odd;
 mod plates;
+mod shapes;
 mod torus;
 
 use crate::case::{Asks, Case};
@@ -18,6 +19,7 @@ pub(crate) fn all() -> Vec<Case> {
     csg::add(&mut all);
     plates::add(&mut all);
     odd::add(&mut all);
+    shapes::add(&mut all);
     extreme::add(&mut all);
     for (item, name, family) in [
         (
@@ -36,6 +38,7 @@ pub(crate) fn all() -> Vec<Case> {
             rays::through_the_axis,
         ),
         (2, "36 families of rays past tori", rays::all_tori),
+        (15, "22 families of rays past quadrics", rays::all_quadrics),
         (10, "rays down on a floor sphere of 1e7", rays::floors),
         (
             48,

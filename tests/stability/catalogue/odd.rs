@@ -1,15 +1,14 @@
-//! Numbers that mean nothing, bodies without room, odd cameras, mirrors, and the other shapes (items 29 to 35, 42,
-//! 50 to 52).
+//! Numbers that mean nothing, bodies without room, odd cameras, mirrors (items 29 to 35, 42).
 
 use crate::case::{Asks, Case};
-use crate::model::{Camera, Kind, Model, Object, RED, csg, cuboid, n, sphere, torus};
-use std::fmt::Write as _;
+use crate::model::{Camera, Model, RED, csg, cuboid, sphere, torus};
 
-const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 1000 }\n\
+pub(super) const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 1000 }\n\
     #default { pigment { rgb 1 } finish { ambient 1 diffuse 0 } }\n";
-const CAMERA: &str = "camera { location <0.11, 0.13, -4> right 1.2*x up 0.9*y direction z }\n";
+pub(super) const CAMERA: &str =
+    "camera { location <0.11, 0.13, -4> right 1.2*x up 0.9*y direction z }\n";
 
-fn same(item: u8, name: &str, text: &str, like: &str) -> Case {
+pub(super) fn same(item: u8, name: &str, text: &str, like: &str) -> Case {
     Case::new(
         item,
         name,
@@ -33,7 +32,7 @@ fn refused(item: u8, name: &str, text: &str, says: &'static str) -> Case {
 }
 
 const BALL: &str = "sphere { 0, 1 }";
-const NOTHING: &str = "";
+pub(super) const NOTHING: &str = "";
 
 pub(crate) fn add(all: &mut Vec<Case>) {
     all.push(same(
@@ -176,10 +175,62 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         "location -4*z angle 180 look_at 0",
         "angle",
     ));
+    views(all);
     mirrors(all);
-    polynomials(all);
-    others(all);
-    meshes(all);
+}
+
+/// Cameras that leave something out or turn against themselves, as POV-Ray takes them.
+fn views(all: &mut Vec<Case>) {
+    let scene = "sphere { 0, 1 } box { <-2, -2, 3>, <0.5, 0.3, 4> pigment { rgb <1, 0, 0> } }\n";
+    let camera = |text: &str| format!("{HEAD}camera {{ {text} }}\n{scene}");
+    let ahead = "location -4*z right 1.33*x up y direction z";
+    for (name, text, like) in [
+        ("sky along the view", "location -4*z sky z look_at 0", ahead),
+        ("no sky", "location -4*z sky 0 look_at 0", ahead),
+        (
+            "look_at straight down",
+            "location 4*y look_at 0",
+            "location 4*y right 1.33*x up z direction -y",
+        ),
+        (
+            "no width",
+            "location -4*z right 0 look_at 0",
+            "location -4*z right 1e-12*x up y direction z",
+        ),
+        (
+            "no height",
+            "location -4*z up 0 look_at 0",
+            "location -4*z right 1.33*x up 1e-12*y direction z",
+        ),
+    ] {
+        all.push(Case::new(
+            35,
+            name,
+            Asks::Same {
+                text: camera(text),
+                like: camera(like),
+                within: 0.0,
+            },
+        ));
+    }
+    for (name, text) in [
+        ("no direction", "location -4*z direction 0 look_at 0"),
+        (
+            "up along the view",
+            "location -4*z direction y up y right x",
+        ),
+    ] {
+        let like = format!("{HEAD}camera {{ {ahead} }}\n");
+        all.push(Case::new(
+            35,
+            name,
+            Asks::Same {
+                text: camera(text),
+                like,
+                within: 0.0,
+            },
+        ));
+    }
 }
 
 fn inside(all: &mut Vec<Case>) {
@@ -242,159 +293,6 @@ fn mirrors(all: &mut Vec<Case>) {
             text,
             color: [0.128; 3],
             within: 0.001,
-        },
-    ));
-}
-
-/// The torus of radii 1 and 0.25 as a quartic.
-fn ring(factor: f64) -> Object {
-    let (major_sq, minor_sq) = (1.0, 0.0625);
-    let k = major_sq - minor_sq;
-    let mut c = [0.0; 35];
-    let at = |x: usize, y: usize, z: usize| {
-        let mut number = 0;
-        for i in (0..=4).rev() {
-            for j in (0..=4 - i).rev() {
-                for l in (0..=4 - i - j).rev() {
-                    if (i, j, l) == (x, y, z) {
-                        return number;
-                    }
-                    number += 1;
-                }
-            }
-        }
-        number
-    };
-    for (x, y, z, value) in [
-        (4, 0, 0, 1.0),
-        (0, 4, 0, 1.0),
-        (0, 0, 4, 1.0),
-        (2, 2, 0, 2.0),
-        (2, 0, 2, 2.0),
-        (0, 2, 2, 2.0),
-        (2, 0, 0, 2.0 * k - 4.0 * major_sq),
-        (0, 0, 2, 2.0 * k - 4.0 * major_sq),
-        (0, 2, 0, 2.0 * k),
-        (0, 0, 0, k * k),
-    ] {
-        c[at(x, y, z)] = value * factor;
-    }
-    Object::new(Kind::Quartic(Box::new(c)))
-}
-
-fn polynomials(all: &mut Vec<Case>) {
-    let camera = Camera::at([0.3, 2.0, -3.5], [0.0; 3], 0.75);
-    for factor in [1e-12, 1e-6, 1.0, 1e6, 1e12] {
-        all.push(Case::model(
-            50,
-            format!("quartic torus, coefficients times {factor:e}"),
-            Model::flat(camera, vec![ring(factor)]),
-        ));
-    }
-    for by in [1e4, 1e6] {
-        let mut far = camera;
-        far.location[0] += by;
-        let model = Model::flat(far, vec![ring(1.0).translate([by, 0.0, 0.0])]);
-        all.push(Case::model(
-            50,
-            format!("quartic torus at {by:e}"),
-            model.with_margin(1e-5),
-        ));
-    }
-    for (name, by) in [("1e-6", 1e-6), ("1e6", 1e6)] {
-        let model = Model::flat(camera, vec![ring(1.0)]).scaled(by);
-        all.push(Case::model(
-            50,
-            format!("quartic torus scaled by {name}"),
-            model,
-        ));
-    }
-}
-
-fn others(all: &mut Vec<Case>) {
-    let camera = Camera::at([1.3, 1.1, -4.0], [0.0; 3], 0.8);
-    for power in [2, 4, 8] {
-        let body = Object::new(Kind::Superellipsoid(power));
-        all.push(Case::model(
-            51,
-            format!("superellipsoid of e = 2/{power}"),
-            Model::lit(camera, [3.0, 4.0, -5.0], vec![body]),
-        ));
-    }
-    all.push(
-        same(
-            51,
-            "superellipsoid of e = 0.01 against a box",
-            "superellipsoid { <0.01, 0.01> }",
-            "box { -1, 1 }",
-        )
-        .allowing(
-            0,
-            "no pixel's centre lies within the 0.0035 that its edges are rounded off",
-        ),
-    );
-    for off in [1e-4, 1e-8, 1e-12] {
-        let width = 3.0 * f64::sqrt(0.5 * off);
-        let mut camera = Camera::ahead([0.0, 0.0, -1.5], width);
-        camera.location[0] = 0.01 * width;
-        let model = Model::flat(camera, vec![Object::new(Kind::Blob(1.0 - off))]);
-        all.push(Case::model(
-            51,
-            format!("blob whose threshold is {off:e} below its strength"),
-            model.with_margin(1e-3),
-        ));
-    }
-    all.push(same(
-        51,
-        "blob whose threshold is above its strength",
-        "blob { threshold 1.000000000001 sphere { 0, 1, 1 } }",
-        NOTHING,
-    ));
-    all.push(same(
-        51,
-        "lathe with two points alike",
-        "lathe { linear_spline 5 <0,-1>, <1,-1>, <1,-1>, <0.5,1>, <0,1> }",
-        "lathe { linear_spline 4 <0,-1>, <1,-1>, <0.5,1>, <0,1> }",
-    ));
-}
-
-/// A square of triangles, some of them a millionth wide or without area, with rays exactly through their edges.
-fn meshes(all: &mut Vec<Case>) {
-    let mut mesh = "mesh {\n".to_owned();
-    let mut quad = |x0: f64, x1: f64, y0: f64, y1: f64| {
-        let (a, b, c, d) = ((x0, y0), (x1, y0), (x1, y1), (x0, y1));
-        for corners in [[a, b, c], [a, c, d], [a, c, c]] {
-            let list = corners.map(|(x, y)| format!("<{}, {}, 0>", n(x), n(y)));
-            let _ = writeln!(mesh, "triangle {{ {} }}", list.join(", "));
-        }
-    };
-    for i in 0..8 {
-        for j in 0..8 {
-            let (x, y) = (-1.0 + 0.25 * f64::from(i), -1.0 + 0.25 * f64::from(j));
-            quad(x, x + 1e-6, y, y + 0.25);
-            quad(x + 1e-6, x + 0.25, y, y + 0.25);
-        }
-    }
-    mesh.push_str("}\n");
-    // Centres of pixels lie on the lines at multiples of 1/8 and 1/32, edges and corners of the triangles among them.
-    let camera =
-        "camera { orthographic location <0.03125, 0.03125, -4> direction z right 3*x up 2.25*y }\n";
-    all.push(Case::new(
-        52,
-        "square of slivers, rays through their edges",
-        Asks::Same {
-            text: format!("{HEAD}{camera}{mesh}"),
-            like: format!("{HEAD}{camera}box {{ <-1,-1,0>, <1,1,0> }}\n"),
-            within: 0.0,
-        },
-    ));
-    all.push(Case::new(
-        52,
-        "square of slivers, turned",
-        Asks::Same {
-            text: format!("{HEAD}{CAMERA}object {{ {mesh} rotate <20,30,10> }}\n"),
-            like: format!("{HEAD}{CAMERA}box {{ <-1,-1,0>, <1,1,0> rotate <20,30,10> }}\n"),
-            within: 0.0,
         },
     ));
 }

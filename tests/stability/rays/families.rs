@@ -1,4 +1,4 @@
-//! Families of rays for tori and spheres, the same in every run.
+//! Families of rays for tori and spheres, the same in every run; those for quadrics are in `quadrics`.
 
 use glam::DVec3;
 use povr::math::Ray;
@@ -13,14 +13,14 @@ pub(crate) struct Question {
 }
 
 /// A family: its name and how a ray of it is made.
-pub(crate) struct Family {
+pub(crate) struct Family<Q = Question> {
     pub(crate) name: &'static str,
-    pub(crate) make: fn(&mut Numbers) -> Question,
+    pub(crate) make: fn(&mut Numbers) -> Q,
 }
 
-impl Family {
+impl<Q> Family<Q> {
     /// The first so many rays.
-    pub(crate) fn rays(&self, count: usize) -> Vec<Question> {
+    pub(crate) fn rays(&self, count: usize) -> Vec<Q> {
         let mut numbers = Numbers(0x9e37_79b9_7f4a_7c15);
         (0..count).map(|_| (self.make)(&mut numbers)).collect()
     }
@@ -40,19 +40,19 @@ impl Numbers {
 
     /// From 0 to 1.
     #[allow(clippy::cast_precision_loss, reason = "53 bits fit")]
-    fn share(&mut self) -> f64 {
+    pub(super) fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn power_of_ten(&mut self, from: f64, to: f64) -> f64 {
+    pub(super) fn power_of_ten(&mut self, from: f64, to: f64) -> f64 {
         10f64.powf(from + (to - from) * self.share())
     }
 
-    fn within(&mut self, size: f64) -> DVec3 {
+    pub(super) fn within(&mut self, size: f64) -> DVec3 {
         DVec3::from_array([0, 1, 2].map(|_| size * (2.0 * self.share() - 1.0)))
     }
 
-    fn direction(&mut self) -> DVec3 {
+    pub(super) fn direction(&mut self) -> DVec3 {
         loop {
             let v = self.within(1.0);
             if (0.01..1.0).contains(&v.length_squared()) {
@@ -63,7 +63,7 @@ impl Numbers {
 }
 
 /// From a distance through a point.
-fn through(n: &mut Numbers, point: DVec3, distance: f64) -> Ray {
+pub(super) fn through(n: &mut Numbers, point: DVec3, distance: f64) -> Ray {
     let dir = n.direction();
     Ray::new(point - distance * dir, dir)
 }

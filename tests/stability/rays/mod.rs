@@ -3,10 +3,12 @@
 //! so little explains.
 
 pub(crate) mod families;
+pub(crate) mod quadrics;
 
 use crate::wide::{Polynomial, Vector, Wide, dot, plus, times, vector, wide};
 use families::{Family, Question, SPHERES, TORI};
 use povr::shape::{Geometry, Root, Sphere, Torus};
+use quadrics::{QUADRICS, quadric_of_povr};
 
 /// Roundings of the problem's size.
 const TOLERANCE: f64 = 64.0;
@@ -20,6 +22,15 @@ pub(crate) struct Verdict {
     pub(crate) is_bad: bool,
     /// The distance of the worst root from the surface, in roundings of the problem's size.
     pub(crate) worst: f64,
+}
+
+/// A ray whose roots are known.
+pub(crate) trait Asked {
+    /// How many roots there are.
+    fn roots(&self) -> usize;
+
+    /// How good the roots `found` are, of `exact` that there are.
+    fn verdict(&self, found: &[f64], exact: usize) -> Verdict;
 }
 
 /// Origin and direction.
@@ -92,14 +103,14 @@ impl Question {
         };
         off.abs().to_f64()
     }
+}
 
-    /// How many roots there are.
-    pub(crate) fn roots(&self) -> usize {
+impl Asked for Question {
+    fn roots(&self) -> usize {
         self.count(&self.line(), 0.0)
     }
 
-    /// How good the roots `found` are, of `exact` that there are.
-    pub(crate) fn verdict(&self, found: &[f64], exact: usize) -> Verdict {
+    fn verdict(&self, found: &[f64], exact: usize) -> Verdict {
         let line = self.line();
         let worst = found.iter().fold(0.0, |worst: f64, &t| {
             let off = if t.is_finite() {
@@ -142,7 +153,7 @@ pub(crate) fn sphere_of_povr(question: &Question, roots: &mut Vec<Root>) {
 }
 
 /// Rays of a family, and those that are answered wrongly.
-fn asked(family: &Family, answer: fn(&Question, &mut Vec<Root>)) -> (usize, usize) {
+fn asked<Q: Asked>(family: &Family<Q>, answer: fn(&Q, &mut Vec<Root>)) -> (usize, usize) {
     let questions = family.rays(RAYS);
     let bad = questions.iter().filter(|question| {
         let mut roots = Vec::new();
@@ -215,4 +226,12 @@ pub(crate) fn far_spheres() -> (usize, usize) {
 
 pub(crate) fn floors() -> (usize, usize) {
     of_some(SPHERES, &["floor of 1e7"], sphere_of_povr)
+}
+
+/// All families of quadrics.
+pub(crate) fn all_quadrics() -> (usize, usize) {
+    QUADRICS
+        .iter()
+        .map(|family| asked(family, quadric_of_povr))
+        .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1))
 }

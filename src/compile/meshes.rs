@@ -1,0 +1,251 @@
+//! Large meshes and many rays from one point: the rays go through the mesh's own tree together.
+
+use super::csg::Found;
+use super::leaf::Leaf;
+use super::lot::Lot;
+use super::model::Item;
+use super::order::Numbered;
+use super::query::{Best, Query, Scratch, Way};
+use super::together::each_bit;
+use super::world::World;
+use crate::accel::Bundle;
+use crate::math::watertight::RayFrame;
+use crate::shape::{Mesh, Shape};
+use glam::DVec3;
+
+/// Meshes of fewer triangles are asked by one ray at a time, as all other shapes.
+const LEAST_TRIANGLES: usize = 256;
+/// Among more meshes than this rays find their way one by one.
+const MOST_MESHES: usize = 8;
+
+/// Buffers that a thread keeps between meshes.
+#[derive(Debug, Default)]
+pub(super) struct MeshScratch {
+    bundle: Bundle,
+    frames: Vec<RayFrame>,
+}
+
+/// A mesh of a world, for rays that go together.
+struct Asked<'w> {
+    number: u32,
+    leaf: &'w Leaf,
+    mesh: &'w Mesh,
+}
+
+impl World {
+    /// The items that are meshes through which rays go together; none if there are too many of them.
+    pub(super) fn large_meshes(&self) -> Vec<Numbered> {
+        let is_large = |item: &&Numbered| {
+            let asked = self.asked(**item);
+            asked.is_some_and(|asked| asked.mesh.is_patch() && asked.mesh.len() >= LEAST_TRIANGLES)
+        };
+        let meshes: Vec<Numbered> = self
+            .finder()
+            .bounded
+            .iter()
+            .filter(is_large)
+            .copied()
+            .collect();
+        if meshes.len() <= MOST_MESHES {
+            meshes
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether rays that go together have been through an item already.
+    #[inline(always)]
+    pub(super) fn is_large_mesh(&self, item: Numbered) -> bool {
+        self.meshes.iter().any(|mesh| mesh.number == item.number)
+    }
+
+    fn asked(&self, item: Numbered) -> Option<Asked<'_>> {
+        let Item::Leaf(number) = item.item else {
+            return None;
+        };
+        let leaf = &self.model.leaves[number as usize];
+        match &leaf.shape {
+            Shape::Mesh(mesh) => Some(Asked { number, leaf, mesh }),
+            _ => None,
+        }
+    }
+
+    /// Lets the queries of a lot, which start at one point, go through the large meshes that they may meet, and makes
+    /// `bests` and `bundle` know what they find. False if some could not go together.
+    #[inline(always)]
+    pub(super) fn see_meshes(
+        &self,
+        (lot, bests): (&mut Lot, &mut [Option<Best>]),
+        query: impl Fn(usize) -> Query,
+        (bundle, origin): (&mut Bundle, DVec3),
+        scratch: &mut Scratch,
+    ) -> bool {
+        self.meshes.iter().all(|&item| {
+            let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
+                return true;
+            };
+            let mut own = std::mem::take(&mut scratch.mesh);
+            let count = bests.len();
+            let is_done = asked.enter(&mut own, (origin, 1.0), count, lot, &query)
+                && asked.mesh.tree().together(
+                    &mut own.bundle,
+                    #[inline(always)]
+                    |face, first, lanes, ended| {
+                        each_bit(lanes, |lane| {
+                            let ray = first + lane;
+                            let frame = &own.frames[ray];
+                            let Some(t) = asked.mesh.meet(frame, face) else {
+                                return;
+                            };
+                            let far = lot.far(ray);
+                            if !(lot.from(ray) < t && t <= far) {
+                                return;
+                            }
+                            let found = asked.found(t, face);
+                            let best = &mut bests[ray];
+                            // Of several triangles at the same distance the first in the list is drawn.
+                            if let Some(best) = best
+                                && best.item == item.number
+                                && best.found.root.t == t
+                            {
+                                if face < best.found.root.face {
+                                    best.found = found;
+                                }
+                                return;
+                            }
+                            let query = query(ray);
+                            if !self.is_seen(&found, query.seen) {
+                                return;
+                            }
+                            let new = self.offer(item.number, found, &query, far, best);
+                            if new < far {
+                                lot.shorten(ray, new);
+                                bundle.shorten(ray, new);
+                                ended.note(lane, asked.way(new, frame));
+                            }
+                        });
+                    },
+                );
+            scratch.mesh = own;
+            is_done
+        })
+    }
+
+    /// The same for rays to a light at `centre`: `ways` learns what is blocked.
+    #[inline(always)]
+    pub(super) fn meshes_block(
+        &self,
+        (lot, ways): (&mut Lot, &mut [Way]),
+        queries: &[Query],
+        (bundle, centre): (&mut Bundle, DVec3),
+        scratch: &mut Scratch,
+    ) -> bool {
+        self.meshes.iter().all(|&item| {
+            let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
+                return true;
+            };
+            let mut own = std::mem::take(&mut scratch.mesh);
+            let query = |ray: usize| queries[ray];
+            let count = queries.len();
+            let is_done = asked.enter(&mut own, (centre, -1.0), count, lot, query)
+                && asked.mesh.tree().together(
+                    &mut own.bundle,
+                    #[inline(always)]
+                    |face, first, lanes, ended| {
+                        each_bit(lanes, |lane| {
+                            let ray = first + lane;
+                            if ways[ray] == Way::Blocked {
+                                return;
+                            }
+                            let is_left = queries[ray]
+                                .from
+                                .is_some_and(|left| left.leaf == asked.number && left.face == face);
+                            if is_left {
+                                return;
+                            }
+                            let Some(t) = asked.mesh.meet(&own.frames[ray], face) else {
+                                return;
+                            };
+                            let is_between = lot.from(ray) < t && t < queries[ray].far;
+                            let found = asked.found(t, face);
+                            if is_between
+                                && self.blocks_light(&found, &queries[ray], &mut ways[ray])
+                            {
+                                ways[ray] = Way::Blocked;
+                                bundle.shorten(ray, f64::NEG_INFINITY);
+                                ended.note(lane, f64::NEG_INFINITY);
+                            }
+                        });
+                    },
+                );
+            scratch.mesh = own;
+            is_done
+        })
+    }
+
+    fn may_meet(&self, bundle: &Bundle, item: Numbered) -> bool {
+        bundle.may_meet(&self.finder().tree, &self.boxes[item.number as usize])
+    }
+}
+
+impl Asked<'_> {
+    /// Makes the queries ready for the tree of the mesh. They have the point `origin` in common and go from there in
+    /// their direction, or come from there (`sign` -1).
+    #[inline(always)]
+    fn enter(
+        &self,
+        own: &mut MeshScratch,
+        (origin, sign): (DVec3, f64),
+        count: usize,
+        lot: &Lot,
+        query: impl Fn(usize) -> Query,
+    ) -> bool {
+        let origin = self.leaf.point_to_object(origin);
+        own.frames.clear();
+        for ray in 0..count {
+            let ray = self.leaf.to_object(&query(ray).ray);
+            own.frames.push(RayFrame::new(&ray));
+        }
+        let rays = own.frames.iter().enumerate();
+        own.bundle.fill(
+            self.mesh.tree(),
+            origin,
+            rays.map(|(ray, frame)| {
+                (
+                    sign * frame.unit_dir(),
+                    self.end(lot, ray, frame, sign, origin),
+                )
+            }),
+        )
+    }
+
+    /// Where a query ends, in the space of the mesh and from the common point.
+    #[inline(always)]
+    fn end(&self, lot: &Lot, ray: usize, frame: &RayFrame, sign: f64, origin: DVec3) -> f64 {
+        if lot.far(ray) < 0.0 {
+            f64::NEG_INFINITY
+        } else if sign < 0.0 {
+            frame.origin().distance(origin)
+        } else {
+            self.way(lot.far(ray), frame)
+        }
+    }
+
+    /// The way in the space of the mesh that a ray goes up to a parameter.
+    #[inline(always)]
+    fn way(&self, t: f64, frame: &RayFrame) -> f64 {
+        match self.leaf.object_from_world {
+            None => t,
+            Some(_) => t * frame.speed(),
+        }
+    }
+
+    #[inline(always)]
+    fn found(&self, t: f64, face: u32) -> Found {
+        Found {
+            root: Mesh::root(t, face),
+            leaf: self.number,
+            surface: self.leaf.surface,
+        }
+    }
+}

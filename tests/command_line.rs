@@ -1,0 +1,219 @@
+//! The command line as POV-Ray takes it: each row runs both programs in a folder of its own and compares the exit code,
+//! the files that are there afterwards and the pictures in them, whether anything came to standard output, and the lines
+//! of `#debug` that begin with `= ` where the scene is drawn.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// POV-Ray spends most of its wall time asleep, so more rows run at once than there are processors.
+const AT_ONCE: usize = 6;
+
+/// Files besides the scene that rows use.
+const FILES: [(&str, &str); 8] = [
+    (
+        "s.pov",
+        "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 }
+        light_source { <5, 5, -5>, 1 } sphere { clock*x, 1 pigment { rgb <1, 0.6, 0.3> } } plane { y, -1 pigment { checker } }
+        #debug concat(\"= \", str(clock, 0, 6), \" \", str(frame_number, 0, 0), \" \", str(final_frame, 0, 0), \"\\n\")
+        #ifdef (Given) #debug concat(\"= given \", str(Given, 0, 3), \"\\n\") #end
+        #ifdef (Head) #debug \"= head\\n\" #end
+        #ifdef (Beside) #debug \"= beside\\n\" #end",
+    ),
+    ("plain.ini", "Input_File_Name=s.pov\nWidth=12\nHeight=9\n"),
+    (
+        "parts.ini",
+        "Height=9\n[small]\nWidth=8\n[large]\nWidth=16\nOutput_File_Name=large\n",
+    ),
+    ("head.inc", "#declare Head = 1;\n"),
+    ("include/beside.inc", "#declare Beside = 1;\n"),
+    ("uses.pov", "#include \"beside.inc\"\n#include \"s.pov\"\n"),
+    ("wrong.pov", "#version 3.7;\nsphere { 0, 1\n"),
+    ("empty.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n"),
+];
+
+/// What a program does.
+#[derive(Debug, PartialEq)]
+struct Done {
+    code: Option<i32>,
+    /// Files that were not there before; of pictures that both programs can be asked about, their pixels.
+    files: BTreeMap<String, Option<Vec<u8>>>,
+    has_output: bool,
+    values: Vec<String>,
+}
+
+fn run(program: &str, line: &str) -> Done {
+    let folder = tempfile::tempdir().expect("temporary folders can be made");
+    for (name, text) in FILES {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().expect("it has a name")).expect("folders can be made");
+        fs::write(path, text).expect("files can be written");
+    }
+    let output = Command::new(program)
+        .current_dir(folder.path())
+        .args(line.split_whitespace())
+        .stdin(Stdio::null())
+        .output()
+        .unwrap_or_else(|error| {
+            panic!("{program} cannot be run ({error}); tools/test installs it")
+        });
+    let told = String::from_utf8_lossy(&output.stderr);
+    // A faulty scene is read on to find all of its faults, and says more.
+    let is_whole = output.status.success();
+    let values = told
+        .lines()
+        .filter(|line| is_whole && line.starts_with("= "));
+    Done {
+        code: output.status.code(),
+        files: written(folder.path()),
+        has_output: !output.stdout.is_empty(),
+        values: values.map(|line| line.trim_end().to_owned()).collect(),
+    }
+}
+
+/// The files that were not there before.
+fn written(folder: &Path) -> BTreeMap<String, Option<Vec<u8>>> {
+    let entries = fs::read_dir(folder).expect("the folder is there").flatten();
+    let files = entries.filter(|entry| entry.path().is_file());
+    let names = files.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    // What is kept of an unfinished drawing is each program's own.
+    let names = names.filter(|name| !name.ends_with("-state"));
+    let fresh = names.filter(|name| FILES.iter().all(|(known, _)| known != name));
+    fresh
+        .map(|name| {
+            // Other formats round in ways of their own and are compared elsewhere.
+            let is_exact = [".png", ".ppm", ".bmp", ".tga"];
+            let is_exact = is_exact.iter().any(|end| name.ends_with(end));
+            let picture = is_exact.then(|| image::open(folder.join(&name)).ok());
+            let pixels = picture
+                .flatten()
+                .map(|picture| picture.to_rgba8().into_raw());
+            (name, pixels)
+        })
+        .collect()
+}
+
+/// Runs both programs with each of these rows and compares.
+fn agree(rows: &[&str]) {
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|threads| {
+        for _ in 0..AT_ONCE {
+            threads.spawn(|| {
+                while let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let expected = run("povray", row);
+                    let found = run(env!("CARGO_BIN_EXE_povr"), row);
+                    assert!(
+                        found == expected,
+                        "{row}\npovr {found:?}\nPOV-Ray {expected:?}"
+                    );
+                }
+            });
+        }
+    });
+}
+
+#[test]
+fn scenes_and_pictures_are_named() {
+    agree(&[
+        "+Is.pov +W12 +H9 -D",
+        "s.pov +W12 +H9 -D",
+        "-is.pov -w12 -h9 -D",
+        "s +W12 +H9 -D",
+        "+Is +W12 +H9 -D",
+        "+Inone.pov +W12 +H9 -D",
+        "+Is.pov +Oout +W12 +H9 -D",
+        "+Is.pov +Oout.png +W12 +H9 -D",
+        "+Is.pov +Oq.PNG +W12 +H9 -D",
+        "+Is.pov +Oq.tga +W12 +H9 -D",
+        "+Is.pov +Onone/q.png +W12 +H9 -D",
+        "+Is.pov -F +W12 +H9 -D",
+        "+Is.pov Output_To_File=off +W12 +H9 -D",
+        "+Iempty.pov +W12 +H9 -D",
+        "+Iwrong.pov +W12 +H9 -D",
+    ]);
+}
+
+#[test]
+fn formats_are_chosen() {
+    agree(&[
+        "+Is.pov +FN +W12 +H9 -D",
+        "+Is.pov +FN16 +W12 +H9 -D",
+        "+Is.pov +FT +W12 +H9 -D",
+        "+Is.pov +FB +W12 +H9 -D",
+        "+Is.pov +FP +W12 +H9 -D",
+        "+Is.pov +FJ +W12 +H9 -D",
+        "+Is.pov +FE +W12 +H9 -D",
+        "+Is.pov +FH +W12 +H9 -D",
+        "+Is.pov +FN +Ou.png +UA +W12 +H9 -D",
+        "+Is.pov +O- +FP +W12 +H9 -D",
+        "+Is.pov Output_File_Type=N Bits_Per_Color=8 +W12 +H9 -D",
+    ]);
+}
+
+#[test]
+fn sizes_and_parts() {
+    agree(&[
+        "+Is.pov +W8.5 +H9 -D",
+        "+Is.pov +W0 +H9 -D",
+        "+Is.pov Width=10 Height=7 -D",
+        "+Is.pov +W12 +H9 +SC3 +EC8 +SR2 +ER7 -D",
+        "+Is.pov +W12 +H9 +SC0.25 +EC0.75 +SR0.5 -D",
+        "+Is.pov +W12 +H9 +W6 -D",
+        "+Is.pov +W12 +H9 +WT3 +BS8 +RP2 +MB2 +SU -UR -D",
+        "+Is.pov +W12 +H9 +Q3 -D",
+        "+Is.pov +W12 +H9 +A0.1 +AM2 +R2 -J -D",
+    ]);
+}
+
+#[test]
+fn values_come_from_outside() {
+    agree(&[
+        "+Is.pov +K0.75 +W12 +H9 -D",
+        "+Is.pov Clock=0.5 +W12 +H9 -D",
+        "+Is.pov Declare=Given=3.25 +W12 +H9 -D",
+        "+Is.pov Declare=Given=-2 +W12 +H9 -D",
+        "+Is.pov Declare=Given=\"text\" +W12 +H9 -D",
+        "+Is.pov +HIhead.inc +W12 +H9 -D",
+        "+Is.pov Include_Header=head.inc +W12 +H9 -D",
+        "+Iuses.pov +Linclude +W12 +H9 -D",
+        "+Iuses.pov Library_Path=include +W12 +H9 -D",
+        "+Iuses.pov +W12 +H9 -D",
+    ]);
+}
+
+#[test]
+fn ini_files_and_faults() {
+    agree(&[
+        "plain.ini -D",
+        "plain.ini +W6 -D",
+        "+W6 plain.ini -D",
+        "parts.ini[small] +Is.pov -D",
+        "parts.ini[large] +Is.pov -D",
+        "none.ini +Is.pov -D",
+        "+Is.pov +W12 +H9 +ZZ9 -D",
+        "+Is.pov +W12 +H9 Nonsense=3 -D",
+        "",
+    ]);
+}
+
+#[test]
+fn messages_can_be_left_out() {
+    agree(&[
+        "+Is.pov +W12 +H9 -D -GA",
+        "+Is.pov +W12 +H9 -D -GD",
+        "+Is.pov +W12 +H9 -D -GR -GS -GW",
+        "+Iwrong.pov +W12 +H9 -D -GA",
+    ]);
+}
+
+#[test]
+fn animations_are_numbered() {
+    agree(&[
+        "+Is.pov +KFF3 +W12 +H9 -D",
+        "+Is.pov +KFI9 +KFF11 +KI2 +KF4 +W12 +H9 -D",
+        "+Is.pov +KFI2 +KFF4 +KC +W12 +H9 -D",
+        "+Is.pov +KFF12 +SF3 +EF4 +W12 +H9 -D",
+    ]);
+}
