@@ -62,7 +62,6 @@ impl Finishing {
 
     /// Whether the first samples of a pixel, and those next to them around it, leave nothing to be asked.
     pub(super) fn is_calm(&mut self, band: &Band<'_>, (x, y): (u32, u32)) -> bool {
-        let looks = band.first_of(band.at(x, y));
         let channels = band.eye.channels;
         let (found, is_torn) = first_estimate(band, (x, y), &Slopes::default());
         if is_torn {
