@@ -285,7 +285,7 @@ fn middles(angle: f64, offset: f64) -> [[f64; 2]; 2] {
     }
     let share = area / 2.0;
     let whole = [0.5; 2];
-    if share < FLAT || share > 1.0 - FLAT {
+    if !(FLAT..=1.0 - FLAT).contains(&share) {
         return [whole; 2];
     }
     let dark = moments.map(|moment| moment / (6.0 * share));

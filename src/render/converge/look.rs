@@ -122,22 +122,6 @@ impl Eye<'_> {
         self.look(scratch, looks);
     }
 
-    /// Samples at these points of the sequence of a pixel.
-    pub(super) fn looks_at_points(
-        &self,
-        (x, y): (u32, u32),
-        points: &[(u32, u32)],
-        scratch: &mut EyeScratch,
-        looks: &mut Vec<Look>,
-    ) {
-        scratch.places.clear();
-        scratch.cells.clear();
-        for &point in points {
-            scratch.note((x, y), point);
-        }
-        self.look(scratch, looks);
-    }
-
     /// Samples of these numbers of each of these pixels, pixel by pixel.
     pub(super) fn looks(
         &self,
@@ -184,6 +168,6 @@ impl Eye<'_> {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "sixteen bits are left")]
-pub(super) fn place((x, y): (u32, u32)) -> (u16, u16) {
+fn place((x, y): (u32, u32)) -> (u16, u16) {
     ((x >> 16) as u16, (y >> 16) as u16)
 }

@@ -68,11 +68,6 @@ impl Sums {
         }
     }
 
-    /// How many samples there are.
-    pub(super) fn count(&self) -> f64 {
-        self.count
-    }
-
     /// The plane, level where there are too few samples for a slope; `None` for less than two samples.
     pub(super) fn plane(&self) -> Option<Plane> {
         let n = self.count;
