@@ -1,20 +1,17 @@
 //! Pixels that one straight edge divides: how much lies on each side is known far better than counting samples tells.
 //!
-//! The samples are told apart by colour, and all straight lines that separate the two kinds are looked at: the mean
-//! share of the pixel that they cut off is the share, its deviation the error. Further samples go to places on the
-//! line in the middle, and each halves what is possible there. Twenty samples tell the share as well as hundreds spread
-//! evenly would. Where no line separates the samples the pixel is sampled on in the ordinary way.
+//! The samples of the pixel and those just around it are told apart by colour or by what they met, and all straight lines
+//! that separate the two kinds are looked at: the mean share of the pixel that they cut off is the share, its deviation
+//! the error. Further samples go to places on the line in the middle, and each halves what is possible there. A dozen
+//! samples tell the share as well as hundreds spread evenly would. Where no line separates the samples the pixel is
+//! sampled on in the ordinary way.
 
-use super::look::Look;
-
-/// Two colours are told apart if they are further from each other than those of one kind are, by this factor.
-const APART: f32 = 1.0;
 /// Edges are bent a little, and all lines are not equally likely: the error is this many deviations.
 const CAUTION: f64 = 1.5;
 /// Directions tried to either side of a guess, and by how much they differ, in radians.
 const GUESSES: [(u8, f64); 3] = [(5, 0.2), (4, 0.045), (3, 0.013)];
 /// Bisections to the end of the directions that separate.
-const BISECTIONS: u32 = 8;
+const BISECTIONS: u32 = 6;
 /// Directions over which the mean is taken, as shares of the way between the ends: Gauss-Legendre.
 const NODES: [(f64, f64); 3] = [
     (0.112_701_665_379_258_3, 5.0 / 18.0),
@@ -24,50 +21,7 @@ const NODES: [(f64, f64); 3] = [
 /// The next place on a line comes so much of its length behind the last.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// How samples are told apart: by one channel, at a value.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Kinds {
-    channel: usize,
-    /// The ranges of both kinds, the darker first.
-    ranges: [(f32, f32); 2],
-}
-
-impl Kinds {
-    /// Two kinds of samples, if they are clearly two. `values` is a buffer.
-    pub(super) fn of(looks: &[Look], channels: usize, values: &mut Vec<f32>) -> Option<Kinds> {
-        let mut best: Option<(f32, Kinds)> = None;
-        for channel in 0..channels {
-            values.clear();
-            values.extend(looks.iter().map(|look| look.channels[channel].min(1.0)));
-            values.sort_unstable_by(f32::total_cmp);
-            let (&least, &most) = (values.first()?, values.last()?);
-            let gap = values
-                .windows(2)
-                .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-            let (below, above) = (gap[0], gap[1]);
-            let is_clear = above - below > APART * (below - least).max(most - above);
-            if is_clear && best.is_none_or(|(widest, _)| above - below > widest) {
-                let ranges = [(least, below), (above, most)];
-                best = Some((above - below, Kinds { channel, ranges }));
-            }
-        }
-        best.map(|(_, kinds)| kinds)
-    }
-
-    /// Whether a sample is of the brighter kind; `None` if it is of neither.
-    pub(super) fn is_bright(&self, look: &Look) -> Option<bool> {
-        let value = look.channels[self.channel].min(1.0);
-        let [(least, below), (above, most)] = self.ranges;
-        let room = (above - below) / 4.0;
-        if value >= above - room && value <= most + room {
-            Some(true)
-        } else {
-            (value <= below + room && value >= least - room).then_some(false)
-        }
-    }
-}
-
-/// A place in the unit square, and whether it is of the brighter kind.
+/// A place, the pixel being the unit square, and whether it is of the brighter kind.
 pub(super) type Told = ([f64; 2], bool);
 
 /// What the lines that separate samples tell.
@@ -77,8 +31,13 @@ pub(super) struct Division {
     pub(super) dark: f64,
     /// How wrong that may be.
     pub(super) error: f64,
-    /// Two points of the border of the pixel on the line in the middle.
+    /// The line in the middle: the direction from dark to bright, and how far it lies in that.
+    angle: f64,
+    offset: f64,
+    /// Two points of the border of the pixel on it.
     chord: [[f64; 2]; 2],
+    /// The middles of the dark and the bright part.
+    pub(super) middles: [[f64; 2]; 2],
 }
 
 impl Division {
@@ -95,14 +54,22 @@ impl Division {
         };
         let (from, to) = (middle(false)?, middle(true)?);
         let mut best = (to[1] - from[1]).atan2(to[0] - from[0]);
-        let mut widest = Gap::of(told, best).width();
+        let sides = &[Side::of(told, false)?, Side::of(told, true)?];
+        let mut widest = Gap::of(sides, best).width();
         for (count, step) in GUESSES {
             let guess = best;
-            for i in 1..=count {
-                for turn in [-f64::from(i) * step, f64::from(i) * step] {
-                    let width = Gap::of(told, guess + turn).width();
+            let (sin, cos) = guess.sin_cos();
+            let (sin_step, cos_step) = step.sin_cos();
+            for side in [-1.0, 1.0] {
+                let (sin_step, mut sin, mut cos) = (side * sin_step, sin, cos);
+                for i in 1..=count {
+                    (sin, cos) = (
+                        sin * cos_step + cos * sin_step,
+                        cos * cos_step - sin * sin_step,
+                    );
+                    let width = Gap::along(sides, [cos, sin]).width();
                     if width > widest {
-                        (best, widest) = (guess + turn, width);
+                        (best, widest) = (guess + side * f64::from(i) * step, width);
                     }
                 }
             }
@@ -110,16 +77,16 @@ impl Division {
         if widest <= 0.0 {
             return None;
         }
-        let ends = [-1.0, 1.0].map(|side| best + side * last_separating(told, best, side));
-        Some(Division::over(told, best, ends))
+        let ends = [-1.0, 1.0].map(|side| best + side * last_separating(sides, best, side));
+        Some(Division::over(sides, best, ends))
     }
 
     /// The mean over all lines with directions between two ends.
-    fn over(told: &[Told], best: f64, ends: [f64; 2]) -> Division {
+    fn over(sides: &[Side; 2], best: f64, ends: [f64; 2]) -> Division {
         let (mut weight, mut sum, mut squares) = (0.0, 0.0, 0.0);
         for (share, angle_weight) in NODES {
             let angle = ends[0] + share * (ends[1] - ends[0]);
-            let gap = Gap::of(told, angle);
+            let gap = Gap::of(sides, angle);
             for (share, offset_weight) in NODES {
                 let here = angle_weight * offset_weight * gap.width().max(0.0);
                 let dark = area_below(angle, gap.dark + share * (gap.bright - gap.dark));
@@ -129,12 +96,22 @@ impl Division {
             }
         }
         let dark = sum / weight;
-        let gap = Gap::of(told, best);
+        let gap = Gap::of(sides, best);
+        let offset = (gap.dark + gap.bright) / 2.0;
         Division {
             dark,
             error: CAUTION * (squares / weight - dark * dark).max(0.0).sqrt(),
-            chord: chord(best, (gap.dark + gap.bright) / 2.0),
+            angle: best,
+            offset,
+            chord: chord(best, offset),
+            middles: middles(best, offset),
         }
+    }
+
+    /// Whether a place lies on the bright side of the line in the middle.
+    pub(super) fn is_beyond(&self, [x, y]: [f64; 2]) -> bool {
+        let (sin, cos) = self.angle.sin_cos();
+        x * cos + y * sin > self.offset
     }
 
     /// The place at which a sample with this number tells most.
@@ -145,6 +122,60 @@ impl Division {
     }
 }
 
+/// The places of one kind of samples, the first repeated behind the last so that lanes are full.
+struct Side {
+    places: [[f64; MOST_TOLD]; 2],
+    count: usize,
+}
+
+/// So many samples of one kind are told from the others at most.
+const MOST_TOLD: usize = 160;
+/// So many are looked at together.
+const LANES: usize = 4;
+
+impl Side {
+    fn of(told: &[Told], bright: bool) -> Option<Side> {
+        let mut side = Side {
+            places: [[0.0; MOST_TOLD]; 2],
+            count: 0,
+        };
+        let ours = told.iter().filter(|(_, is_bright)| *is_bright == bright);
+        for (place, _) in ours {
+            side.put(*place)?;
+        }
+        let first = [side.places[0][0], side.places[1][0]];
+        while !side.count.is_multiple_of(LANES) {
+            side.put(first)?;
+        }
+        Some(side)
+    }
+
+    fn put(&mut self, [x, y]: [f64; 2]) -> Option<()> {
+        *self.places[0].get_mut(self.count)? = x;
+        self.places[1][self.count] = y;
+        self.count += 1;
+        Some(())
+    }
+
+    /// How far it reaches against a direction.
+    fn least(&self, [cos, sin]: [f64; 2]) -> f64 {
+        let mut least = [f64::INFINITY; LANES];
+        let [x, y] = [0, 1].map(|i| self.places[i][..self.count].chunks_exact(LANES));
+        for (x, y) in x.zip(y) {
+            for lane in 0..LANES {
+                let along = x[lane] * cos + y[lane] * sin;
+                // What `min` does about numbers that are none takes longer than all the rest.
+                least[lane] = if along < least[lane] {
+                    along
+                } else {
+                    least[lane]
+                };
+            }
+        }
+        least.into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
 /// Along one direction: how far the dark samples reach, and where the bright ones begin.
 struct Gap {
     dark: f64,
@@ -152,21 +183,16 @@ struct Gap {
 }
 
 impl Gap {
-    fn of(told: &[Told], angle: f64) -> Gap {
+    fn of(sides: &[Side; 2], angle: f64) -> Gap {
         let (sin, cos) = angle.sin_cos();
-        let mut gap = Gap {
-            dark: f64::NEG_INFINITY,
-            bright: f64::INFINITY,
-        };
-        for ([x, y], is_bright) in told {
-            let along = x * cos + y * sin;
-            if *is_bright {
-                gap.bright = gap.bright.min(along);
-            } else {
-                gap.dark = gap.dark.max(along);
-            }
+        Gap::along(sides, [cos, sin])
+    }
+
+    fn along([dark, bright]: &[Side; 2], [cos, sin]: [f64; 2]) -> Gap {
+        Gap {
+            dark: -dark.least([-cos, -sin]),
+            bright: bright.least([cos, sin]),
         }
-        gap
     }
 
     fn width(&self) -> f64 {
@@ -175,11 +201,11 @@ impl Gap {
 }
 
 /// How far a direction that separates can be turned to one side until it no longer does.
-fn last_separating(told: &[Told], angle: f64, side: f64) -> f64 {
+fn last_separating(sides: &[Side; 2], angle: f64, side: f64) -> f64 {
     let (mut inside, mut outside) = (0.0, std::f64::consts::FRAC_PI_2);
     for _ in 0..BISECTIONS {
         let middle = (inside + outside) / 2.0;
-        if Gap::of(told, angle + side * middle).width() > 0.0 {
+        if Gap::of(sides, angle + side * middle).width() > 0.0 {
             inside = middle;
         } else {
             outside = middle;
@@ -227,6 +253,44 @@ fn chord(angle: f64, offset: f64) -> [[f64; 2]; 2] {
     // Rounding may leave a corner just outside.
     let at = |t: f64| [0, 1].map(|i| (foot[i] + t * dir[i]).clamp(0.0, 1.0));
     [at(from.min(to)), at(to)]
+}
+
+/// The centres of gravity of the parts of the unit square below and above a line; that of an empty part is the square's.
+fn middles(angle: f64, offset: f64) -> [[f64; 2]; 2] {
+    const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let (sin, cos) = angle.sin_cos();
+    let above = |[x, y]: [f64; 2]| x * cos + y * sin - offset;
+    // The outline of the part below.
+    let (mut outline, mut count) = ([[0.0; 2]; 8], 0);
+    for (i, corner) in CORNERS.into_iter().enumerate() {
+        let next = CORNERS[(i + 1) % 4];
+        let (here, there) = (above(corner), above(next));
+        if here < 0.0 {
+            outline[count] = corner;
+            count += 1;
+        }
+        if (here < 0.0) != (there < 0.0) {
+            let share = here / (here - there);
+            outline[count] = [0, 1].map(|k| corner[k] + share * (next[k] - corner[k]));
+            count += 1;
+        }
+    }
+    // Twice its area, and six times its first moments.
+    let (mut area, mut moments) = (0.0, [0.0; 2]);
+    for i in 0..count {
+        let (from, to) = (outline[i], outline[(i + 1) % count]);
+        let cross = from[0] * to[1] - to[0] * from[1];
+        area += cross;
+        moments = [0, 1].map(|k| moments[k] + cross * (from[k] + to[k]));
+    }
+    let share = area / 2.0;
+    let whole = [0.5; 2];
+    if !(FLAT..=1.0 - FLAT).contains(&share) {
+        return [whole; 2];
+    }
+    let dark = moments.map(|moment| moment / (6.0 * share));
+    let bright = dark.map(|dark| (0.5 - share * dark) / (1.0 - share));
+    [dark, bright]
 }
 
 #[cfg(test)]
@@ -292,6 +356,31 @@ mod tests {
                 "{off}, {division:?}"
             );
             assert!(division.error < 0.015, "{division:?}");
+        }
+    }
+
+    #[test]
+    fn middles_of_both_parts_are_those_of_counting() {
+        for step in 0..24 {
+            let angle = f64::from(step) * PI / 12.0 + 0.01;
+            for offset in [-0.7, -0.3, 0.2, 0.5, 0.77, 1.1] {
+                let (sin, cos) = angle.sin_cos();
+                let mut sums = [[0.0; 3]; 2];
+                for y in 0..200 {
+                    for x in 0..200 {
+                        let [x, y] = [x, y].map(|v| (f64::from(v) + 0.5) / 200.0);
+                        let sum = &mut sums[usize::from(x * cos + y * sin >= offset)];
+                        *sum = [sum[0] + x, sum[1] + y, sum[2] + 1.0];
+                    }
+                }
+                let middles = middles(angle, offset);
+                for (sum, middle) in sums.iter().zip(middles) {
+                    if sums.iter().all(|sum| sum[2] > 100.0) {
+                        let off = (sum[0] / sum[2] - middle[0]).hypot(sum[1] / sum[2] - middle[1]);
+                        assert!(off < 0.01, "{angle} {offset}: {middle:?}");
+                    }
+                }
+            }
         }
     }
 

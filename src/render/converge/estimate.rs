@@ -5,16 +5,19 @@
 //! there are such cells; for a smooth surface the same rule is double what it should be, for noise about right. So the
 //! variance of the mean is about a sixth of the sum of squared differences of neighbours, over the square of the count.
 //! A scrambled (0, 2)-sequence is better than that by a third, which is kept in reserve.
+//!
+//! Where the samples around tell that the colour slopes evenly, the slope is taken out of both the mean and the error.
 
 use super::look::Look;
+use super::slope::Slopes;
 
 /// The variance of a cell over the squared difference of neighbours.
-const SHARE_OF_VARIANCE: f64 = 1.0 / 6.0;
+pub(super) const SHARE_OF_VARIANCE: f64 = 1.0 / 6.0;
 /// How much of the error with half the samples is believed to be left with all of them, at least: what looks twice as
 /// good as it could be expected to is luck.
 const LEAST_LEFT: f64 = 0.5;
 /// How much of the change since half the samples is believed to be still to come.
-const STILL_TO_COME: f64 = 0.33;
+pub(super) const STILL_TO_COME: f64 = 0.33;
 
 /// What some samples tell of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +26,32 @@ pub(super) struct Estimate {
     pub(super) mean: [f64; 4],
     /// The estimated standard error of the worst channel.
     pub(super) error: f64,
+}
+
+impl Estimate {
+    /// From a mean and the variances of its channels.
+    pub(super) fn of(mean: [f64; 4], variances: [f64; 4], channels: usize) -> Estimate {
+        let error_of = |c: usize| {
+            let error = variances[c].sqrt();
+            // Whatever it is, it is white.
+            if mean[c] - 2.0 * error > 1.0 {
+                0.0
+            } else {
+                error
+            }
+        };
+        Estimate {
+            mean,
+            error: (0..channels).map(error_of).fold(0.0, f64::max),
+        }
+    }
+
+    /// How far two means are from each other; what is above full white does not count.
+    pub(super) fn apart(&self, other: &Estimate, channels: usize) -> f64 {
+        (0..channels)
+            .map(|c| (self.mean[c].min(1.0) - other.mean[c].min(1.0)).abs())
+            .fold(0.0, f64::max)
+    }
 }
 
 /// Least and largest value of each channel.
@@ -62,29 +91,27 @@ impl Reach {
     }
 }
 
-/// What the first samples of a pixel tell, a power of two of them and at least two. `cells` is a buffer.
-pub(super) fn estimate(looks: &[Look], channels: usize, cells: &mut Vec<u32>) -> Estimate {
-    let whole = of_all(looks, channels, cells, |_, _| true);
-    let half = of_all(&looks[..looks.len() / 2], channels, cells, |_, _| true);
-    let moved = (0..channels)
-        .map(|c| (whole.mean[c].min(1.0) - half.mean[c].min(1.0)).abs())
-        .fold(0.0, f64::max);
+/// What the first samples of a pixel tell, a power of two of them and at least two, on a surface with these slopes.
+/// `cells` is a buffer.
+pub(super) fn estimate(
+    looks: &[Look],
+    channels: usize,
+    slopes: &Slopes,
+    cells: &mut Vec<u32>,
+) -> Estimate {
+    let whole = of_all(looks, channels, slopes, cells);
+    let half = of_all(&looks[..looks.len() / 2], channels, slopes, cells);
     Estimate {
         error: whole
             .error
             .max(half.error * LEAST_LEFT)
-            .max(moved * STILL_TO_COME),
+            .max(whole.apart(&half, channels) * STILL_TO_COME),
         ..whole
     }
 }
 
-/// The same from these samples alone, the difference of two of them left out where it does not count.
-pub(super) fn of_all(
-    looks: &[Look],
-    channels: usize,
-    cells: &mut Vec<u32>,
-    counts: impl Fn(&Look, &Look) -> bool,
-) -> Estimate {
+/// The same from these samples alone.
+fn of_all(looks: &[Look], channels: usize, slopes: &Slopes, cells: &mut Vec<u32>) -> Estimate {
     let bits = looks.len().ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
     cells.clear();
@@ -94,20 +121,16 @@ pub(super) fn of_all(
         let column = u32::from(look.place.0) >> (16 - across);
         let row = u32::from(look.place.1) >> (16 - down);
         cells[(row << across | column) as usize] = number;
-        for (sum, c) in sum.iter_mut().zip(look.channels) {
-            *sum += f64::from(c);
+        for (sum, c) in sum.iter_mut().zip(slopes.levelled(look)) {
+            *sum += c;
         }
     }
     let (width, height) = (1usize << across, 1usize << down);
     let mut apart = [0.0; 4];
     let mut compare = |a: usize, b: usize| {
-        let [a, b] = [a, b].map(|cell| &looks[cells[cell] as usize]);
-        if !counts(a, b) {
-            return;
-        }
-        let pairs = a.channels.iter().zip(b.channels);
-        for (sum, (a, b)) in apart.iter_mut().zip(pairs).take(channels) {
-            let d = f64::from(*a) - f64::from(b);
+        let [a, b] = [a, b].map(|cell| slopes.levelled(&looks[cells[cell] as usize]));
+        for (sum, (a, b)) in apart.iter_mut().zip(a.iter().zip(b)).take(channels) {
+            let d = a - b;
             *sum += d * d;
         }
     };
@@ -124,21 +147,12 @@ pub(super) fn of_all(
     let count = as_f64(looks.len());
     // In a small grid the cells at its border have fewer neighbours than those inside.
     let pairs = as_f64((2 * width * height - width - height).max(1));
-    let share = SHARE_OF_VARIANCE * 2.0 * count / pairs;
-    let mean = sum.map(|sum| sum / count);
-    let error_of = |c: usize| {
-        let error = (share * apart[c]).sqrt() / count;
-        // Whatever it is, it is white.
-        if mean[c] - 2.0 * error > 1.0 {
-            0.0
-        } else {
-            error
-        }
-    };
-    Estimate {
-        mean,
-        error: (0..channels).map(error_of).fold(0.0, f64::max),
-    }
+    let share = SHARE_OF_VARIANCE * 2.0 / (count * pairs);
+    Estimate::of(
+        sum.map(|sum| sum / count),
+        apart.map(|apart| share * apart),
+        channels,
+    )
 }
 
 #[allow(clippy::cast_precision_loss, reason = "samples of a pixel are few")]

@@ -21,7 +21,7 @@ pub(super) struct Look {
     /// Where in the pixel it lies, in parts of 2^16 of the side.
     pub(super) place: (u16, u16),
     /// The surface it met first, and the direction in which that faces.
-    leaf: u32,
+    pub(super) leaf: u32,
     normal: [f32; 3],
 }
 
@@ -89,6 +89,14 @@ impl EyeScratch {
     pub(super) fn take_rays(&mut self) -> Rays {
         self.block.take_rays()
     }
+
+    /// Notes a point of the sequence of a pixel as a place to look at.
+    fn note(&mut self, (x, y): (u32, u32), point: (u32, u32)) {
+        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
+        let (dx, dy) = (share(point.0), share(point.1));
+        self.places.push((f64::from(x) + dx, f64::from(y) + dy));
+        self.cells.push(place(point));
+    }
 }
 
 impl Eye<'_> {
@@ -124,11 +132,7 @@ impl Eye<'_> {
         for (x, y) in pixels {
             let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
             for number in numbers.clone() {
-                let point = sobol.point(number);
-                let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
-                let (dx, dy) = (share(point.0), share(point.1));
-                scratch.places.push((f64::from(x) + dx, f64::from(y) + dy));
-                scratch.cells.push(place(point));
+                scratch.note((x, y), sobol.point(number));
             }
         }
         self.look(scratch, looks);

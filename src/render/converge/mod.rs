@@ -11,7 +11,12 @@
 mod band;
 mod edge;
 mod estimate;
+mod finish;
+mod kinds;
 mod look;
+mod parts;
+mod slope;
+mod strip;
 #[cfg(test)]
 mod tests;
 

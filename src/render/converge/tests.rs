@@ -7,6 +7,7 @@
 
 use super::estimate::{Reach, estimate};
 use super::look::Look;
+use super::slope::Slopes;
 use crate::math::sobol::Sobol;
 
 /// Root mean square of the error that `n` samples of a function make, and of what is estimated for it, over many
@@ -23,7 +24,7 @@ fn errors(n: u32, value: impl Fn(u32, [f64; 2]) -> f64, mean: impl Fn(u32) -> f6
                 Look::of(sobol, number, value(pixel, [side(x), side(y)]) as f32)
             })
             .collect();
-        let found = estimate(&looks, 3, &mut Vec::new());
+        let found = estimate(&looks, 3, &Slopes::default(), &mut Vec::new());
         truly += (found.mean[0] - mean(pixel)).powi(2);
         estimated += found.error.powi(2);
     }
