@@ -13,6 +13,25 @@ pub struct Pixel {
     pub transmit: f32,
 }
 
+impl Pixel {
+    /// A pixel for a file: what is no number is black there, and what no number can hold is the largest.
+    #[must_use]
+    #[inline]
+    pub fn new(rgb: Rgb, transmit: f32) -> Pixel {
+        let told = |c: f32| {
+            if c.is_nan() {
+                0.0
+            } else {
+                c.clamp(f32::MIN, f32::MAX)
+            }
+        };
+        Pixel {
+            rgb: rgb.map(told),
+            transmit: told(transmit),
+        }
+    }
+}
+
 /// A picture in the working space, row by row from the top.
 ///
 /// A partial drawing is a picture of full size whose other pixels are opaque black, as POV-Ray leaves them.
@@ -57,12 +76,20 @@ impl Film {
 
 #[cfg(test)]
 mod tests {
-    use super::Film;
+    use super::{Film, Pixel};
+    use crate::color::Rgb;
 
     #[test]
     fn a_partial_film_has_the_full_size() {
         let film = Film::new(4, 3, 1..2, 0..1);
         assert_eq!(film.pixels.len(), 12);
         assert_eq!(film.rows_of_pixels().count(), 3);
+    }
+
+    #[test]
+    fn what_is_no_number_is_black() {
+        let pixel = Pixel::new(Rgb::new(f32::NAN, f32::INFINITY, -0.5), f32::NAN);
+        assert_eq!(pixel.rgb, Rgb::new(0.0, f32::MAX, -0.5));
+        assert_eq!(pixel.transmit, 0.0);
     }
 }

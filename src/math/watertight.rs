@@ -5,7 +5,7 @@
 //! zero, and it is the exact opposite for the neighbour on the other side of the edge. Zero counts as inside: a ray
 //! through an edge hits at least one of the two triangles.
 //!
-//! Error bound: no gap at all; the place of a hit lies within 8 roundings of the plane of the triangle
+//! Error bound: no gap at all; the place of a hit lies within 2 roundings of the plane of the triangle
 //! (`shape/roundings.rs`).
 
 use super::{Ray, conditioning::power_of_two};

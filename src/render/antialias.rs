@@ -55,10 +55,7 @@ impl<'a> Sampler<'a> {
         let sample = self
             .tracer
             .pixel(x, y, self.options.width, self.options.height, scratch);
-        Pixel {
-            rgb: sample.rgb,
-            transmit: sample.transmit,
-        }
+        Pixel::new(sample.rgb, sample.transmit)
     }
 
     /// Whether two colours are so far apart that the pixel deserves more samples.
@@ -295,10 +292,8 @@ impl Sum {
     )]
     fn mean(&self, count: f64) -> Pixel {
         let transmit = (f64::from(self.pixel.transmit) / count) as f32;
-        Pixel {
-            rgb: self.pixel.rgb.map(|c| (f64::from(c) / count) as f32),
-            transmit,
-        }
+        let rgb = self.pixel.rgb.map(|c| (f64::from(c) / count) as f32);
+        Pixel::new(rgb, transmit)
     }
 }
 

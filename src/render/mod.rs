@@ -202,10 +202,7 @@ fn draw_blocks(
             let size = (options.width, options.height);
             tracer.block(&columns, &rows, size, scratch, |x, y, sample| {
                 let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
-                pixels[y as usize * width + x as usize] = Pixel {
-                    rgb: sample.rgb,
-                    transmit: sample.transmit,
-                };
+                pixels[y as usize * width + x as usize] = Pixel::new(sample.rgb, sample.transmit);
             });
         }
     }

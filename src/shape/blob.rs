@@ -4,7 +4,7 @@
 //! stretch between its ends) in units of its radius, and none where `d > 1`. Along a ray `d²` is quadratic, so that
 //! between the places where the ray enters or leaves a component, or passes an end of a cylinder, the sum is a quartic.
 //! Each such stretch is centred and scaled to -1..1. Neighbouring stretches share the sign of the field, taken at the
-//! place between them, so that no root is lost there. Error bound: roots lie within 16 roundings of the problem's size from
+//! place between them, so that no root is lost there. Error bound: roots lie within 2 roundings of the problem's size from
 //! the surface, where the field does not stand still (`shape/roundings.rs`).
 //!
 //! Where the threshold is negative the solid is everything outside the surface (checked with POV-Ray).

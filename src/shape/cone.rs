@@ -6,7 +6,7 @@
 //! The closed cone is the inside of that quadratic clipped to the slab between the caps, where no other nappe is.
 //!
 //! Error bound: a cone narrower by 10⁻¹⁵ of its radius meets a ray within a rounding of where the cylinder does (tested);
-//! parity is right by construction. Roots lie within 4 roundings of the problem's size from the surface
+//! parity is right by construction. Roots lie within 2 roundings of the problem's size from the surface
 //! (`shape/roundings.rs`).
 //!
 //! Radii of different signs make an hourglass and two negative ones a cone, as POV-Ray draws them.

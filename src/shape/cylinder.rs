@@ -4,7 +4,7 @@
 //! closed one is what it shares with the slab between the caps. An open cylinder is the same solid with caps that are
 //! not visible, as POV-Ray's inside test has it. A negative radius works like its absolute value.
 //!
-//! Error bound: that of the ball; roots lie within 4 roundings of the problem's size from the surface, from up to 10⁹ times
+//! Error bound: that of the ball; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹ times
 //! its size (`shape/roundings.rs`).
 
 use super::axial::{APEX, Axis, BASE};

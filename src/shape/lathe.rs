@@ -6,7 +6,7 @@
 //! joins them has double roots for level rays, and so loses what this keeps. The curve is cut into arcs on which
 //! `r`, `y` and their slopes are monotone; there values and slopes of `F` are bounded by those at the ends.
 //!
-//! Error bound: roots lie within 8 roundings of the problem's size from the surface (`shape/roundings.rs`).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 //!
 //! Inside is what POV-Ray takes for it: where a way outward crosses the curve an odd number of times, but not nearer
 //! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which

@@ -1,6 +1,6 @@
 //! `plane { <normal>, distance }`: a half-space, solid behind the normal.
 //!
-//! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 4 roundings of
+//! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
 //! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read};

@@ -6,7 +6,7 @@
 //! that distance or of the surface's own size, whichever is larger: `u`. All roots with `|u| < 1` are sign changes of
 //! that polynomial, and those beyond sign changes of its reverse in `1/u` ([`sign_changes`]). Each is refined on the
 //! polynomial in space itself. Error bound: roots lie within the rounding of the terms over the slope, for a torus written
-//! as a quartic 64 roundings of the problem's size (`shape/roundings.rs`). `sturm` is accepted and changes nothing; there is one solver.
+//! as a quartic 2 roundings of the problem's size (`shape/roundings.rs`). `sturm` is accepted and changes nothing; there is one solver.
 
 use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
 use crate::args::{Args, Parse};

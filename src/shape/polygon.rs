@@ -1,7 +1,7 @@
 //! `polygon { number of points, <point>, ... }`: a flat patch inside one or more closed outlines.
 //!
 //! Each outline ends where it comes back to its first point; what all of them wind around an odd number of times is
-//! there. Error bound: 8 roundings of the problem's size from the plane (`shape/roundings.rs`). Points that do not lie in one plane make nothing, as in POV-Ray. It has no inside.
+//! there. Error bound: 2 roundings of the problem's size from the plane (`shape/roundings.rs`). Points that do not lie in one plane make nothing, as in POV-Ray. It has no inside.
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read, spline};
 use crate::args::{Args, Parse};

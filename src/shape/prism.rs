@@ -4,7 +4,7 @@
 //! Inside is what the outline winds around an odd number of times, between the heights. A ray that is not upright is a
 //! line in the plane of the outline; of a conic sweep it is the line `(origin × dir) · (X, 1, Z) = 0` in the plane
 //! `y = 1`. Its crossings with the outline, in order along the ray, make stretches inside, which the slab between the
-//! heights clips: enter and leave alternate by construction. Error bound: roots lie within 8 roundings of the problem's size
+//! heights clips: enter and leave alternate by construction. Error bound: roots lie within 2 roundings of the problem's size
 //! from the surface (`shape/roundings.rs`); no line slips through a corner (`spline`).
 
 use super::axial::Slab;

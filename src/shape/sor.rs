@@ -4,7 +4,7 @@
 //! Between the second point and the last but one, `r²` takes the value and the slope `2·r·dr/dy` at each point, with
 //! `dr/dy` from both neighbours. Along a ray `r²(y) − x² − z²` is a cubic on each stretch between two points, clipped
 //! to the widest radius, centred and scaled to -1..1. Neighbouring stretches share the sign at the height between
-//! them. Error bound: roots lie within 8 roundings of the problem's size from the surface (`shape/roundings.rs`), since the
+//! them. Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`), since the
 //! ray is first moved to where it is nearest. The solid ends at the first and the last height with caps, which `open` takes out of sight.
 
 use super::axial::{APEX, BASE, SIDE, Slab};

@@ -4,7 +4,7 @@
 //! `N` grows in proportion with the point, so it neither overflows nor flattens out, however large the powers are; a
 //! power of zero for `e` or `n` makes edges (`N` is then the larger of both), as in POV-Ray.
 //!
-//! Error bound: roots lie within 8 roundings of the problem's size from the surface (`shape/roundings.rs`).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 //!
 //! Up to `e = n = 2` the size is convex along a ray, and Newton's iteration from where the ray enters the box around it
 //! finds the near root or turns away; the far one from the other end. Beyond, the surface has hollow sides: the ray is

@@ -68,12 +68,23 @@ const SHORT: usize = 19;
 #[inline]
 #[must_use]
 pub fn number(text: &[u8], start: usize) -> (Option<f64>, usize) {
-    let (mut end, mut sum) = digits(text, start, 0);
+    let digits = |mut at: usize, mut sum: u64| {
+        while let Some(digit) = text
+            .get(at)
+            .map(|byte| byte.wrapping_sub(b'0'))
+            .filter(|digit| *digit < 10)
+        {
+            sum = sum.wrapping_mul(10).wrapping_add(u64::from(digit));
+            at += 1;
+        }
+        (at, sum)
+    };
+    let (mut end, mut sum) = digits(start, 0);
     let mut decimals = 0;
     let mut count = end - start;
     if text.get(end) == Some(&b'.') {
         let point = end;
-        (end, sum) = digits(text, point + 1, sum);
+        (end, sum) = digits(point + 1, sum);
         decimals = end - point - 1;
         count += decimals;
     }
@@ -85,58 +96,6 @@ pub fn number(text: &[u8], start: usize) -> (Option<f64>, usize) {
     }
     long_number(text, start)
 }
-
-/// Goes on with the decimal number `sum` at a byte: the end of the digits there, and the whole number, if it fits.
-#[inline]
-fn digits(text: &[u8], mut at: usize, mut sum: u64) -> (usize, u64) {
-    while let Some(eight) = text.get(at..).and_then(|rest| rest.first_chunk()) {
-        let (count, value) = first_digits(u64::from_le_bytes(*eight));
-        sum = sum.wrapping_mul(WHOLE_TENS[count]).wrapping_add(value);
-        at += count;
-        if count < 8 {
-            return (at, sum);
-        }
-    }
-    while let Some(digit) = text.get(at).map(|byte| byte.wrapping_sub(b'0'))
-        && digit < 10
-    {
-        sum = sum.wrapping_mul(10).wrapping_add(u64::from(digit));
-        at += 1;
-    }
-    (at, sum)
-}
-
-/// How many of eight bytes, the first one lowest, are digits up to the first that is none, and their value.
-#[inline]
-fn first_digits(bytes: u64) -> (usize, u64) {
-    const EACH: u64 = 0x0101_0101_0101_0101;
-    let values = bytes ^ (EACH * 0x30);
-    // The highest bit of each byte whose value is above nine; above the first one carries may be wrong.
-    let others = (values.wrapping_add(EACH * 0x76) | values) & (EACH * 0x80);
-    let bits = others.trailing_zeros() & !7;
-    if bits == 0 {
-        return (0, 0);
-    }
-    // The digits end at the highest byte, with zeros before them; then neighbours are joined, three times.
-    let tens = values << (64 - bits);
-    let pairs = tens.wrapping_mul(10).wrapping_add(tens >> 8) & 0x00ff_00ff_00ff_00ff;
-    let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
-    let value = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
-    (bits as usize / 8, value)
-}
-
-/// The powers of ten up to the eighth.
-const WHOLE_TENS: [u64; 9] = [
-    1,
-    10,
-    100,
-    1_000,
-    10_000,
-    100_000,
-    1_000_000,
-    10_000_000,
-    100_000_000,
-];
 
 #[cold]
 fn long_number(text: &[u8], start: usize) -> (Option<f64>, usize) {

@@ -64,10 +64,7 @@ impl Look {
 )]
 pub(super) fn pixel(mean: [f64; 4]) -> Pixel {
     let [r, g, b, transmit] = mean.map(|c| c as f32);
-    Pixel {
-        rgb: crate::color::Rgb::new(r, g, b),
-        transmit,
-    }
+    Pixel::new(crate::color::Rgb::new(r, g, b), transmit)
 }
 
 /// Looks at places of a picture.
