@@ -59,7 +59,8 @@ impl World {
         self.lights.reach(light, &self.model.leaves, query, scratch)
     }
 
-    /// What lies on a ray to the light of this number.
+    /// What lies on a ray to the light of this number. Where that is transparent it is gathered for
+    /// [`World::nearest_among`].
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         scratch.rays.shadow += 1;
@@ -75,16 +76,22 @@ impl World {
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }
-        let mut way = Way::Free;
         // Neighbouring points are often in the shadow of the same object.
         let last = scratch.blockers[light];
         if let Some(&item) = self.items.get(last as usize)
-            && self.blocks(Numbered { number: last, item }, query, &mut way, scratch)
+            && self.blocks(
+                Numbered { number: last, item },
+                query,
+                &mut Way::Free,
+                scratch,
+            )
         {
             return Way::Blocked;
         }
+        let mut way = Way::Free;
+        scratch.among.clear();
         for &item in &self.model.finder.unbounded {
-            if self.blocks(item, query, &mut way, scratch) {
+            if self.stops(item, query, &mut way, scratch) {
                 scratch.blockers[light] = item.number;
                 return Way::Blocked;
             }
@@ -96,7 +103,7 @@ impl World {
             #[inline(always)]
             |number| {
                 let item = self.model.finder.bounded[number as usize];
-                let blocks = self.blocks(item, query, &mut way, scratch);
+                let blocks = self.stops(item, query, &mut way, scratch);
                 if blocks {
                     scratch.blockers[light] = item.number;
                 }
@@ -104,6 +111,20 @@ impl World {
             },
         );
         if is_blocked { Way::Blocked } else { way }
+    }
+
+    /// As [`World::blocks`]; an item that lies there and is not opaque is gathered.
+    #[inline(always)]
+    fn stops(&self, item: Numbered, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+        let mut of_item = Way::Free;
+        if self.blocks(item, query, &mut of_item, scratch) {
+            return true;
+        }
+        if of_item == Way::Filtered {
+            *way = Way::Filtered;
+            scratch.among.push(item);
+        }
+        false
     }
 
     /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.

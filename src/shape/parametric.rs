@@ -24,6 +24,8 @@ const LEAST_WAY: f64 = 4.0;
 const LEAST_DEPTH: f64 = 1e-3;
 /// Halvings of a rectangle: more than `face` tells apart.
 const MOST_HALVINGS: u32 = 40;
+/// Pieces that one search looks at: with an accuracy or a gradient beyond all measure there is no end to them.
+const MOST_PIECES: u32 = 1 << 18;
 /// Hits of one ray.
 const MOST_ROOTS: usize = 100;
 /// Digits of each parameter in a face.
@@ -217,7 +219,12 @@ impl Surface {
             high: self.high,
             left: MOST_HALVINGS,
         });
+        let mut pieces = 0;
         while let Some(patch) = open.pop() {
+            pieces += 1;
+            if pieces > MOST_PIECES {
+                break;
+            }
             let Some(at) = self.span(ray, patch.low, patch.high, (least, end)) else {
                 continue;
             };

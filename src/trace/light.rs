@@ -242,8 +242,10 @@ impl Tracer<'_> {
         let known = lit.known.get(light as usize).and_then(|known| known.way);
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
-            Way::Free | Way::Filtered => self.world.gather(&query, scratch),
             Way::Blocked => return Rgb::BLACK,
+            // What was asked for many rays at once was not gathered.
+            Way::Free | Way::Filtered if known.is_some() => self.world.gather(&query, scratch),
+            Way::Free | Way::Filtered => {}
         }
         let mut inside = Inside::from_slice(&lit.path.inside);
         let mut left = distance;

@@ -304,10 +304,13 @@ pub(crate) fn add(all: &mut Vec<Case>) {
         } else {
             format!(", {kind},")
         };
-        all.push(case(
+        let asked = case(
             format!("{word}{kind} with odd numbers"),
             replaced(HEAD, template),
-        ));
+        );
+        // Some of its numbers ask for as many pieces as there may be.
+        let is_slow = word == "parametric";
+        all.push(if is_slow { asked.slow() } else { asked });
     }
     let huge = "isosurface { function { x*x + y*y - z } contained_by { sphere { 0, 1e30 } } evaluate 1, 1.2, 0.9 }";
     all.push(

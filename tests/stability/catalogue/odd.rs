@@ -200,7 +200,8 @@ fn views(all: &mut Vec<Case>) {
         (
             "no height",
             "location -4*z up 0 look_at 0",
-            "location -4*z right 1.33*x up 1e-12*y direction z",
+            // POV-Ray takes such a camera for one that is turned about.
+            "location -4*z right -1.33*x up 1e-12*y direction z",
         ),
     ] {
         all.push(Case::new(
