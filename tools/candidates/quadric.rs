@@ -4,7 +4,9 @@
 use crate::rays::quadrics::OnQuadric;
 use glam::DVec3;
 
-pub(crate) const ALL: &[(&str, fn(&OnQuadric, &mut Vec<f64>))] = &[
+type Solve = fn(&OnQuadric, &mut Vec<f64>);
+
+pub(crate) const ALL: &[(&str, Solve)] = &[
     ("textbook", |q, out| {
         let (a, b, c) = parts(q, q.ray.origin);
         let discriminant = b * b - a * c;
