@@ -317,6 +317,7 @@ fn plot<Q>(
                 .label_style((FONT, 12))
                 .axis_desc_style((FONT, 13))
                 .bold_line_style(BLACK.mix(0.12))
+                .x_label_formatter(&|v| label(*v))
                 .y_label_formatter(&|v| format!("{v:e}"))
                 .light_line_style(TRANSPARENT)
                 .draw()?;
@@ -337,7 +338,7 @@ fn plot<Q>(
             }
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperRight)
+                .position(SeriesLabelPosition::MiddleRight)
                 .background_style(WHITE.mix(0.85))
                 .border_style(BLACK.mix(0.3))
                 .label_font((FONT, 12))
@@ -347,4 +348,17 @@ fn plot<Q>(
         text += &part;
     }
     Ok(text)
+}
+
+/// A number of nanoseconds, if it begins with 1, 2 or 5; there is no room for all.
+fn label(v: f64) -> String {
+    let leading = v / 10f64.powf((v.log10() + 1e-9).floor());
+    let is_told = [1.0, 2.0, 5.0]
+        .iter()
+        .any(|told| (leading - told).abs() < 1e-6);
+    if is_told {
+        format!("{v:.0}")
+    } else {
+        String::new()
+    }
 }

@@ -287,10 +287,11 @@ fn march(q: &Question, out: &mut Vec<f64>) {
         let off = distance(t);
         if off.abs() <= least {
             out.push(t);
-            // On to beyond the surface.
-            t += 4.0 * least / speed;
+            // On to beyond the surface, in steps that move a place so far away.
+            let step = |t: f64| (4.0 * least / speed).max(4.0 * f64::EPSILON * t.abs());
+            t += step(t);
             while t < end && distance(t).abs() <= least {
-                t += 4.0 * least / speed;
+                t += step(t);
             }
         } else {
             t += off.abs() / speed;

@@ -126,7 +126,7 @@ impl Curve {
                 4,
                 OF_CERTAIN.stroke_width(1),
             ))?
-            .label("certain pixels, % of all")
+            .label("certain pixels")
             .legend(|(x, y)| PathElement::new([(x, y), (x + 16, y)], OF_CERTAIN));
         for (name, color, points) in [
             ("POV-Ray 3.7", OF_POV_RAY, series(&|point| point.pov_ray)),
@@ -147,7 +147,7 @@ impl Curve {
             .position(SeriesLabelPosition::MiddleMiddle)
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3))
-            .label_font((FONT, 13))
+            .label_font((FONT, 12))
             .draw()?;
         area.present()?;
         Ok(())

@@ -33,14 +33,9 @@ pub(crate) fn of(rows: &[(String, RgbImage)]) -> Result<RgbImage, Error> {
     );
     let panel = 48 * FACTOR + GAP;
     for column in 0..columns {
-        for (place, head) in [
-            "right",
-            "POV-Ray 3.7",
-            "povr",
-            "wrong pixels (red: POV-Ray)",
-        ]
-        .into_iter()
-        .enumerate()
+        for (place, head) in ["right", "POV-Ray 3.7", "povr", "wrong pixels"]
+            .into_iter()
+            .enumerate()
         {
             let left = column * step + MARGIN + u32::try_from(place).unwrap_or(0) * panel;
             let _ = write!(

@@ -8,10 +8,12 @@ use povr::math::Ray;
 use povr::shape::{Geometry, Quadric, Root};
 
 /// A ray and the ten numbers of the quadric it is asked about, in the order of the language.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct OnQuadric {
     pub(crate) ray: Ray,
     pub(crate) numbers: [f64; 10],
+    /// The same made ready.
+    quadric: Quadric,
 }
 
 /// The ten terms at a point, without their factors.
@@ -21,6 +23,20 @@ fn terms(p: DVec3) -> [f64; 10] {
 }
 
 impl OnQuadric {
+    fn new(ray: Ray, q: [f64; 10]) -> OnQuadric {
+        let quadric = Quadric::new(
+            DVec3::new(q[0], q[1], q[2]),
+            DVec3::new(q[3], q[4], q[5]),
+            DVec3::new(q[6], q[7], q[8]),
+            q[9],
+        );
+        OnQuadric {
+            ray,
+            numbers: q,
+            quadric,
+        }
+    }
+
     /// How much the value of the quadric may be off at a place, if every number that meets there is off by a rounding.
     fn rounding(&self, t: f64) -> f64 {
         let q = self.numbers.map(f64::abs);
@@ -92,14 +108,7 @@ impl Asked for OnQuadric {
 
 /// povr's roots on a quadric.
 pub(crate) fn quadric_of_povr(question: &OnQuadric, roots: &mut Vec<Root>) {
-    let q = question.numbers;
-    let quadric = Quadric::new(
-        DVec3::new(q[0], q[1], q[2]),
-        DVec3::new(q[3], q[4], q[5]),
-        DVec3::new(q[6], q[7], q[8]),
-        q[9],
-    );
-    quadric.roots(&question.ray, roots);
+    question.quadric.roots(&question.ray, roots);
 }
 
 /// The factors of the squares, and a constant.
@@ -111,7 +120,7 @@ fn squares(x: f64, y: f64, z: f64, constant: f64) -> [f64; 10] {
 fn past(n: &mut Numbers, numbers: [f64; 10], distance: f64) -> OnQuadric {
     let aim = n.within(1.2);
     let ray = through(n, aim, distance);
-    OnQuadric { ray, numbers }
+    OnQuadric::new(ray, numbers)
 }
 
 /// The same quadric moved by its coefficients.
@@ -147,13 +156,15 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
     Family {
         name: "flat 1e-6",
         make: |n| {
-            let OnQuadric { mut ray, numbers } = past(n, squares(1.0, 1e12, 1.0, -1.0), 4.0);
+            let OnQuadric {
+                mut ray, numbers, ..
+            } = past(n, squares(1.0, 1e12, 1.0, -1.0), 4.0);
             // Half of them from the side.
             if n.share() < 0.5 {
                 ray.origin.y *= 1e-6;
                 ray.dir.y *= 1e-6;
             }
-            OnQuadric { ray, numbers }
+            OnQuadric::new(ray, numbers)
         },
     },
     Family {
@@ -161,21 +172,15 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
         make: |n| {
             let aim = n.within(1.2) * DVec3::new(1e-6, 1.0, 1e-6);
             let ray = through(n, aim, 4.0);
-            OnQuadric {
-                ray,
-                numbers: squares(1e12, 1.0, 1e12, -1.0),
-            }
+            OnQuadric::new(ray, squares(1e12, 1.0, 1e12, -1.0))
         },
     },
     Family {
         name: "ball moved by 1e3",
         make: |n| {
             let by = n.within(1e3);
-            let OnQuadric { ray, numbers } = past(n, BALL, 4.0);
-            OnQuadric {
-                ray: Ray::new(ray.origin + by, ray.dir),
-                numbers: moved(numbers, by),
-            }
+            let OnQuadric { ray, .. } = past(n, BALL, 4.0);
+            OnQuadric::new(Ray::new(ray.origin + by, ray.dir), moved(BALL, by))
         },
     },
     Family {
@@ -184,18 +189,15 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
             let normal = n.direction();
             let tangent = normal.cross(n.direction()).normalize();
             let depth = n.power_of_ten(-15.0, -3.0);
-            OnQuadric {
-                ray: Ray::new(normal * (1.0 - depth) - tangent * 4.0, tangent),
-                numbers: BALL,
-            }
+            OnQuadric::new(
+                Ray::new(normal * (1.0 - depth) - tangent * 4.0, tangent),
+                BALL,
+            )
         },
     },
     Family {
         name: "from the surface",
-        make: |n| OnQuadric {
-            ray: Ray::new(n.direction(), n.direction()),
-            numbers: BALL,
-        },
+        make: |n| OnQuadric::new(Ray::new(n.direction(), n.direction()), BALL),
     },
     Family {
         name: "from the surface, grazing",
@@ -203,10 +205,7 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
             let normal = n.direction();
             let lift = n.power_of_ten(-8.0, -2.0);
             let dir = normal.cross(n.direction()).normalize() + lift * normal;
-            OnQuadric {
-                ray: Ray::new(normal, dir.normalize()),
-                numbers: BALL,
-            }
+            OnQuadric::new(Ray::new(normal, dir.normalize()), BALL)
         },
     },
     Family {
@@ -222,10 +221,10 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
         make: |n| {
             let lean = n.power_of_ten(-6.0, -1.0);
             let dir = (DVec3::Y + lean * n.direction()).normalize();
-            OnQuadric {
-                ray: Ray::new(n.within(0.9) - 4.0 * dir, dir),
-                numbers: squares(1.0, 0.0, 1.0, -1.0),
-            }
+            OnQuadric::new(
+                Ray::new(n.within(0.9) - 4.0 * dir, dir),
+                squares(1.0, 0.0, 1.0, -1.0),
+            )
         },
     },
     Family {
@@ -237,10 +236,7 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
         make: |n| {
             let aim = n.within(1e-6);
             let ray = through(n, aim, 4.0);
-            OnQuadric {
-                ray,
-                numbers: squares(1.0, -1.0, 1.0, 0.0),
-            }
+            OnQuadric::new(ray, squares(1.0, -1.0, 1.0, 0.0))
         },
     },
     Family {
@@ -268,10 +264,7 @@ pub(crate) const QUADRICS: &[Family<OnQuadric>] = &[
         make: |n| {
             let mut numbers = squares(1.0, 0.0, 1.0, -0.5);
             numbers[7] = -1.0;
-            OnQuadric {
-                ray: Ray::new(n.within(1.0) - 4.0 * DVec3::Y, DVec3::Y),
-                numbers,
-            }
+            OnQuadric::new(Ray::new(n.within(1.0) - 4.0 * DVec3::Y, DVec3::Y), numbers)
         },
     },
     Family {
