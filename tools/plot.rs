@@ -131,7 +131,8 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
 /// A number as people write it.
 fn short(value: f64) -> String {
     if (0.001..10_000.0).contains(&value) {
-        format!("{value}")
+        // Ticks are made by multiplication and carry its rounding.
+        format!("{}", (value * 1e6).round() / 1e6)
     } else {
         format!("{value:e}")
     }
