@@ -21,6 +21,9 @@ use smallvec::SmallVec;
 /// An ellipsoid that is longer than wide by more than this has no bounds: they would have no digits left.
 const LONGEST: f64 = 1e5;
 
+/// Roots are close to each other if the discriminant is less than this share of the square it comes from.
+const CLOSE: f64 = 1.0 / 1024.0;
+
 /// A surface of second order. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
@@ -87,8 +90,15 @@ impl Quadric {
             (0.0, ray.origin)
         };
         let a = dir.dot(*self.matrix * dir);
-        let b = self.half_gradient(near).dot(dir);
-        let c = self.value(near);
+        let along = |near: DVec3| (self.half_gradient(near).dot(dir), self.value(near));
+        let (mut ahead, (mut b, mut c)) = (ahead, along(near));
+        let turn = ahead - b / a;
+        let is_close = difference_of_products(b, b, a, c).abs() < CLOSE * b * b;
+        if is_close && turn.is_finite() {
+            // Whether there are roots at all is seen best between them.
+            ahead = turn;
+            (b, c) = along(ray.origin + ahead * dir);
+        }
         let (start, mut places) = sign_changes(a, b, c);
         let line = Ray::new(ray.origin, dir);
         places.iter_mut().for_each(|t| *t += ahead);
