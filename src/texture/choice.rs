@@ -29,9 +29,9 @@ pub(super) enum Choice {
     /// All of them, by weight.
     Average(PreparedChain, Map<PreparedTexture>),
     /// Two in turn, as a checkerboard.
-    Tiles(PreparedChain, [PreparedTexture; 2]),
+    Tiles(PreparedChain, Box<[PreparedTexture; 2]>),
     /// By the pixels of a picture.
-    Material(PreparedChain, bitmap::Source, Vec<PreparedTexture>),
+    Material(PreparedChain, Box<bitmap::Source>, Vec<PreparedTexture>),
 }
 
 impl Choice {
@@ -50,11 +50,15 @@ impl Choice {
             PatternedKind::Average(Some(map)) => Some(Choice::Average(chain(), map.map(entry))),
             PatternedKind::Tiles(two) => {
                 let [first, second] = &**two;
-                Some(Choice::Tiles(chain(), [entry(first), entry(second)]))
+                Some(Choice::Tiles(
+                    chain(),
+                    Box::new([entry(first), entry(second)]),
+                ))
             }
             PatternedKind::Material(source, textures) => {
                 let textures = textures.iter().map(entry).collect();
-                Some(Choice::Material(chain(), source.clone(), textures))
+                let source = Box::new(source.clone());
+                Some(Choice::Material(chain(), source, textures))
             }
         }
     }
