@@ -1,7 +1,7 @@
 //! `normal`: bumps on a surface, as a scene describes them.
 
 use super::read_pattern;
-use crate::args::{Args, Parse, Word, declared};
+use crate::args::{Args, Parse, Word, declared, default_of};
 use crate::bitmap;
 use crate::math::Step;
 use crate::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
@@ -100,7 +100,8 @@ impl Normal {
 
     fn read_entry(args: &mut dyn Args) -> Parse<Arc<Normal>> {
         let at = args.span();
-        let mut normal = Normal::begin(args, at, None)?;
+        let base: Option<Arc<Normal>> = default_of(args);
+        let mut normal = Normal::begin(args, at, base.as_deref())?;
         while normal.read_item(args)? {}
         normal.checked(args)
     }
@@ -253,12 +254,13 @@ impl NormalKind {
 /// The normals that a pattern with a list chooses from: all of them must be there.
 fn normal_list(stops: &[Stop], args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
     let count = stops.len();
+    let base: Option<Arc<Normal>> = default_of(args);
     let mut entries = Vec::new();
     for (at, _) in stops {
         if !args.accept(Word::Normal)? {
             return Err(args.expected(&format!("`normal`: this pattern chooses from {count}")));
         }
-        entries.push((*at, Normal::read(args, None)?));
+        entries.push((*at, Normal::read(args, base.as_ref())?));
         args.comma()?;
     }
     Map::new(entries).ok_or_else(|| args.expected("`normal`"))

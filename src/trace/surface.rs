@@ -157,10 +157,7 @@ impl Tracer<'_> {
         let mut top = None;
         for layer in texture.layers() {
             let color = self.color(layer, look.point, &spot);
-            lit.at.normal = match &layer.normal {
-                Some(normal) if self.quality.has_normals => normal.tilted(look.point, flat, &spot),
-                _ => flat,
-            };
+            lit.at.normal = self.normal(layer, look.point, &spot);
             top.get_or_insert(lit.at.normal);
             view.rgb += self.layer(&lit, layer, color, scratch) * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
@@ -289,8 +286,8 @@ impl Tracer<'_> {
                 if caustics == 0.0 {
                     return light * through;
                 }
-                let cosine = hit.shading_normal.dot(ray.dir).abs();
-                light * through * (1.0 + cosine.powf(caustics))
+                let normal = self.normal(layer, look.point, &spot);
+                light * through * (1.0 + normal.dot(ray.dir).abs().powf(caustics))
             });
             sum + light * f64::from(look.weight)
         })
@@ -302,6 +299,15 @@ impl Tracer<'_> {
         match layer.quick_color {
             Some(quick) if !self.quality.has_transparency => quick,
             _ => layer.pigment.patterned(point, spot),
+        }
+    }
+
+    /// The normal of a layer on the side that is seen, tilted by its bumps.
+    #[inline]
+    fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
+        match &layer.normal {
+            Some(bumps) if self.quality.has_normals => bumps.tilted(point, spot.normal, spot),
+            _ => spot.normal,
         }
     }
 
@@ -352,7 +358,7 @@ pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
 
 /// The mirror image of a direction in a surface tilted by bumps. Where that goes into the flat surface it is mirrored
 /// there as well, or there alone if it goes into the tilted one too (facts 4.5).
-fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
+pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
     let image = mirrored(dir, tilted);
     if tilted == flat || image.dot(flat) >= 0.0 {
         image
