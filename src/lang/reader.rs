@@ -89,6 +89,8 @@ pub(super) struct Reader<'a> {
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
+    /// Where the scene asks for photons.
+    pub(super) photons_at: Option<Span>,
     /// What drawing cannot do yet.
     pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
@@ -195,6 +197,7 @@ impl<'a> Reader<'a> {
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
+            photons_at: None,
             undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,
@@ -274,6 +277,12 @@ impl<'a> Reader<'a> {
     pub(super) fn record(&mut self, finding: Diagnostic) {
         if finding.severity == Severity::Error {
             self.errors += 1;
+        }
+        if finding.message.is_empty()
+            && let Some((last, ..)) = self.without_semicolon.take()
+        {
+            // What was asked for would be there if the declaration had ended.
+            self.miss_semicolon(last);
         }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
             self.keep(finding);
