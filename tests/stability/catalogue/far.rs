@@ -44,6 +44,7 @@ fn ball(radius: f64) -> Model {
 pub(crate) fn add(all: &mut Vec<Case>) {
     floors(all);
     scales(all);
+    written_far_away(all);
     for radius in [1e-4, 1.2e-5, 1e-6, 1e-7, 1e-9] {
         all.push(Case::model(
             11,
@@ -219,6 +220,18 @@ fn scales(all: &mut Vec<Case>) {
         } else {
             case.slow()
         });
+    }
+}
+
+/// The same room far away in its own numbers, which are multiples of an eighth.
+fn written_far_away(all: &mut Vec<Case>) {
+    for power in [9, 12, 15] {
+        let by = 10f64.powi(power);
+        all.push(Case::model(
+            14,
+            format!("the room written at 1e{power}"),
+            room().moved_in_numbers([by, 0.5 * by, -by]),
+        ));
     }
 }
 

@@ -3,6 +3,7 @@
 mod csg;
 mod extreme;
 pub(crate) mod far;
+mod found;
 mod odd;
 mod plates;
 mod shapes;
@@ -21,6 +22,7 @@ pub(crate) fn all() -> Vec<Case> {
     odd::add(&mut all);
     shapes::add(&mut all);
     extreme::add(&mut all);
+    found::add(&mut all);
     for (item, name, family) in [
         (
             5,
