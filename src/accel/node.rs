@@ -362,9 +362,8 @@ impl Kernel for RayAndNode<'_> {
         let (ray, planes) = (self.ray, &self.node.planes);
         let mut enter = E::all(self.from);
         let mut leave = E::all(self.to);
-        for axis in 0..3 {
+        for (axis, [low, high]) in planes.iter().enumerate() {
             let inverse = E::all(ray.inverse[axis]);
-            let [low, high] = &planes[axis];
             let to_low = E::load(low).minus(E::all(ray.high[axis])).times(inverse);
             let to_high = E::load(high).minus(E::all(ray.low[axis])).times(inverse);
             // Zero times infinity is none: it comes of a plane along the ray and beside it, so that the box is missed.
