@@ -2,7 +2,6 @@
 
 use super::reader::Reader;
 use crate::args::Word;
-use crate::interior::Interior;
 use crate::scene::{Kind, Object};
 use crate::source::{Diagnostic, Span};
 use crate::texture::{NormalKind, Patterned, Texture};
@@ -13,12 +12,6 @@ impl Reader<'_> {
     /// Tells what the objects and the air of the whole scene ask for and do not get. Each thing is told once.
     pub(super) fn note_missing(&mut self) {
         let mut found = Vec::new();
-        found.extend(
-            self.atmosphere
-                .media
-                .iter()
-                .map(|media| (media.at, Word::Media)),
-        );
         let has_subsurface = self.globals.subsurface.is_some();
         let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
@@ -30,9 +23,6 @@ impl Reader<'_> {
             let is_shared = Arc::strong_count(object) > 1;
             if is_shared && !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
                 continue;
-            }
-            if let Some(interior) = &object.interior {
-                found.extend(media_of(interior, is_hollow));
             }
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
@@ -88,12 +78,6 @@ fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())
     let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
     let normals = normals.filter(|normal| matches!(normal.kind, NormalKind::None));
     normals.map(|normal| (normal.at, ()))
-}
-
-/// The media of an interior, which are seen in hollow objects alone.
-fn media_of(interior: &Interior, is_hollow: bool) -> impl Iterator<Item = (Span, Word)> {
-    let media = interior.media.iter().filter(move |_| is_hollow);
-    media.map(|media| (media.at, Word::Media))
 }
 
 fn subsurface_of(texture: &Texture) -> Option<(Span, Word)> {
