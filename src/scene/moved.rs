@@ -25,10 +25,13 @@ fn two_sum(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
 }
 
 impl Scene {
-    /// The scene around its camera if it is far from the origin; as it is where it is not. Fog knows places of the world.
+    /// The scene around its camera if it is far from the origin; as it is where it is not. Fogs and media
+    /// of the whole scene know places of the world.
     #[must_use]
     pub(crate) fn near_the_origin(mut self) -> Scene {
-        if !self.atmosphere.fogs.is_empty() || !self.is_far() {
+        let air = &self.atmosphere;
+        let knows_places = !air.fogs.is_empty() || !air.media.is_empty();
+        if knows_places || !self.is_far() {
             return self;
         }
         let by = -self.camera.location();
