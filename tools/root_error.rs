@@ -41,7 +41,9 @@ type Way<Q> = (&'static str, Solve<Q>);
 
 /// Rays of each family.
 const RAYS: usize = 10_000;
-/// Timings of each family, of which the least counts.
+/// Rays that are timed together: few, so that most runs are not interrupted by other work.
+const TIMED: usize = 100;
+/// Timings of each of these, of which the least counts.
 const TIMINGS: usize = 5;
 /// Families of the report on numerics; the others are povr's own.
 const OF_REPORT: usize = 31;
@@ -259,17 +261,21 @@ fn table<Q>(
 
 fn score<Q: Asked + Sync>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
     let mut roots = Vec::with_capacity(8);
-    let mut nanoseconds = f64::INFINITY;
-    for _ in 0..TIMINGS {
-        let start = Instant::now();
-        for question in questions {
-            roots.clear();
-            solve(black_box(question), &mut roots);
-            black_box(&roots);
+    let mut seconds = 0.0;
+    for some in questions.chunks(TIMED) {
+        let mut least = f64::INFINITY;
+        for _ in 0..TIMINGS {
+            let start = Instant::now();
+            for question in some {
+                roots.clear();
+                solve(black_box(question), &mut roots);
+                black_box(&roots);
+            }
+            least = least.min(start.elapsed().as_secs_f64());
         }
-        let each = start.elapsed().as_secs_f64() * 1e9 / count(questions.len());
-        nanoseconds = nanoseconds.min(each);
+        seconds += least;
     }
+    let nanoseconds = seconds * 1e9 / count(questions.len());
     let verdicts = on_all_processors(questions, |number, question| {
         let mut roots = Vec::with_capacity(8);
         solve(question, &mut roots);
