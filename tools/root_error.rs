@@ -8,6 +8,8 @@
 )]
 #![allow(dead_code, reason = "the suite's other parts are for other programs")]
 
+#[path = "../tests/stability/certain.rs"]
+mod certain;
 #[path = "../tests/stability/rays/mod.rs"]
 mod rays;
 #[path = "../tests/stability/wide.rs"]
@@ -23,9 +25,9 @@ mod candidates {
 use plotters::coord::combinators::IntoLogRange;
 use plotters::prelude::*;
 use povr::shape::Root;
-use rays::Asked;
 use rays::families::{Family, Question, SPHERES, TORI};
 use rays::quadrics::{OnQuadric, QUADRICS};
+use rays::{Asked, Digits};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -39,7 +41,9 @@ type Way<Q> = (&'static str, Solve<Q>);
 
 /// Rays of each family.
 const RAYS: usize = 10_000;
-/// Timings of each family, of which the least counts.
+/// Rays that are timed together: few, so that most runs are not interrupted by other work.
+const TIMED: usize = 100;
+/// Timings of each of these, of which the least counts.
 const TIMINGS: usize = 5;
 /// Families of the report on numerics; the others are povr's own.
 const OF_REPORT: usize = 31;
@@ -47,14 +51,19 @@ const SIZE: (u32, u32) = (640, 460);
 const FONT: &str = "DejaVu Sans, Liberation Sans, Arial, sans-serif";
 
 /// How one way does on one family.
-#[derive(Clone, Copy, Default)]
 struct Score {
     bad: usize,
-    /// The largest backward error of the rays that are not bad, in roundings.
+    /// The backward error of each ray's worst root, in roundings, in rising order; rays without roots have none.
+    errors: Vec<f64>,
+    /// The largest of the rays that are not bad.
     worst: f64,
-    /// The largest of all.
-    worst_of_all: f64,
     nanoseconds: f64,
+}
+
+impl Score {
+    fn worst_of_all(&self) -> f64 {
+        self.errors.last().copied().unwrap_or(0.0)
+    }
 }
 
 fn main() -> ExitCode {
@@ -101,7 +110,7 @@ fn roots_of<Q>(question: &Q, out: &mut Vec<f64>, ask: fn(&Q, &mut Vec<Root>)) {
 fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     let mut page = String::new();
-    fn all<Q>(own: Solve<Q>, others: &[Way<Q>]) -> Vec<Way<Q>> {
+    fn all<Q: Asked>(own: Solve<Q>, others: &[Way<Q>]) -> Vec<Way<Q>> {
         let others = others.iter().copied();
         [("povr", own)].into_iter().chain(others).collect()
     }
@@ -114,7 +123,7 @@ fn run(folder: &Path, rays: usize) -> std::io::Result<()> {
     std::fs::write(folder.join("root_error.html"), page)
 }
 
-fn section<Q: Asked>(
+fn section<Q: Asked + Sync>(
     page: &mut String,
     shape: &str,
     families: &[Family<Q>],
@@ -125,7 +134,7 @@ fn section<Q: Asked>(
         .iter()
         .map(|family| {
             let questions = family.rays(rays);
-            let exact: Vec<usize> = questions.iter().map(Asked::roots).collect();
+            let exact = on_all_processors(&questions, |_, question| question.roots(Digits::Enough));
             let scores: Vec<Score> = ways
                 .iter()
                 .map(|way| score(&questions, &exact, way.1))
@@ -140,9 +149,9 @@ fn section<Q: Asked>(
         .collect();
     let _ = writeln!(
         page,
-        "<h2>Roots of the {shape}: error against run time</h2>\n<p>{} families of {rays} rays. A ray is bad if a root lies more \
-         than 64 roundings of the problem's size off the surface, or if a root is missing or too many that no shift of the \
-         surface by so little explains. Times are the least of {TIMINGS}, on a machine with other work.</p>",
+        "<h2>Roots of the {shape}: error against run time</h2>\n<p>{} families of {rays} rays. The backward error of a ray is \
+         how far its worst root lies off the surface, in roundings of the problem's size. A ray is bad if that is more \
+         than 64, or if a root is missing or too many that no shift of the surface by so little explains. Times are the least of {TIMINGS}, on a machine with other work.</p>",
         families.len()
     );
     overview(page, ways, &scores, rays);
@@ -186,30 +195,46 @@ fn section<Q: Asked>(
 
 /// A line for each way: all families together.
 fn overview<Q>(page: &mut String, ways: &[Way<Q>], scores: &[Vec<Score>], rays: usize) {
-    *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\">way</th><th>bad rays</th><th>families with bad rays</th>\
-        <th>largest backward error, roundings</th><th>nanoseconds a ray, median family</th></tr></thead><tbody>\n";
+    *page += "<div class=\"wide\"><table><thead><tr><th class=\"text\" rowspan=\"2\">way</th>\
+        <th colspan=\"3\">backward error, roundings</th><th rowspan=\"2\">bad rays</th>\
+        <th rowspan=\"2\">families with bad rays</th><th rowspan=\"2\">ns a ray, median family</th></tr>\
+        <tr><th>median</th><th>99.9 %</th><th>largest</th></tr></thead><tbody>\n";
     for (number, (name, _)) in ways.iter().enumerate() {
-        let own = || scores.iter().map(|scores| scores[number]);
+        let own = || scores.iter().map(|scores| &scores[number]);
         let bad: usize = own().map(|score| score.bad).sum();
         let touched = own().filter(|score| score.bad > 0).count();
-        let worst = own().fold(0.0, |worst: f64, score| worst.max(score.worst_of_all));
+        let mut errors: Vec<f64> = own().flat_map(|score| &score.errors).copied().collect();
+        errors.sort_by(f64::total_cmp);
+        let at = |part: usize, of: usize| {
+            let error = errors.get((errors.len() * part / of).min(errors.len().max(1) - 1));
+            told(error.copied().unwrap_or(0.0))
+        };
         let mut times: Vec<f64> = own().map(|score| score.nanoseconds).collect();
         times.sort_by(f64::total_cmp);
-        let error = if worst < 1e4 {
-            format!("{worst:.2}")
-        } else {
-            format!("{worst:.0e}")
-        };
         let class = if bad > 0 { " class=\"bad\"" } else { "" };
+        let (median, most, largest) = (at(1, 2), at(999, 1000), at(1, 1));
+        let time = times[times.len() / 2];
         let _ = writeln!(
             page,
-            "<tr><td class=\"text\">{name}</td><td{class}>{bad} of {}</td><td>{touched} of {}</td><td>{error}</td><td>{:.0}</td></tr>",
+            "<tr><td class=\"text\">{name}</td><td>{median}</td><td>{most}</td><td>{largest}</td>\
+             <td{class}>{bad} of {}</td><td>{touched} of {}</td><td>{time:.0}</td></tr>",
             scores.len() * rays,
             scores.len(),
-            times[times.len() / 2]
         );
+        println!("  {name}: {median} {most} {largest} roundings, {bad} bad, {time:.0} ns");
     }
     *page += "</tbody></table></div>\n";
+}
+
+/// An error in few letters.
+fn told(error: f64) -> String {
+    if error.is_infinite() {
+        "∞".to_owned()
+    } else if error < 1e4 {
+        format!("{error:.2}")
+    } else {
+        format!("{error:.0e}")
+    }
 }
 
 fn table<Q>(
@@ -234,34 +259,68 @@ fn table<Q>(
     *page += "</tbody></table></div>\n";
 }
 
-fn score<Q: Asked>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
+fn score<Q: Asked + Sync>(questions: &[Q], exact: &[usize], solve: Solve<Q>) -> Score {
     let mut roots = Vec::with_capacity(8);
-    let mut score = Score {
-        nanoseconds: f64::INFINITY,
-        ..Score::default()
-    };
-    for _ in 0..TIMINGS {
-        let start = Instant::now();
-        for question in questions {
-            roots.clear();
-            solve(black_box(question), &mut roots);
-            black_box(&roots);
+    let mut seconds = 0.0;
+    for some in questions.chunks(TIMED) {
+        let mut least = f64::INFINITY;
+        for _ in 0..TIMINGS {
+            let start = Instant::now();
+            for question in some {
+                roots.clear();
+                solve(black_box(question), &mut roots);
+                black_box(&roots);
+            }
+            least = least.min(start.elapsed().as_secs_f64());
         }
-        let each = start.elapsed().as_secs_f64() * 1e9 / count(questions.len());
-        score.nanoseconds = score.nanoseconds.min(each);
+        seconds += least;
     }
-    for (question, exact) in questions.iter().zip(exact) {
-        roots.clear();
+    let nanoseconds = seconds * 1e9 / count(questions.len());
+    let verdicts = on_all_processors(questions, |number, question| {
+        let mut roots = Vec::with_capacity(8);
         solve(question, &mut roots);
-        let verdict = question.verdict(&roots, *exact);
-        score.worst_of_all = score.worst_of_all.max(verdict.worst);
-        if verdict.is_bad {
-            score.bad += 1;
-        } else {
-            score.worst = score.worst.max(verdict.worst);
-        }
+        let verdict = question.verdict(&roots, exact[number], Digits::Enough);
+        (verdict, !roots.is_empty())
+    });
+    let good = verdicts.iter().filter(|(verdict, _)| !verdict.is_bad);
+    let worst = good.fold(0.0, |worst: f64, (verdict, _)| worst.max(verdict.worst));
+    let with_roots = verdicts.iter().filter(|(_, has_roots)| *has_roots);
+    let mut errors: Vec<f64> = with_roots.map(|(verdict, _)| verdict.worst).collect();
+    errors.sort_by(f64::total_cmp);
+    Score {
+        bad: verdicts
+            .iter()
+            .filter(|(verdict, _)| verdict.is_bad)
+            .count(),
+        errors,
+        worst,
+        nanoseconds,
     }
-    score
+}
+
+/// Something of each of these, in their order.
+fn on_all_processors<T: Sync, R: Send>(all: &[T], work: impl Fn(usize, &T) -> R + Sync) -> Vec<R> {
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = all.len().div_ceil(workers).max(1);
+    let work = &work;
+    std::thread::scope(|scope| {
+        let parts: Vec<_> = all
+            .chunks(share)
+            .enumerate()
+            .map(|(part, some)| {
+                scope.spawn(move || {
+                    let numbered = some.iter().enumerate();
+                    numbered
+                        .map(|(at, one)| work(part * share + at, one))
+                        .collect::<Vec<R>>()
+                })
+            })
+            .collect();
+        parts
+            .into_iter()
+            .flat_map(|part| part.join().unwrap_or_default())
+            .collect()
+    })
 }
 
 fn count(n: usize) -> f64 {
@@ -280,21 +339,23 @@ fn plot<Q>(
     let slowest = all().fold(1.0, |most: f64, score| most.max(score.nanoseconds));
     let fastest = all().fold(slowest, |least: f64, score| least.min(score.nanoseconds));
     let most_error = all()
-        .filter(|score| score.worst_of_all.is_finite())
-        .fold(10.0, |most: f64, score| most.max(score.worst_of_all));
-    for (title, up, value, range) in [
+        .filter(|score| score.worst_of_all().is_finite())
+        .fold(10.0, |most: f64, score| most.max(score.worst_of_all()));
+    for (title, up, value, range, up_label) in [
         (
             format!("{shape}: bad rays, a dot for each family"),
-            "bad rays, % (none: 0.003)",
+            "bad rays (none: 0.003 %)",
             (|score: &Score, rays| (100.0 * count(score.bad) / rays).max(0.003))
                 as fn(&Score, f64) -> f64,
             0.002..150.0,
+            (|v: &f64| format!("{v} %")) as fn(&f64) -> String,
         ),
         (
             format!("{shape}: largest error, a dot for each family"),
             "largest backward error, roundings",
-            |score: &Score, _| score.worst_of_all.clamp(0.1, 1e16),
+            |score: &Score, _| score.worst_of_all().clamp(0.1, 1e16),
             0.1..most_error.min(1e16) * 2.0,
+            |v| format!("{v:e}"),
         ),
     ] {
         let mut part = String::new();
@@ -318,24 +379,29 @@ fn plot<Q>(
                 .axis_desc_style((FONT, 13))
                 .bold_line_style(BLACK.mix(0.12))
                 .x_label_formatter(&|v| label(*v))
-                .y_label_formatter(&|v| format!("{v:e}"))
+                .y_label_formatter(&up_label)
                 .light_line_style(TRANSPARENT)
                 .draw()?;
-            for (number, (name, _)) in ways.iter().enumerate() {
+            let dots = |number: usize| {
                 let color = Palette99::pick(number).to_rgba();
-                let dots = scores.iter().map(|scores| {
+                scores.iter().map(move |scores| {
                     let score = &scores[number];
                     Circle::new(
                         (score.nanoseconds, value(score, count(rays))),
                         4,
                         color.filled(),
                     )
-                });
+                })
+            };
+            for (number, (name, _)) in ways.iter().enumerate() {
+                let color = Palette99::pick(number).to_rgba();
                 chart
-                    .draw_series(dots)?
+                    .draw_series(dots(number))?
                     .label(*name)
                     .legend(move |(x, y)| Circle::new((x + 8, y), 4, color.filled()));
             }
+            // povr's once more, above the others.
+            chart.draw_series(dots(0))?;
             chart
                 .configure_series_labels()
                 .position(SeriesLabelPosition::MiddleRight)

@@ -12,6 +12,8 @@
 mod case;
 #[path = "../tests/stability/catalogue/mod.rs"]
 mod catalogue;
+#[path = "../tests/stability/certain.rs"]
+mod certain;
 #[path = "../tests/stability/draw.rs"]
 mod draw;
 #[path = "../tests/stability/model.rs"]

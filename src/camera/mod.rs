@@ -210,6 +210,14 @@ impl Camera {
         self.blur.scale(factor);
         self
     }
+
+    /// The same in another place.
+    #[must_use]
+    pub(crate) fn moved(mut self, by: DVec3) -> Camera {
+        self.frame.location += by;
+        self.look_at += by;
+        self
+    }
 }
 
 impl Frame {

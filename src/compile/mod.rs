@@ -46,7 +46,7 @@ use flatten::Flat;
 /// combinations, and builds the tree.
 #[must_use]
 pub fn compile(scene: Scene, options: &RenderOptions) -> World {
-    let mut scene = scene.in_comfort();
+    let mut scene = scene.near_the_origin().in_comfort();
     let mut flat = Flat::new(Settings {
         solid_of: Some(probe::solid_of),
         ..scene.pattern_settings()

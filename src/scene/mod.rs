@@ -3,6 +3,7 @@
 
 mod extent;
 mod globals;
+mod moved;
 mod object;
 mod scaled;
 

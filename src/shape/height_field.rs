@@ -3,7 +3,8 @@
 //!
 //! A ray is followed through squares of cells and then cell by cell (Musgrave 1988, "Grid tracing"). Each cell is two
 //! triangles, on which the height above the ground changes evenly along the ray, so a change of its sign is a hit. Error
-//! bound: neighbours share the sign at the line between them, so no ray slips through (`tests/stability`, item 52).
+//! bound: roots lie within 2 roundings of the problem's size from the surface (`tests/stability`, item 51); neighbours share
+//! the sign at the line between them, so no ray slips through (item 52).
 //!
 //! In CSG it is the column below the surface, without end: POV-Ray counts all that lies lower as inside, and so too
 //! all below the water level. Of that only the surface above the water can be seen.

@@ -7,7 +7,7 @@
 //! `accuracy` beyond the surface: a finer one would show another picture, and so would one that found what a wrong
 //! `max_gradient` loses.
 //!
-//! Error bound: `accuracy`, as POV-Ray's, and that alone.
+//! Error bound: `accuracy` along the ray, as POV-Ray's (`tests/stability`, item 51), and that alone.
 //!
 //! `evaluate` raises the gradient along each ray anew; in POV-Ray it stays raised for the rays that come later, so that
 //! the picture depends on their order. `max_trace` says how many roots POV-Ray looks for; here all are found that are

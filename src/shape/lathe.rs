@@ -6,7 +6,8 @@
 //! joins them has double roots for level rays, and so loses what this keeps. The curve is cut into arcs on which
 //! `r`, `y` and their slopes are monotone; there values and slopes of `F` are bounded by those at the ends.
 //!
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface where the curve is of lines
+//! (`shape/roundings.rs`), and within 4 on other curves (`tests/stability`, item 51).
 //!
 //! Inside is what POV-Ray takes for it: where a way outward crosses the curve an odd number of times, but not nearer
 //! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which
@@ -72,7 +73,7 @@ impl Lathe {
     /// Reads the kind of spline and the points.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters, too few points, a point of the curve beyond the axis.
+    /// Malformed or non-finite parameters, too few points, a point beyond the axis other than the first and the last, as in POV-Ray.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let mut kind = Kind::Linear;
         while let Some(named) = Kind::accept(args)? {
@@ -87,15 +88,11 @@ impl Lathe {
             Kind::Quadratic => 3,
             Kind::Cubic | Kind::Bezier => 4,
         };
-        let (before, after) = kind.extra();
         let message = if kind == Kind::Bezier && !points.len().is_multiple_of(4) {
             "lathe with bezier splines must have four points for each segment".to_owned()
         } else if points.len() < least {
             format!("lathe with {name} splines must have at least {least} points")
-        } else if let Some(point) = points[before..points.len() - after]
-            .iter()
-            .find(|point| point.x < 0.0)
-        {
+        } else if let Some(point) = points[1..points.len() - 1].iter().find(|p| p.x < 0.0) {
             format!(
                 "a point of the lathe lies beyond its axis: <{}, {}>",
                 point.x, point.y

@@ -3,7 +3,9 @@
 //!
 //! The egg is convex, and outside of it the distance from it is a convex function of the way along a ray: Newton's
 //! iteration from where the ray enters a ball around the egg finds the near root or turns away, and the far one from
-//! the other end; roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`). Which of the three pieces is nearest is told by the directions from the middle of the arc.
+//! the other end. Which of the three pieces is nearest is told by the directions from the middle of the arc.
+//!
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 
 use super::{Geometry, Root, Start, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};

@@ -1,5 +1,5 @@
 //! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle shaded as if it
-//! were round.
+//! were round. It is met where the flat one is, with the error bound of that.
 //!
 //! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` leaves
 //! unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them, and so change

@@ -3,6 +3,9 @@
 //! The quadratic is solved about the point of closest approach ([`ball_chord`]): a sphere of radius 1 keeps its outline
 //! from 10⁸ away, and a floor of radius 10¹² is as flat as its numbers allow. A negative radius works like its absolute
 //! value, as in POV-Ray.
+//!
+//! Error bound: roots lie within a rounding of the problem's size (`|O| + |t·D|`, by coordinates, and the radius) from the
+//! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
 use super::four::{
     FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,

@@ -6,7 +6,8 @@
 //! in the sweep from the least `s₋` to the largest `s₊`, so enter and leave alternate by construction. The extremes lie
 //! at the ends of the curve or where `d'² = 4·b'²·d`, of degree ten. POV-Ray solves the same equation.
 //!
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`, and `tests/stability`,
+//! item 51, for cubic curves).
 //!
 //! In a difference POV-Ray 3.7 shows walls inside the sweep where two pieces of a curve meet; here there are none.
 //!

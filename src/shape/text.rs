@@ -2,6 +2,7 @@
 //!
 //! The letters stand on y = 0, from z = 0 to the thickness, one em high. Their sides are the quadratic curves of the
 //! font. As POV-Ray does, the whole is turned by a thousandth of a degree about each axis, which shows in its extents.
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`tests/stability`, item 51).
 //! `internal` fonts are those that come with POV-Ray and are searched like any other.
 //!
 //! Missing: `charset utf8` looks for letters in another order of tables; fonts of other kinds than TrueType.

@@ -1,6 +1,7 @@
 //! `triangle { <corner>, <corner>, <corner> }`: a patch without a volume, edges included, the same from both sides.
 //!
-//! Neighbours that share an edge leave no gap (see [`RayFrame`]). Every transform moves the corners themselves, so
+//! Neighbours that share an edge leave no gap (see [`RayFrame`]). Error bound: roots lie within 2 roundings of the
+//! problem's size from the plane of the corners (`shape/roundings.rs`). Every transform moves the corners themselves, so
 //! triangles that share corners in a scene still share them to the bit in the world.
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read};

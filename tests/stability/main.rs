@@ -9,6 +9,7 @@ mod support;
 
 mod case;
 mod catalogue;
+mod certain;
 mod draw;
 mod model;
 mod oracle;

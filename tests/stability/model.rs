@@ -172,6 +172,15 @@ impl Model {
         moved
     }
 
+    /// Everything moved, written into the numbers of the shapes where they have places. Objects may have translations only.
+    pub(crate) fn moved_in_numbers(&self, by: V) -> Model {
+        let objects = self.objects.iter().map(|object| object.written_at(by));
+        Model {
+            objects: objects.collect(),
+            ..self.moved(by)
+        }
+    }
+
     /// The scene file.
     pub(crate) fn text(&self) -> String {
         let camera = &self.camera;
@@ -269,6 +278,25 @@ impl Object {
             kind,
             steps,
             color: self.color,
+        }
+    }
+
+    fn written_at(&self, by: V) -> Object {
+        let plus = |v: &V| [0, 1, 2].map(|i| v[i] + by[i]);
+        let kind = match &self.kind {
+            Kind::Sphere(c, r) => Kind::Sphere(plus(c), *r),
+            Kind::Box(a, b) => Kind::Box(plus(a), plus(b)),
+            Kind::Cylinder(a, b, r) => Kind::Cylinder(plus(a), plus(b), *r),
+            Kind::Cone(a, ra, b, rb) => Kind::Cone(plus(a), *ra, plus(b), *rb),
+            Kind::Plane(n, d) => Kind::Plane(*n, d + n[0] * by[0] + n[1] * by[1] + n[2] * by[2]),
+            Kind::Csg(word, parts) => {
+                Kind::Csg(word, parts.iter().map(|o| o.written_at(by)).collect())
+            }
+            _ => return self.clone().translate(by),
+        };
+        Object {
+            kind,
+            ..self.clone()
         }
     }
 

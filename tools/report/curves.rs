@@ -36,14 +36,10 @@ pub(crate) fn all(scratch: Option<&Path>) -> Vec<Curve> {
         let model = far::room().scaled(10f64.powi(power));
         (power, Case::model(13, format!("times 1e{power}"), model))
     });
-    let moved = (0..=15).map(|power| {
+    let moved = (0..=20).map(|power| {
         let by = 10f64.powi(power);
         let model = far::room().moved([by, 0.5 * by, -by]);
-        let margin = far::moved_margin(by);
-        (
-            power,
-            Case::model(14, format!("moved by 1e{power}"), model.with_margin(margin)),
-        )
+        (power, Case::model(14, format!("moved by 1e{power}"), model))
     });
     vec![
         Curve {

@@ -54,9 +54,9 @@ pub(crate) fn write(folder: &Path, answered: &[Answered], curves: &[Curve]) -> R
          <p>– : POV-Ray was not asked.</p>\n"
     );
     page += "<h2 id=\"unit\">Unit and place</h2>\n<p>One room with every kind of solid, lit, in other units of length and \
-        at other places. Dashed: the share of pixels that \
-        are certain. From 10^13 on a step of the coordinates is a fiftieth of a pixel and more; povr does not tell surfaces \
-        apart that are nearer across than 256 such steps.</p>\n\
+        at other places. Dashed: the share of pixels that are certain. From 10^16 on the places of camera and light \
+        are rounded to the next number that there is; the answers are those of the scene with them there. povr draws what \
+        stands far from the origin around the camera.</p>\n\
         <div class=\"plots\">\n";
     for curve in curves {
         page += &curve.svg();

@@ -44,6 +44,7 @@ fn ball(radius: f64) -> Model {
 pub(crate) fn add(all: &mut Vec<Case>) {
     floors(all);
     scales(all);
+    written_far_away(all);
     for radius in [1e-4, 1.2e-5, 1e-6, 1e-7, 1e-9] {
         all.push(Case::model(
             11,
@@ -207,16 +208,14 @@ fn scales(all: &mut Vec<Case>) {
             case.slow()
         });
     }
-    for power in [3, 5, 6, 7, 8, 9, 10, 11, 12] {
+    for power in [3, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 20, 100] {
         let by = 10f64.powi(power);
         let case = Case::model(
             14,
             format!("the room moved by 1e{power}"),
-            room()
-                .moved([by, 0.5 * by, -by])
-                .with_margin(moved_margin(by)),
+            room().moved([by, 0.5 * by, -by]),
         );
-        all.push(if [6, 8, 10].contains(&power) {
+        all.push(if [6, 8, 15, 20].contains(&power) {
             case
         } else {
             case.slow()
@@ -224,10 +223,16 @@ fn scales(all: &mut Vec<Case>) {
     }
 }
 
-/// How far the answers of the room must hold when it is moved so far: a pixel is a tenth of a unit wide where things
-/// are, and places are known to a rounding of the distance.
-pub(crate) fn moved_margin(by: f64) -> f64 {
-    f64::max(1e-6, 2e-16 * by * 8.0 * 60.0)
+/// The same room far away in its own numbers, which are multiples of an eighth.
+fn written_far_away(all: &mut Vec<Case>) {
+    for power in [9, 12, 15] {
+        let by = 10f64.powi(power);
+        all.push(Case::model(
+            14,
+            format!("the room written at 1e{power}"),
+            room().moved_in_numbers([by, 0.5 * by, -by]),
+        ));
+    }
 }
 
 fn angles(all: &mut Vec<Case>) {

@@ -3,6 +3,7 @@
 mod csg;
 mod extreme;
 pub(crate) mod far;
+mod found;
 mod odd;
 mod plates;
 mod shapes;
@@ -21,6 +22,7 @@ pub(crate) fn all() -> Vec<Case> {
     odd::add(&mut all);
     shapes::add(&mut all);
     extreme::add(&mut all);
+    found::add(&mut all);
     for (item, name, family) in [
         (
             5,
@@ -53,6 +55,10 @@ pub(crate) fn all() -> Vec<Case> {
     ] {
         all.push(Case::new(item, name, Asks::Rays(family)));
     }
+    let both = "roots counted and measured with 32 digits and with 77";
+    all.push(Case::new(2, both, Asks::Rays(rays::quick_and_slow)));
+    let more = format!("{both}, 10,000 rays");
+    all.push(Case::new(2, more, Asks::Rays(rays::all_quick_and_slow)).slow());
     all.sort_by_key(|case| case.item);
     all
 }

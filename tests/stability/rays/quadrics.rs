@@ -1,7 +1,8 @@
 //! Families of rays for quadrics, and how their roots compare with exact ones.
 
 use super::families::{Family, Numbers, through};
-use super::{Asked, TOLERANCE, Verdict};
+use super::{Asked, Digits, TOLERANCE, Verdict};
+use crate::certain::{Sure, along, of_quadratic, sure};
 use crate::wide::{Polynomial, wide};
 use glam::DVec3;
 use povr::math::Ray;
@@ -76,30 +77,66 @@ impl OnQuadric {
                 sum.plus(&a.times(b).scaled(&wide(factor)))
             })
     }
+
+    fn count(&self, more: f64, digits: Digits) -> usize {
+        digits.decide(
+            || self.sure_count(more),
+            || self.polynomial(more).sign_changes().len(),
+        )
+    }
+
+    /// The value of `uᵀQv` of all that has two factors.
+    fn product(&self, u: [Sure; 3], v: [Sure; 3]) -> Sure {
+        let q = &self.numbers;
+        let mixed = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
+        let own = u[0] * v[0] * q[0] + u[1] * v[1] * q[1] + u[2] * v[2] * q[2];
+        own + (mixed(0, 1) * q[3] + mixed(0, 2) * q[4] + mixed(1, 2) * q[5]) * 0.5
+    }
+
+    fn linear(&self, p: [Sure; 3]) -> Sure {
+        p[0] * self.numbers[6] + p[1] * self.numbers[7] + p[2] * self.numbers[8]
+    }
+
+    /// The value at a place.
+    fn sure_value(&self, t: f64) -> Sure {
+        let p = along(self.ray.origin.to_array(), self.ray.dir.to_array(), t);
+        self.product(p, p) + self.linear(p) + sure(self.numbers[9])
+    }
+
+    /// How many roots there are if the constant is larger by `more`, if 32 digits tell.
+    fn sure_count(&self, more: f64) -> Option<usize> {
+        let (o, d) = (
+            self.ray.origin.to_array().map(sure),
+            self.ray.dir.to_array().map(sure),
+        );
+        of_quadratic(
+            self.product(d, d),
+            self.product(o, d) + self.linear(d) * 0.5,
+            self.product(o, o) + self.linear(o) + sure(self.numbers[9]) + sure(more),
+        )
+    }
 }
 
 impl Asked for OnQuadric {
-    fn roots(&self) -> usize {
-        self.polynomial(0.0).sign_changes().len()
+    fn roots(&self, digits: Digits) -> usize {
+        self.count(0.0, digits)
     }
 
-    fn verdict(&self, found: &[f64], exact: usize) -> Verdict {
-        let polynomial = self.polynomial(0.0);
-        let worst = found.iter().fold(0.0, |worst: f64, &t| {
-            let off = if t.is_finite() {
-                polynomial.at(&wide(t)).abs().to_f64() / self.rounding(t)
-            } else {
-                f64::INFINITY
-            };
-            worst.max(off)
-        });
+    fn verdict(&self, found: &[f64], exact: usize, digits: Digits) -> Verdict {
+        let worst = digits.worst(
+            found,
+            |t| self.rounding(t),
+            |t| self.sure_value(t),
+            |t| self.polynomial(0.0).at(&wide(t)).abs().to_f64(),
+        );
         let mut is_bad = worst > TOLERANCE;
         if !is_bad && found.len() != exact {
             // Where the value along the ray is least or most a missing pair of roots would be.
+            let polynomial = self.polynomial(0.0);
             let c: Vec<f64> = polynomial.0.iter().map(|c| c.to_f64()).collect();
             let turn = -0.5 * c[1] / c[2];
             let slack = TOLERANCE * self.rounding(if turn.is_finite() { turn } else { 0.0 });
-            let counts = [-slack, slack].map(|more| self.polynomial(more).sign_changes().len());
+            let counts = [-slack, slack].map(|more| self.count(more, digits));
             is_bad = !counts.contains(&found.len());
         }
         Verdict { is_bad, worst }
