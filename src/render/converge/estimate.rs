@@ -20,7 +20,7 @@ const LEAST_LEFT: f64 = 0.5;
 pub(super) const STILL_TO_COME: f64 = 0.33;
 
 /// What some samples tell of a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Estimate {
     /// The mean of each channel.
     pub(super) mean: [f64; 4],

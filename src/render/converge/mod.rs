@@ -9,11 +9,13 @@
 //! keeps the best that it had when the time is over.
 
 mod band;
+mod dividing;
 mod edge;
 mod estimate;
 mod finish;
 mod kinds;
 mod look;
+mod near;
 mod parts;
 mod slope;
 mod strip;
