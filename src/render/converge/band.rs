@@ -30,8 +30,8 @@ pub(super) const MARGIN: u32 = ROUNDS + 4;
 pub(super) const FINER: u32 = 4;
 /// The side of the squares of pixels that are sampled first together.
 const SQUARE: u32 = 8;
-/// The same of those that are worked on together.
-const WORKED: u32 = 16;
+/// The same of those that are worked on together: a power of two.
+const WORKED: u32 = 32;
 
 /// What to reach.
 #[derive(Clone, Copy)]
@@ -47,7 +47,7 @@ pub(super) struct Target {
 impl Target {
     /// The smaller the error, the smaller what may stay unseen where nothing is to be seen.
     pub(super) fn new(error: f64, deadline: Option<Instant>) -> Target {
-        const FIRST: [(f64, u32); 3] = [(0.4 / 255.0, 4), (0.2 / 255.0, 8), (0.1 / 255.0, 16)];
+        const FIRST: [(f64, u32); 3] = [(0.75 / 255.0, 4), (0.35 / 255.0, 8), (0.15 / 255.0, 16)];
         let first = FIRST.iter().find(|(least, _)| error >= *least);
         Target {
             error,
@@ -154,7 +154,7 @@ impl<'a> Band<'a> {
                 || (Finishing::default(), Vec::new()),
                 |(scratch, pixels), square| {
                     pixels.clear();
-                    pixels.extend(pixels_of(&square));
+                    pixels.extend(along_curve(&square));
                     let mut outcomes = Vec::with_capacity(pixels.len());
                     scratch.work(band, pixels, Task::Finish, |outcome| outcomes.push(outcome));
                     progress(pixels.len() as u64);
@@ -173,6 +173,13 @@ impl<'a> Band<'a> {
                 self.samples += u64::from(outcome.taken);
             }
         }
+        let place = |(x, y): (u32, u32)| {
+            let is_here = columns.contains(&x) && rows.contains(&y);
+            is_here.then(|| (y - rows.start) as usize * width + (x - columns.start) as usize)
+        };
+        let (samples, rays) = self.eye.specks.add(self, place, &mut done);
+        self.samples += samples;
+        self.rays += rays;
         done
     }
 
@@ -307,7 +314,7 @@ impl<'a> Band<'a> {
                 || (Finishing::default(), Vec::new()),
                 |(scratch, pixels), square| {
                     pixels.clear();
-                    pixels.extend(pixels_of(&square).filter(|&pixel| !is_calm(band, pixel)));
+                    pixels.extend(along_curve(&square).filter(|&pixel| !is_calm(band, pixel)));
                     let mut outcomes = Vec::with_capacity(pixels.len());
                     scratch.work(band, pixels, Task::Settle, |outcome| outcomes.push(outcome));
                     (outcomes, scratch.take_rays())
@@ -421,6 +428,26 @@ fn pixels_of((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use
     let columns = columns.clone();
     rows.clone()
         .flat_map(move |y| columns.clone().map(move |x| (x, y)))
+}
+
+/// The same, along a curve that keeps neighbours together.
+fn along_curve((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use<> {
+    let (columns, rows) = (columns.clone(), rows.clone());
+    let even_bits = |v: u32| {
+        let v = v & 0x5555;
+        let v = (v | v >> 1) & 0x3333;
+        let v = (v | v >> 2) & 0x0f0f;
+        (v | v >> 4) & 0x00ff
+    };
+    (0..WORKED * WORKED)
+        .map(move |number| {
+            let (across, down) = (even_bits(number), even_bits(number >> 1));
+            (columns.start + across, rows.start + down)
+        })
+        .filter({
+            let (right, bottom) = (columns.end, rows.end);
+            move |&(x, y)| x < right && y < bottom
+        })
 }
 
 /// For looks of pixels, so many for each, which of them lies in each cell of a grid.

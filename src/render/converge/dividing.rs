@@ -7,7 +7,7 @@ use super::kinds::Kinds;
 use super::look::Look;
 use super::parts::Parts;
 use super::slope::Sums;
-use super::strip::strip;
+use super::strip::Strip;
 
 /// With more samples none for one that a strip crosses.
 const MOST_AT_STRIPS: usize = 16;
@@ -18,7 +18,6 @@ const ON_AN_EDGE_TOGETHER: u32 = 3;
 /// Buffers for the beginning of a division.
 #[derive(Default)]
 pub(super) struct Buffers {
-    values: Vec<f32>,
     told: Vec<Told>,
     groups: Vec<u8>,
 }
@@ -64,7 +63,7 @@ impl Dividing {
         buffers: &mut Buffers,
     ) -> bool {
         let looks = placed.clone().map(|(_, look)| look);
-        let Some(kinds) = Kinds::of(looks, channels, &mut buffers.values) else {
+        let Some(kinds) = Kinds::of(looks, channels) else {
             return false;
         };
         self.kinds = Some(kinds);
@@ -85,9 +84,13 @@ impl Dividing {
             if own > MOST_AT_STRIPS {
                 return false;
             }
-            let Some(strip) = strip(told, &mut buffers.groups) else {
+            let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
                 return false;
             };
+            buffers.groups.clear();
+            buffers
+                .groups
+                .extend(told.iter().map(|told| strip.group(told)));
             self.strip_is_bright = Some(strip.is_bright);
             if !self.separate(told, &buffers.groups) {
                 return false;

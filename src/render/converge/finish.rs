@@ -5,10 +5,11 @@
 
 use super::band::{Band, Done};
 use super::dividing::{Buffers, Dividing, Next};
-use super::estimate::{Estimate, estimate};
+use super::estimate::{Estimate, estimate, of_all};
 use super::look::{EyeScratch, Look, TOGETHER, pixel};
 use super::near::first_estimate;
 use super::slope::{Slopes, Sums};
+use super::specks::Specks;
 use crate::compile::Rays;
 use std::ops::Range;
 
@@ -139,7 +140,7 @@ impl Finishing {
                 let asking = waiting.iter().take_while(|&&number| {
                     let is_room = self.eye.len() < TOGETHER;
                     if is_room {
-                        self.cases[number].ask(&mut self.eye);
+                        self.cases[number].ask(&mut self.eye, band.eye.specks);
                     }
                     is_room
                 });
@@ -184,14 +185,19 @@ impl Case {
                 }
                 self.looks.clear();
                 self.looks.extend_from_slice(band.looks_of(at));
+                let is_calm = !band.is_finer(at) && !band.is_broken_at(at);
+                if is_calm {
+                    // It was found so by comparison with those around it.
+                    let channels = band.eye.channels;
+                    let level = Slopes::default();
+                    let found = of_all(&self.looks, channels, &level, &mut buffers.order);
+                    let error = found.error.min(band.target.error);
+                    return self.outcome(Some(done(&found, error)));
+                }
                 self.found = self.estimate(band, &Slopes::default(), buffers);
                 if !band.is_finer(at) {
-                    // It was found calm by comparison with those around it, or the time is over.
-                    let error = match band.is_broken_at(at) {
-                        true => self.found.error,
-                        false => self.found.error.min(band.target.error),
-                    };
-                    return self.outcome(Some(done(&self.found, error)));
+                    // The time is over.
+                    return self.outcome(Some(done(&self.found, self.found.error)));
                 }
                 self.contrast = band.reach_around(x, y).contrast(band.eye.channels);
                 self.refine(band, buffers)
@@ -236,10 +242,10 @@ impl Case {
     }
 
     /// Notes the places that it wants to be looked at.
-    fn ask(&self, eye: &mut EyeScratch) {
+    fn ask(&self, eye: &mut EyeScratch, specks: &Specks) {
         match &self.wish {
-            Wish::Numbers(numbers) => eye.note(self.pixel, numbers.clone()),
-            Wish::Places => eye.note_places(self.pixel, &self.dividing.places),
+            Wish::Numbers(numbers) => eye.note(self.pixel, numbers.clone(), specks),
+            Wish::Places => eye.note_places(self.pixel, &self.dividing.places, specks),
         }
     }
 
