@@ -15,8 +15,10 @@
 mod riddles;
 mod support;
 
+use povr::color::Rgb;
 use povr::curve::Linear;
-use povr::options::{Converging, Input, ReadOptions, RenderOptions, Sampling};
+use povr::film::Film;
+use povr::options::{Converging, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (64, 48);
@@ -35,11 +37,7 @@ const DEAR: [&str; 6] = ["glass", "mirrors", "panes", "soft", "fine", "ripples"]
 const RIDDLE_TARGETS: [f64; 2] = [2.0, 1.0];
 const RIDDLE_SIZE: (u32, u32) = (riddles::ROWS * 4 / 3, riddles::ROWS);
 
-fn drawn(scene: &Path, size: (u32, u32), sampling: Sampling) -> Linear {
-    drawn_from(&Input::File(scene.to_owned()), size, sampling)
-}
-
-fn drawn_from(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Linear {
+fn drawn(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Picture {
     let read = ReadOptions {
         width,
         height,
@@ -59,27 +57,26 @@ fn drawn_from(input: &Input, (width, height): (u32, u32), sampling: Sampling) ->
     Linear::of_film(&picture.film, picture.working)
 }
 
-/// The means of squares of pixels.
-fn shrunk(large: &Linear) -> Linear {
-    let (width, height) = (large.width / GRID, large.height / GRID);
-    let mean = |x: u32, y: u32| {
-        let mut sum = [0f64; 3];
-        for row in y * GRID..(y + 1) * GRID {
-            for column in x * GRID..(x + 1) * GRID {
-                let pixel = large.pixels[(row * large.width + column) as usize];
-                for (sum, c) in sum.iter_mut().zip(pixel) {
-                    *sum += f64::from(c);
+/// The means of squares of pixels. What is brighter than white counts as it is, and is white when the mean has been taken.
+fn truth(input: &Input, (width, height): (u32, u32)) -> Linear {
+    let large = drawn(input, (width * GRID, height * GRID), Sampling::Centres);
+    let mut film = Film::whole(width, height);
+    for y in 0..height {
+        for x in 0..width {
+            let mut sum = [0f64; 3];
+            for row in y * GRID..(y + 1) * GRID {
+                for column in x * GRID..(x + 1) * GRID {
+                    let pixel = large.film.pixels[(row * width * GRID + column) as usize].rgb;
+                    for (sum, c) in sum.iter_mut().zip([pixel.r, pixel.g, pixel.b]) {
+                        *sum += f64::from(c);
+                    }
                 }
             }
+            let [r, g, b] = sum.map(|sum| (sum / f64::from(GRID * GRID)) as f32);
+            film.pixels[(y * width + x) as usize].rgb = Rgb::new(r, g, b);
         }
-        sum.map(|sum| (sum / f64::from(GRID * GRID)) as f32)
-    };
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    Linear {
-        width,
-        height,
-        pixels: pixels.map(|(x, y)| mean(x, y)).collect(),
     }
+    Linear::of_film(&film, large.working)
 }
 
 #[test]
@@ -90,14 +87,10 @@ fn the_true_error_is_what_was_asked_for_or_less() {
     let mut misses = Vec::new();
     let mut pictures = 0u32;
     for scene in scenes {
-        let truth = shrunk(&drawn(
-            &scene,
-            (SIZE.0 * GRID, SIZE.1 * GRID),
-            Sampling::Centres,
-        ));
+        let input = Input::File(scene.clone());
+        let truth = truth(&input, SIZE);
         for error in TARGETS {
-            let sampling = Sampling::Converging(Converging { error, time: None });
-            let found = truth.errors(&drawn(&scene, SIZE, sampling));
+            let found = truth.errors(&converged(&input, SIZE, error));
             pictures += 1;
             let line = format!(
                 "{} at {error}: {:.3} on the average, {:.3} at 99.9 %, {:.3} at most",
@@ -128,11 +121,9 @@ fn riddles_are_no_worse_than_was_asked_for() {
             name: riddle.name.clone(),
             text: riddle.text.clone().into_bytes(),
         };
-        let large = (RIDDLE_SIZE.0 * GRID, RIDDLE_SIZE.1 * GRID);
-        let truth = shrunk(&drawn_from(&input, large, Sampling::Centres));
+        let truth = truth(&input, RIDDLE_SIZE);
         for error in RIDDLE_TARGETS {
-            let sampling = Sampling::Converging(Converging { error, time: None });
-            let found = truth.errors(&drawn_from(&input, RIDDLE_SIZE, sampling));
+            let found = truth.errors(&converged(&input, RIDDLE_SIZE, error));
             pictures += 1;
             let line = format!("{} at {error}: {:.3}", riddle.name, found.rmse * 255.0);
             println!("{line}");

@@ -107,16 +107,13 @@ impl EyeScratch {
     /// Notes points of the sequence of a pixel as places to look at.
     pub(super) fn note(&mut self, (x, y): (u32, u32), numbers: Range<u32>, specks: &Specks) {
         let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
-        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
+        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32);
+        let specks = specks.of_pixel((x, y));
         for number in numbers {
             let point = sobol.point(number);
-            let (mut dx, mut dy) = (share(point.0), share(point.1));
-            if !specks.is_empty() {
-                [dx, dy] = specks
-                    .moved_out((x, y), [dx + 0.5, dy + 0.5])
-                    .map(|v| v - 0.5);
-            }
-            self.places.push((f64::from(x) + dx, f64::from(y) + dy));
+            let [dx, dy] = specks.moved_out([share(point.0), share(point.1)]);
+            self.places
+                .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
             self.cells.push(place(point));
         }
     }
@@ -145,8 +142,9 @@ impl EyeScratch {
 
     /// Notes places of a pixel, given as shares of its side.
     pub(super) fn note_places(&mut self, (x, y): (u32, u32), shares: &[[f64; 2]], specks: &Specks) {
+        let specks = specks.of_pixel((x, y));
         for &share in shares {
-            let [dx, dy] = specks.moved_out((x, y), share);
+            let [dx, dy] = specks.moved_out(share);
             let place = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
             self.places.push(place);
             self.cells.push((0, 0));

@@ -46,6 +46,18 @@ pub(super) struct Specks {
     of_pixels: FxHashMap<(u32, u32), Vec<Rectangle>>,
 }
 
+/// The rectangles of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SpecksOfPixel<'a>(&'a [Rectangle]);
+
+impl SpecksOfPixel<'_> {
+    /// Moves a place of the pixel out of what is tiny there, if it is in it.
+    pub(super) fn moved_out(&self, place: [f64; 2]) -> [f64; 2] {
+        let here = self.0.iter().find(|one| one.holds(place));
+        here.map_or(place, |rectangle| rectangle.moved_out(place))
+    }
+}
+
 impl Rectangle {
     fn area(&self) -> f64 {
         (self.to[0] - self.from[0]) * (self.to[1] - self.from[1])
@@ -137,16 +149,14 @@ impl Specks {
         }
     }
 
-    /// Whether there are none.
-    pub(super) fn is_empty(&self) -> bool {
-        self.of_pixels.is_empty()
-    }
-
-    /// Moves a place of a pixel out of what is tiny there, if it is in it.
-    pub(super) fn moved_out(&self, pixel: (u32, u32), place: [f64; 2]) -> [f64; 2] {
-        let rectangles = self.of_pixels.get(&pixel).map_or(&[][..], Vec::as_slice);
-        let here = rectangles.iter().find(|one| one.holds(place));
-        here.map_or(place, |rectangle| rectangle.moved_out(place))
+    /// Those of a pixel.
+    pub(super) fn of_pixel(&self, pixel: (u32, u32)) -> SpecksOfPixel<'_> {
+        // Most pictures have none at all.
+        if self.of_pixels.is_empty() {
+            return SpecksOfPixel(&[]);
+        }
+        let rectangles = self.of_pixels.get(&pixel);
+        SpecksOfPixel(rectangles.map_or(&[][..], Vec::as_slice))
     }
 
     /// Adds what is tiny to the finished pixels of a rectangle of the picture, with these pixels. Gives samples and rays.
@@ -200,8 +210,7 @@ impl Specks {
         looks: &mut Vec<Look>,
     ) -> Added {
         let mut added = Added::default();
-        let rectangles = self.of_pixels.get(&at).map_or(&[][..], Vec::as_slice);
-        for (number, rectangle) in (1u32..).zip(rectangles) {
+        for (number, rectangle) in (1u32..).zip(self.of_pixel(at).0) {
             let mut cells = Vec::new();
             looks.clear();
             let mut taken = 0;
@@ -232,9 +241,10 @@ impl Specks {
         looks: &mut Vec<Look>,
     ) {
         scratch.clear();
+        let all = self.of_pixel(at);
         scratch.note_rectangle(at, number, numbers, |share| {
             let place = rectangle.at(share);
-            (place, self.moved_out(at, place))
+            (place, all.moved_out(place))
         });
         let start = looks.len();
         eye.look(scratch, looks);
@@ -366,7 +376,8 @@ mod tests {
             .map(Rectangle::area)
             .sum();
         assert!((area - at_a_corner.area()).abs() < 1e-12);
-        assert_eq!(specks.moved_out((3, 6), [0.2, 0.2]), [0.2, 0.2]);
-        assert!(specks.moved_out((3, 6), [0.95, 0.95]) != [0.95, 0.95]);
+        let here = specks.of_pixel((3, 6));
+        assert_eq!(here.moved_out([0.2, 0.2]), [0.2, 0.2]);
+        assert!(here.moved_out([0.95, 0.95]) != [0.95, 0.95]);
     }
 }
