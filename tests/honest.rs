@@ -52,8 +52,12 @@ fn drawn(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Pict
         sampling,
         ..RenderOptions::default()
     };
-    let picture =
-        povr::draw(input, &read, &render, &|_| {}).unwrap_or_else(|failure| panic!("{failure:?}"));
+    povr::draw(input, &read, &render, &|_| {}).unwrap_or_else(|failure| panic!("{failure:?}"))
+}
+
+fn converged(input: &Input, size: (u32, u32), error: f64) -> Linear {
+    let sampling = Sampling::Converging(Converging { error, time: None });
+    let picture = drawn(input, size, sampling);
     Linear::of_film(&picture.film, picture.working)
 }
 

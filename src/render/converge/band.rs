@@ -47,7 +47,7 @@ pub(super) struct Target {
 impl Target {
     /// The smaller the error, the smaller what may stay unseen where nothing is to be seen.
     pub(super) fn new(error: f64, deadline: Option<Instant>) -> Target {
-        const FIRST: [(f64, u32); 3] = [(0.75 / 255.0, 4), (0.35 / 255.0, 8), (0.15 / 255.0, 16)];
+        const FIRST: [(f64, u32); 3] = [(1.25 / 255.0, 4), (0.35 / 255.0, 8), (0.15 / 255.0, 16)];
         let first = FIRST.iter().find(|(least, _)| error >= *least);
         Target {
             error,

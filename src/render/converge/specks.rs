@@ -1,4 +1,4 @@
-//! Objects far smaller than a pixel, which samples hardly ever meet.
+//! Objects smaller than a pixel or hardly larger, which samples easily miss.
 //!
 //! The world knows the boxes of all its objects, and the camera where they are seen. A pixel with something tiny in it
 //! gets samples of its own for that: all others are moved out of the rectangle in which it is seen, so that they show the
@@ -17,9 +17,9 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 /// What is wider or higher than so many pixels is met by the samples of all.
-const WIDEST: f64 = 1.0;
+const WIDEST: f64 = 2.0;
 /// In a pixel of which they cover more together samples of all kinds see enough of them.
-const MOST_COVERED: f64 = 0.25;
+const MOST_COVERED: f64 = 0.6;
 /// The most in a pixel; if there are more, the largest.
 const MOST: usize = 16;
 /// What is so many times as bright as white is still looked for if it could count.
