@@ -2,10 +2,9 @@
 
 use super::reader::Reader;
 use crate::args::Word;
-use crate::interior::Interior;
 use crate::scene::{Kind, Object};
-use crate::source::{Code, Diagnostic, Span};
-use crate::texture::{NormalKind, Texture};
+use crate::source::{Diagnostic, Span};
+use crate::texture::{NormalKind, Patterned, Texture};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
@@ -13,12 +12,6 @@ impl Reader<'_> {
     /// Tells what the objects and the air of the whole scene ask for and do not get. Each thing is told once.
     pub(super) fn note_missing(&mut self) {
         let mut found = Vec::new();
-        found.extend(
-            self.atmosphere
-                .media
-                .iter()
-                .map(|media| (media.at, Word::Media)),
-        );
         let has_subsurface = self.globals.subsurface.is_some();
         let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
@@ -31,15 +24,14 @@ impl Reader<'_> {
             if is_shared && !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
                 continue;
             }
-            if let Some(interior) = &object.interior {
-                found.extend(media_of(interior, is_hollow));
-            }
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
-                if has_subsurface {
-                    found.extend(subsurface_of(&texture.what));
+                for texture in all_textures(&texture.what) {
+                    if has_subsurface {
+                        found.extend(subsurface_of(texture));
+                    }
+                    parts.extend(normals_without_pattern(texture));
                 }
-                parts.extend(faults_of(&texture.what));
             }
             match &object.kind {
                 Kind::Shape(_) => {}
@@ -54,24 +46,13 @@ impl Reader<'_> {
         for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }
-        for (at, fault) in in_order(parts) {
-            self.record(match fault {
-                Fault::NotBuilt(word) => {
-                    Diagnostic::error(at, format!("`{word}` is not built yet"))
-                        .with_code(Code::NotBuilt)
-                }
-                Fault::NoPattern => Diagnostic::error(at, "this `normal` has no pattern")
+        for (at, ()) in in_order(parts) {
+            self.record(
+                Diagnostic::error(at, "this `normal` has no pattern")
                     .with_hint("Write `normal { bumps 0.5 }`, or the name of another pattern."),
-            });
+            );
         }
     }
-}
-
-/// Why a surface cannot have a texture at any quality.
-#[derive(PartialEq)]
-enum Fault {
-    NotBuilt(Word),
-    NoPattern,
 }
 
 /// Each once, as they stand in the files.
@@ -81,22 +62,22 @@ fn in_order<T: PartialEq>(mut found: Vec<(Span, T)>) -> Vec<(Span, T)> {
     found
 }
 
-fn faults_of(texture: &Texture) -> impl Iterator<Item = (Span, Fault)> {
-    let pattern = texture
-        .pattern()
-        .map(|pattern| (pattern.at, Fault::NotBuilt(pattern.word)));
-    let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
-    let normals = normals.map(|normal| match normal.kind {
-        NormalKind::None => (normal.at, Fault::NoPattern),
-        _ => (normal.at, Fault::NotBuilt(Word::Normal)),
-    });
-    pattern.into_iter().chain(normals)
+/// A texture and all that it chooses from.
+fn all_textures(texture: &Texture) -> Vec<&Texture> {
+    let mut all = vec![texture];
+    let mut at = 0;
+    while let Some(next) = all.get(at) {
+        let chosen = next.pattern().map(Patterned::textures);
+        all.extend(chosen.into_iter().flatten());
+        at += 1;
+    }
+    all
 }
 
-/// The media of an interior, which are seen in hollow objects alone.
-fn media_of(interior: &Interior, is_hollow: bool) -> impl Iterator<Item = (Span, Word)> {
-    let media = interior.media.iter().filter(move |_| is_hollow);
-    media.map(|media| (media.at, Word::Media))
+fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())> {
+    let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
+    let normals = normals.filter(|normal| matches!(normal.kind, NormalKind::None));
+    normals.map(|normal| (normal.at, ()))
 }
 
 fn subsurface_of(texture: &Texture) -> Option<(Span, Word)> {
