@@ -166,6 +166,6 @@ fn a_point_on_a_ray_is_seen_where_the_ray_goes() {
             assert_eq!(camera.place_of(ray.origin - ray.dir, 40, 30), None);
         }
     }
-    let bent = camera("{ fisheye location -5*z angle 120 }", 3.7);
+    let bent = camera("{ fisheye location <0, 0, -5> angle 120 }", 3.7);
     assert_eq!(bent.place_of(DVec3::ZERO, 40, 30), None);
 }
