@@ -16,14 +16,14 @@ impl Reader<'_> {
         let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
-        let mut open: Vec<(&Arc<Object>, bool)> =
-            self.objects.iter().map(|object| (object, false)).collect();
-        while let Some((object, is_hollow)) = open.pop() {
-            let is_hollow = object.flags.hollow.unwrap_or(is_hollow);
+        let mut open: Vec<&Arc<Object>> = self.objects.iter().collect();
+        let (mut lights, mut targets) = (Vec::new(), Vec::new());
+        while let Some(object) = open.pop() {
             let is_shared = Arc::strong_count(object) > 1;
-            if is_shared && !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
+            if is_shared && !seen.insert(Arc::as_ptr(object).addr()) {
                 continue;
             }
+            targets.extend(object.photons.iter().filter(|own| own.target.is_some()));
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
                 for texture in all_textures(&texture.what) {
@@ -35,14 +35,24 @@ impl Reader<'_> {
             }
             match &object.kind {
                 Kind::Shape(_) => {}
-                Kind::Light { looks_like, .. } => {
-                    open.extend(looks_like.iter().map(|look| (look, is_hollow)));
+                Kind::Light {
+                    light, looks_like, ..
+                } => {
+                    lights.push(light);
+                    open.extend(looks_like);
                 }
-                Kind::Csg { children, .. } => {
-                    open.extend(children.iter().map(|child| (child, is_hollow)));
-                }
+                Kind::Csg { children, .. } => open.extend(&**children),
             }
         }
+        let are_shot = lights.iter().any(|light| {
+            let mut targets = targets.iter();
+            !light.is_shadowless() && targets.any(|target| target.is_sent_to(&light.photons))
+        });
+        found.extend(
+            self.photons_at
+                .filter(|_| are_shot)
+                .map(|at| (at, Word::Photons)),
+        );
         for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }

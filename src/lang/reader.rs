@@ -89,6 +89,8 @@ pub(super) struct Reader<'a> {
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
     pub(super) objects: Vec<Arc<Object>>,
+    /// Where the scene asks for photons.
+    pub(super) photons_at: Option<Span>,
     /// What drawing cannot do yet.
     pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
@@ -195,6 +197,7 @@ impl<'a> Reader<'a> {
             globals: Globals::default(),
             objects: Vec::new(),
             messages: String::new(),
+            photons_at: None,
             undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,
