@@ -11,6 +11,7 @@ camera { location <0, 2, -6> look_at 0 angle 40 }
 light_source { <-4, 6, -8>, rgb 1 }
 light_source { <5, 3, -2>, rgb <0.3, 0.2, 0.4> }
 plane { y, -1 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } finish { reflection 0.2 } }
+sphere { <0.3, 0.4, -2>, 0.008 pigment { rgb 1 } finish { ambient 3 } }
 sphere { <-1.2, 0, 0>, 1 pigment { rgbf <0.9, 0.95, 1, 0.9> } interior { ior 1.5 } }
 difference {
   box { -0.8, 0.8 }

@@ -132,6 +132,33 @@ impl Camera {
         Some(ray)
     }
 
+    /// Where in a picture of `width` by `height` pixels a point is seen, in the measure of [`Camera::primary_ray`]. `None`
+    /// behind a camera, and where straight lines are bent.
+    #[must_use]
+    pub fn place_of(&self, point: DVec3, width: u32, height: u32) -> Option<(f64, f64)> {
+        let Frame {
+            location,
+            direction,
+            up,
+            right,
+        } = self.frame;
+        let way = point - location;
+        let size = direction.dot(right.cross(up));
+        let depth = way.dot(right.cross(up)) / size;
+        let scale = match self.projection {
+            Projection::Perspective => depth,
+            Projection::Orthographic => 1.0,
+            _ => return None,
+        };
+        let u = way.dot(up.cross(direction)) / size / scale;
+        let v = way.dot(direction.cross(right)) / size / scale;
+        let is_seen = depth > 0.0 && u.is_finite() && v.is_finite();
+        is_seen.then(|| {
+            let (width, height) = (f64::from(width), f64::from(height));
+            ((u + 0.5) * width - 0.5, height - 0.5 - (v + 0.5) * height)
+        })
+    }
+
     fn start(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Start> {
         let screen = Screen::new(x, y, width, height);
         let frame = &self.frame;

@@ -150,3 +150,22 @@ fn faults_are_told() {
         "`orthographic` must come first in `camera`"
     );
 }
+
+#[test]
+fn a_point_on_a_ray_is_seen_where_the_ray_goes() {
+    for text in [
+        "{ location <1, 2, -5> look_at <0.5, 0, 1> angle 50 right <1.5, 0.2, 0> }",
+        "{ orthographic location <1, 2, -5> look_at <0.5, 0, 1> angle 40 }",
+    ] {
+        let camera = camera(text, 3.7);
+        for (x, y) in [(0.0, 0.0), (17.3, 4.8), (-3.0, 40.0)] {
+            let ray = camera.primary_ray(x, y, 40, 30).expect("a ray");
+            let seen = camera.place_of(ray.origin + 7.0 * ray.dir, 40, 30);
+            let (u, v) = seen.expect("it lies before the camera");
+            assert!((u - x).hypot(v - y) < 1e-9, "{text}: {u} {v}, not {x} {y}");
+            assert_eq!(camera.place_of(ray.origin - ray.dir, 40, 30), None);
+        }
+    }
+    let bent = camera("{ fisheye location <0, 0, -5> angle 120 }", 3.7);
+    assert_eq!(bent.place_of(DVec3::ZERO, 40, 30), None);
+}

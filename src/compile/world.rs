@@ -219,6 +219,12 @@ impl World {
         &self.model.leaves
     }
 
+    /// The boxes of all objects, in single precision: they may be smaller than the objects by a rounding.
+    #[must_use]
+    pub fn boxes(&self) -> &[Bounds] {
+        &self.boxes
+    }
+
     /// How many primitives there are to be seen, those of instances included.
     #[must_use]
     pub fn shown(&self) -> u32 {

@@ -8,8 +8,9 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::CurveError;
 use super::error::ENLARGED;
+use super::plot::best;
 use super::setting::Family;
-use super::store::{Measured, Report};
+use super::store::{Measured, Report, Spread};
 
 const STYLE: &str = "
 :root { color-scheme: light; }
@@ -19,7 +20,7 @@ h1 { font-size: 1.6rem; margin: 0.5rem 0; } h2 { font-size: 1.2rem; margin: 2rem
 .plot svg { width: 100%; height: auto; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.9rem; }
-th, td { padding: 0.25rem 0.7rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
+th, td { padding: 0.25rem 0.6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #888; }
 td:first-child::before { content: ''; display: inline-block; width: 0.7em; height: 0.7em; border-radius: 50%;
   background: var(--family); margin-right: 0.5em; }
@@ -44,18 +45,35 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
          <title>Error against run time: {scene}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
          <h1>Error against run time: {scene}</h1>\n\
          <p>{width} × {height} pixels, {} thread(s). Errors are in linear light from 0 (black) to 1 (white), against a \
-         picture with {:.0} samples a pixel whose own error is estimated at {:.5} (root mean square). Times are \
-         processor seconds of tracing, the median of several drawings. Lines join the settings that no other of their \
-         kind betters. POV-Ray's pictures are measured against povr's too: what the programs draw differently is a level \
-         below which its error does not fall.</p>\n\
+         picture with {:.0} samples a pixel (the truth) whose own error is estimated at {:.5} (root mean square). Times are \
+         processor seconds of tracing, the median of the drawings. POV-Ray's pictures are measured against povr's too: what \
+         the programs draw differently is a level below which its error does not fall.</p>\n{}\
+         <p>Every dot is a setting, by what it cost (to the right) and how wrong its picture is (upwards), both by their \
+         logarithms: the lower and the further left, the better. Lines join the settings that no other of their kind \
+         betters.</p>\n\
          <section class=\"plot\" aria-label=\"plot\">\n{svg}\n</section>\n",
-        report.threads, truth.samples_a_pixel, truth.rms
+        report.threads,
+        truth.samples_a_pixel,
+        truth.rms,
+        summary(report),
     );
-    page += "<h2>Table</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>\
-        <th>from – to</th><th>wall s</th><th>from – to</th><th>samples a pixel</th><th>RMSE</th><th>max</th>\
-        <th>99.9 %</th><th>FLIP</th><th>estimated RMS</th></tr></thead>\n<tbody>\n";
+    // One drawing has no spread.
+    let has_spread = report.measured.iter().any(|m| m.processor.runs > 1);
+    let spread = if has_spread {
+        "<th>from – to</th>"
+    } else {
+        ""
+    };
+    let _ = writeln!(
+        page,
+        "<h2>Table</h2>\n<p><b>RMSE</b>: root mean square error. <b>99.9 %</b>: the error that so many pixels do not exceed; \
+         <b>max</b>: that of the worst. <b>FLIP</b>: how different a person finds both pictures, 0 for equal ones. \
+         <b>estimated</b>: what povr took its RMSE for without knowing the truth.</p>\n\
+         <div class=\"wide\"><table>\n<thead><tr><th>setting</th><th>CPU s</th>{spread}<th>wall s</th>{spread}\
+         <th>samples a pixel</th><th>RMSE</th><th>estimated</th><th>99.9 %</th><th>max</th><th>FLIP</th></tr></thead>\n<tbody>"
+    );
     for m in &report.measured {
-        row(&mut page, m);
+        row(&mut page, m, has_spread);
     }
     page += "</tbody></table></div>\n<h2>Pictures</h2>\n";
     let _ = writeln!(
@@ -84,28 +102,68 @@ pub(super) fn html(report: &Report, svg: &str, pictures: &Path) -> Result<String
     Ok(page)
 }
 
-fn row(page: &mut String, m: &Measured) {
-    let (p, w, e) = (&m.processor, &m.wall, &m.errors);
+/// What povr's own method costs beside POV-Ray's best for the same error, if both were measured.
+fn summary(report: &Report) -> String {
+    let of = |family: Family| {
+        let ours = report.measured.iter().filter(|m| m.family == family);
+        let mut points: Vec<(f64, f64)> =
+            ours.map(|m| (m.processor.median, m.errors.rmse)).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        best(&points)
+    };
+    let (ours, theirs) = (of(Family::Converging), of(Family::PovRay));
+    let reached = |points: &[(f64, f64)]| points.last().map(|&(_, error)| error);
+    let (Some(our_best), Some(their_best)) = (reached(&ours), reached(&theirs)) else {
+        return String::new();
+    };
+    let error = our_best.max(their_best);
+    let (Some(our_cost), Some(their_cost)) = (cost(error, &ours), cost(error, &theirs)) else {
+        return String::new();
+    };
+    format!(
+        "<p>For a root mean square error of {error:.5} <code>povr --error</code> needs {our_cost:.3} processor seconds, POV-Ray \
+         with its best setting {their_cost:.3}: <b>{:.1} times</b> as many.</p>\n",
+        their_cost / our_cost.max(f64::MIN_POSITIVE)
+    )
+}
+
+/// What an error costs on a line from quick to good: between two points by their logarithms.
+fn cost(error: f64, points: &[(f64, f64)]) -> Option<f64> {
+    let first = points.first()?;
+    if first.1 <= error {
+        return Some(first.0);
+    }
+    let pair = points.windows(2).find(|pair| pair[1].1 <= error)?;
+    let ((c0, e0), (c1, e1)) = (pair[0], pair[1]);
+    let share = (e0 / error).ln() / (e0 / e1.max(f64::MIN_POSITIVE)).ln();
+    Some(c0 * (c1 / c0).powf(share))
+}
+
+fn row(page: &mut String, m: &Measured, has_spread: bool) {
+    let e = &m.errors;
     let estimated = m
         .estimated
         .map_or_else(|| "–".to_owned(), |(_, rms)| format!("{rms:.5}"));
+    let seconds = |spread: &Spread| match has_spread {
+        true => format!(
+            "<td>{:.3}</td><td>{:.3} – {:.3}</td>",
+            spread.median, spread.least, spread.most
+        ),
+        false => format!("<td>{:.3}</td>", spread.median),
+    };
     // Writing to a string cannot fail.
     let _ = writeln!(
         page,
-        "<tr style=\"--family: {}\"><td><code>{}</code></td><td>{:.3}</td><td>{:.3} – {:.3}</td><td>{:.3}</td>\
-         <td>{:.3} – {:.3}</td><td>{:.2}</td><td>{:.5}</td><td>{:.4}</td><td>{:.4}</td><td>{:.5}</td><td>{estimated}</td></tr>",
+        "<tr style=\"--family: {}\"><td><code>{}</code></td>{}{}<td>{:.2}</td><td>{:.5}</td><td>{estimated}</td>\
+         <td>{:.4}</td><td>{:.4}</td><td>{:.5}</td></tr>",
         color(m.family),
         name(m),
-        p.median,
-        p.least,
-        p.most,
-        w.median,
-        w.least,
-        w.most,
+        seconds(&m.processor),
+        seconds(&m.wall),
         m.samples_a_pixel,
         e.rmse,
-        e.max,
         e.p999,
+        e.max,
         e.flip
     );
 }
@@ -137,4 +195,18 @@ fn escaped(text: &str) -> String {
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn costs_lie_between_those_of_points() {
+        let points = [(1.0, 0.1), (4.0, 0.001)];
+        let between = cost(0.01, &points).expect("it is reached");
+        assert!((between - 2.0).abs() < 1e-9, "{between}");
+        assert_eq!(cost(0.2, &points), Some(1.0));
+        assert_eq!(cost(1e-4, &points), None);
+    }
 }

@@ -54,7 +54,8 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
         return 0.1..1.0;
     }
     let most = most.max(10.0 * least);
-    least / 1.4..most * 1.4
+    // Room for the legend.
+    least / 1.4..most * 2.0
 }
 
 fn draw<'a>(
@@ -80,7 +81,8 @@ fn draw<'a>(
         .x_label_formatter(&|v| label(*v))
         .y_label_formatter(&|v| label(*v))
         .bold_line_style(BLACK.mix(0.18))
-        .light_line_style(BLACK.mix(0.06))
+        // There are so many of them that they make a grey of the border.
+        .light_line_style(TRANSPARENT)
         .draw()?;
     for family in Family::ALL {
         let mut points: Vec<(f64, f64)> = report
@@ -108,7 +110,8 @@ fn draw<'a>(
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
+        // What is both quick and good lies at the lower left.
+        .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE.mix(0.85))
         .border_style(BLACK.mix(0.3))
         .label_font((FONT, 13))
@@ -117,7 +120,7 @@ fn draw<'a>(
 }
 
 /// The points that none is both faster and better than, from fast to slow.
-fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub(super) fn best(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut least = f64::INFINITY;
     let mut kept = Vec::new();
     for &(time, error) in points {

@@ -63,7 +63,12 @@ impl<'a> Sampler<'a> {
         let coded = |v: f32| f64::from(v).max(0.0).powf(1.0 / self.how.gamma);
         let apart = |a: f32, b: f32| (coded(a) - coded(b)).abs();
         let sum = apart(a.rgb.r, b.rgb.r) + apart(a.rgb.g, b.rgb.g) + apart(a.rgb.b, b.rgb.b);
-        sum + apart(a.transmit, b.transmit) >= self.how.threshold
+        // Where the picture keeps no transparency the background is opaque, whatever it says.
+        let shining_through = match self.options.alpha {
+            true => apart(a.transmit, b.transmit),
+            false => 0.0,
+        };
+        sum + shining_through >= self.how.threshold
     }
 
     /// Method 1. The row above the block and the column left of it are traced too, and are never sampled again.

@@ -163,6 +163,12 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// What is traced.
+    #[must_use]
+    pub fn world(&self) -> &'w World {
+        self.world
+    }
+
     /// The same, which sees nothing more as soon as it is to stop.
     #[must_use]
     pub fn until(self, stop: &Stop) -> Self {

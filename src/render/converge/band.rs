@@ -13,8 +13,9 @@
 //! whole.
 
 use super::estimate::Reach;
-use super::finish::{Finishing, HIDDEN};
+use super::finish::{Finishing, HIDDEN, Outcome, Task, is_calm};
 use super::look::{Eye, EyeScratch, Look, TOGETHER};
+use super::near::doubts;
 use crate::compile::Rays;
 use crate::film::Pixel;
 use rayon::prelude::*;
@@ -29,6 +30,8 @@ pub(super) const MARGIN: u32 = ROUNDS + 4;
 pub(super) const FINER: u32 = 4;
 /// The side of the squares of pixels that are sampled first together.
 const SQUARE: u32 = 8;
+/// The same of those that are worked on together: a power of two.
+const WORKED: u32 = 32;
 
 /// What to reach.
 #[derive(Clone, Copy)]
@@ -44,7 +47,7 @@ pub(super) struct Target {
 impl Target {
     /// The smaller the error, the smaller what may stay unseen where nothing is to be seen.
     pub(super) fn new(error: f64, deadline: Option<Instant>) -> Target {
-        const FIRST: [(f64, u32); 3] = [(0.4 / 255.0, 4), (0.2 / 255.0, 8), (0.1 / 255.0, 16)];
+        const FIRST: [(f64, u32); 3] = [(1.25 / 255.0, 4), (0.35 / 255.0, 8), (0.15 / 255.0, 16)];
         let first = FIRST.iter().find(|(least, _)| error >= *least);
         Target {
             error,
@@ -137,35 +140,44 @@ impl<'a> Band<'a> {
         band
     }
 
-    /// The finished pixels of a rectangle in it, row by row, `progress` told of each row.
+    /// The finished pixels of a rectangle in it, row by row, `progress` told of them.
     pub(super) fn finish(
         &mut self,
         columns: &Range<u32>,
         rows: &Range<u32>,
         progress: &(dyn Fn(u64) + Sync),
     ) -> Vec<Done> {
+        let band = &*self;
+        let finished: Vec<(Vec<Outcome>, Rays)> = squares(columns, rows, WORKED)
+            .into_par_iter()
+            .map_init(
+                || (Finishing::default(), Vec::new()),
+                |(scratch, pixels), square| {
+                    pixels.clear();
+                    pixels.extend(along_curve(&square));
+                    let mut outcomes = Vec::with_capacity(pixels.len());
+                    scratch.work(band, pixels, Task::Finish, |outcome| outcomes.push(outcome));
+                    progress(pixels.len() as u64);
+                    (outcomes, scratch.take_rays())
+                },
+            )
+            .collect();
         let width = columns.len();
         let mut done = vec![Done::default(); width * rows.len()];
-        let (samples, rays) = done
-            .par_chunks_mut(width.max(1))
-            .zip(rows.clone().into_par_iter())
-            .map_init(Finishing::default, |scratch, (row, y)| {
-                let mut samples = 0u64;
-                for (done, x) in row.iter_mut().zip(columns.clone()) {
-                    let (finished, more) = scratch.finished(self, (x, y));
-                    *done = finished;
-                    samples += u64::from(more);
-                }
-                progress(width as u64);
-                (samples, scratch.take_rays())
-            })
-            .reduce(
-                || (0, Rays::default()),
-                |(samples, mut rays), (more, others)| {
-                    rays += others;
-                    (samples + more, rays)
-                },
-            );
+        for (outcomes, rays) in finished {
+            self.rays += rays;
+            for outcome in outcomes {
+                let (x, y) = outcome.pixel;
+                let at = (y - rows.start) as usize * width + (x - columns.start) as usize;
+                done[at] = outcome.done.unwrap_or_default();
+                self.samples += u64::from(outcome.taken);
+            }
+        }
+        let place = |(x, y): (u32, u32)| {
+            let is_here = columns.contains(&x) && rows.contains(&y);
+            is_here.then(|| (y - rows.start) as usize * width + (x - columns.start) as usize)
+        };
+        let (samples, rays) = self.eye.specks.add(self, place, &mut done);
         self.samples += samples;
         self.rays += rays;
         done
@@ -268,25 +280,13 @@ impl<'a> Band<'a> {
 
     fn sample_first(&mut self) {
         let n = self.target.first as usize;
-        let mut squares = Vec::new();
-        for top in self.rows.clone().step_by(SQUARE as usize) {
-            for left in self.columns.clone().step_by(SQUARE as usize) {
-                let (right, bottom) = (left + SQUARE, top + SQUARE);
-                squares.push((
-                    left..right.min(self.columns.end),
-                    top..bottom.min(self.rows.end),
-                ));
-            }
-        }
+        let squares = squares(&self.columns, &self.rows, SQUARE);
         let eye = self.eye;
         let seen: Vec<(Vec<Look>, Rays)> = squares
             .par_iter()
-            .map_init(EyeScratch::default, |scratch, (columns, rows)| {
-                let mut looks = Vec::with_capacity(columns.len() * rows.len() * n);
-                let pixels = rows
-                    .clone()
-                    .flat_map(|y| columns.clone().map(move |x| (x, y)));
-                eye.looks(pixels, 0..self.target.first, scratch, &mut looks);
+            .map_init(EyeScratch::default, |scratch, square| {
+                let mut looks = Vec::with_capacity(square.0.len() * square.1.len() * n);
+                eye.looks(pixels_of(square), 0..self.target.first, scratch, &mut looks);
                 (looks, scratch.take_rays())
             })
             .collect();
@@ -308,23 +308,30 @@ impl<'a> Band<'a> {
     /// Finds the pixels at edges and those whose error is too large, and finishes what needs little.
     fn find_broken(&mut self) {
         let band = &*self;
-        let seen: Vec<(bool, Option<Done>, u32, Rays)> = (0..self.finer_at.len())
+        let seen: Vec<(Vec<Outcome>, Rays)> = squares(&self.columns, &self.rows, WORKED)
             .into_par_iter()
-            .with_min_len(SQUARE as usize)
-            .map_init(Finishing::default, |scratch, at| {
-                let pixel = band.pixel_at(at);
-                if scratch.is_calm(band, pixel) {
-                    return (false, None, 0, Rays::default());
-                }
-                let (settled, more) = scratch.settled(band, pixel);
-                (settled.is_none(), settled, more, scratch.take_rays())
-            })
+            .map_init(
+                || (Finishing::default(), Vec::new()),
+                |(scratch, pixels), square| {
+                    pixels.clear();
+                    pixels.extend(along_curve(&square).filter(|&pixel| !is_calm(band, pixel)));
+                    let mut outcomes = Vec::with_capacity(pixels.len());
+                    scratch.work(band, pixels, Task::Settle, |outcome| outcomes.push(outcome));
+                    (outcomes, scratch.take_rays())
+                },
+            )
             .collect();
-        for (is_broken, settled, more, rays) in seen {
-            self.is_broken.push(is_broken);
-            self.settled.push(settled);
-            self.samples += u64::from(more);
+        let count = self.finer_at.len();
+        self.is_broken = vec![false; count];
+        self.settled = vec![None; count];
+        for (outcomes, rays) in seen {
             self.rays += rays;
+            for outcome in outcomes {
+                let at = self.at(outcome.pixel.0, outcome.pixel.1);
+                self.is_broken[at] = outcome.done.is_none();
+                self.settled[at] = outcome.done;
+                self.samples += u64::from(outcome.taken);
+            }
         }
     }
 
@@ -339,9 +346,9 @@ impl<'a> Band<'a> {
         let band = &*self;
         let doubtful: Vec<Vec<usize>> = found
             .par_iter()
-            .map_init(Finishing::default, |scratch, &at| {
+            .map(|&at| {
                 let mut doubtful = Vec::new();
-                scratch.doubts(band, band.pixel_at(at), &mut doubtful);
+                doubts(band, band.pixel_at(at), &mut doubtful);
                 doubtful
             })
             .collect();
@@ -399,6 +406,48 @@ impl<'a> Band<'a> {
         }
         self.samples += found.len() as u64 * more.len() as u64;
     }
+}
+
+/// Columns and rows of pixels.
+type Square = (Range<u32>, Range<u32>);
+
+/// A rectangle of pixels in squares with this side, those at the right and below smaller.
+fn squares(columns: &Range<u32>, rows: &Range<u32>, side: u32) -> Vec<Square> {
+    let split = |range: &Range<u32>| {
+        let end = range.end;
+        let starts = range.clone().step_by(side as usize);
+        starts.map(move |start| start..(start + side).min(end))
+    };
+    split(rows)
+        .flat_map(|rows| split(columns).map(move |columns| (columns, rows.clone())))
+        .collect()
+}
+
+/// The pixels of a square, row by row.
+fn pixels_of((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use<> {
+    let columns = columns.clone();
+    rows.clone()
+        .flat_map(move |y| columns.clone().map(move |x| (x, y)))
+}
+
+/// The same, along a curve that keeps neighbours together.
+fn along_curve((columns, rows): &Square) -> impl Iterator<Item = (u32, u32)> + use<> {
+    let (columns, rows) = (columns.clone(), rows.clone());
+    let even_bits = |v: u32| {
+        let v = v & 0x5555;
+        let v = (v | v >> 1) & 0x3333;
+        let v = (v | v >> 2) & 0x0f0f;
+        (v | v >> 4) & 0x00ff
+    };
+    (0..WORKED * WORKED)
+        .map(move |number| {
+            let (across, down) = (even_bits(number), even_bits(number >> 1));
+            (columns.start + across, rows.start + down)
+        })
+        .filter({
+            let (right, bottom) = (columns.end, rows.end);
+            move |&(x, y)| x < right && y < bottom
+        })
 }
 
 /// For looks of pixels, so many for each, which of them lies in each cell of a grid.

@@ -6,16 +6,15 @@
 //! samples tell the share as well as hundreds spread evenly would. Where no line separates the samples the pixel is
 //! sampled on in the ordinary way.
 
+use std::f64::consts::FRAC_PI_2;
+
 /// Edges are bent a little, and all lines are not equally likely: the error is this many deviations.
 const CAUTION: f64 = 1.5;
-/// Directions tried to either side of a guess, and by how much they differ, in radians.
-const GUESSES: [(u8, f64); 3] = [(5, 0.2), (4, 0.045), (3, 0.013)];
-/// Bisections to the end of the directions that separate.
-const BISECTIONS: u32 = 6;
+const MIDDLE: f64 = 0.5;
 /// Directions over which the mean is taken, as shares of the way between the ends: Gauss-Legendre.
 const NODES: [(f64, f64); 3] = [
     (0.112_701_665_379_258_3, 5.0 / 18.0),
-    (0.5, 8.0 / 18.0),
+    (MIDDLE, 8.0 / 18.0),
     (0.887_298_334_620_741_7, 5.0 / 18.0),
 ];
 /// The next place on a line comes so much of its length behind the last.
@@ -32,147 +31,176 @@ pub(super) struct Division {
     /// How wrong that may be.
     pub(super) error: f64,
     /// The line in the middle: the direction from dark to bright, and how far it lies in that.
-    angle: f64,
+    along: Along,
     offset: f64,
-    /// Two points of the border of the pixel on it.
-    chord: [[f64; 2]; 2],
-    /// The middles of the dark and the bright part.
-    pub(super) middles: [[f64; 2]; 2],
 }
 
 impl Division {
-    /// The lines that separate these samples; `None` if there are none.
-    pub(super) fn of(told: &[Told]) -> Option<Division> {
-        let middle = |bright: bool| {
-            let mut sum = [0.0; 2];
-            let mut count = 0.0;
-            for (place, _) in told.iter().filter(|(_, is_bright)| *is_bright == bright) {
-                sum = [sum[0] + place[0], sum[1] + place[1]];
-                count += 1.0;
-            }
-            (count > 0.0).then(|| sum.map(|s| s / count))
-        };
-        let (from, to) = (middle(false)?, middle(true)?);
-        let mut best = (to[1] - from[1]).atan2(to[0] - from[0]);
-        let sides = &[Side::of(told, false)?, Side::of(told, true)?];
-        let mut widest = Gap::of(sides, best).width();
-        for (count, step) in GUESSES {
-            let guess = best;
-            let (sin, cos) = guess.sin_cos();
-            let (sin_step, cos_step) = step.sin_cos();
-            for side in [-1.0, 1.0] {
-                let (sin_step, mut sin, mut cos) = (side * sin_step, sin, cos);
-                for i in 1..=count {
-                    (sin, cos) = (
-                        sin * cos_step + cos * sin_step,
-                        cos * cos_step - sin * sin_step,
-                    );
-                    let width = Gap::along(sides, [cos, sin]).width();
-                    if width > widest {
-                        (best, widest) = (guess + side * f64::from(i) * step, width);
-                    }
-                }
-            }
-        }
-        if widest <= 0.0 {
-            return None;
-        }
-        let ends = [-1.0, 1.0].map(|side| best + side * last_separating(sides, best, side));
-        Some(Division::over(sides, best, ends))
-    }
-
-    /// The mean over all lines with directions between two ends.
-    fn over(sides: &[Side; 2], best: f64, ends: [f64; 2]) -> Division {
+    /// The lines in a wedge between the dark samples and the bright ones; `None` if rounding leaves none.
+    pub(super) fn of(
+        wedge: Wedge,
+        dark: &[Vec<[f64; 2]>],
+        bright: &[Vec<[f64; 2]>],
+    ) -> Option<Division> {
+        let [first, last] = wedge.ends();
         let (mut weight, mut sum, mut squares) = (0.0, 0.0, 0.0);
+        let mut middle = None;
         for (share, angle_weight) in NODES {
-            let angle = ends[0] + share * (ends[1] - ends[0]);
-            let gap = Gap::of(sides, angle);
+            let along = Along::angle(first + share * (last - first));
+            let gap = Gap::between(dark, bright, &along);
+            if share == MIDDLE {
+                middle = Some((along, (gap.dark + gap.bright) / 2.0));
+            }
             for (share, offset_weight) in NODES {
                 let here = angle_weight * offset_weight * gap.width().max(0.0);
-                let dark = area_below(angle, gap.dark + share * (gap.bright - gap.dark));
+                let dark = along.area_below(gap.dark + share * (gap.bright - gap.dark));
                 weight += here;
                 sum += here * dark;
                 squares += here * dark * dark;
             }
         }
+        let (along, offset) = middle?;
+        if weight.is_nan() || weight <= 0.0 {
+            return None;
+        }
         let dark = sum / weight;
-        let gap = Gap::of(sides, best);
-        let offset = (gap.dark + gap.bright) / 2.0;
-        Division {
+        Some(Division {
             dark,
             error: CAUTION * (squares / weight - dark * dark).max(0.0).sqrt(),
-            angle: best,
+            along,
             offset,
-            chord: chord(best, offset),
-            middles: middles(best, offset),
-        }
+        })
     }
 
     /// Whether a place lies on the bright side of the line in the middle.
     pub(super) fn is_beyond(&self, [x, y]: [f64; 2]) -> bool {
-        let (sin, cos) = self.angle.sin_cos();
-        x * cos + y * sin > self.offset
+        self.along.of([x, y]) > self.offset
+    }
+
+    /// The middles of the dark and the bright part.
+    pub(super) fn middles(&self) -> [[f64; 2]; 2] {
+        middles(&self.along, self.offset)
     }
 
     /// The place at which a sample with this number tells most.
     pub(super) fn place(&self, number: u32) -> [f64; 2] {
         let share = (0.5 + f64::from(number) * GOLDEN).fract();
-        let [from, to] = self.chord;
+        let [from, to] = chord(&self.along, self.offset);
         [0, 1].map(|i| from[i] + share * (to[i] - from[i]))
     }
 }
 
-/// The places of one kind of samples, the first repeated behind the last so that lanes are full.
-struct Side {
-    places: [[f64; MOST_TOLD]; 2],
-    count: usize,
+/// The directions from the dark samples to the bright ones, all of them between two. A line separates the samples if it
+/// is at a right angle to a direction that has less than a right angle with all of these.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Wedge {
+    /// Of all those to the one side, and to the other.
+    left: [f64; 2],
+    right: [f64; 2],
 }
 
-/// So many samples of one kind are told from the others at most.
-const MOST_TOLD: usize = 160;
-/// So many are looked at together.
-const LANES: usize = 4;
-
-impl Side {
-    fn of(told: &[Told], bright: bool) -> Option<Side> {
-        let mut side = Side {
-            places: [[0.0; MOST_TOLD]; 2],
-            count: 0,
+impl Wedge {
+    /// Around the directions from some groups of places to others; `None` if no line separates them.
+    pub(super) fn between(dark: &[Vec<[f64; 2]>], bright: &[Vec<[f64; 2]>]) -> Option<Wedge> {
+        let (from, to) = (
+            dark.iter().flatten().next()?,
+            bright.iter().flatten().next()?,
+        );
+        let one = [to[0] - from[0], to[1] - from[1]];
+        let mut wedge = Wedge {
+            left: one,
+            right: one,
         };
-        let ours = told.iter().filter(|(_, is_bright)| *is_bright == bright);
-        for (place, _) in ours {
-            side.put(*place)?;
-        }
-        let first = [side.places[0][0], side.places[1][0]];
-        while !side.count.is_multiple_of(LANES) {
-            side.put(first)?;
-        }
-        Some(side)
+        let mut places = bright.iter().flatten();
+        places
+            .all(|&place| wedge.take(place, true, dark))
+            .then_some(wedge)
     }
 
-    fn put(&mut self, [x, y]: [f64; 2]) -> Option<()> {
-        *self.places[0].get_mut(self.count)? = x;
-        self.places[1][self.count] = y;
-        self.count += 1;
-        Some(())
-    }
-
-    /// How far it reaches against a direction.
-    fn least(&self, [cos, sin]: [f64; 2]) -> f64 {
-        let mut least = [f64::INFINITY; LANES];
-        let [x, y] = [0, 1].map(|i| self.places[i][..self.count].chunks_exact(LANES));
-        for (x, y) in x.zip(y) {
-            for lane in 0..LANES {
-                let along = x[lane] * cos + y[lane] * sin;
-                // What `min` does about numbers that are none takes longer than all the rest.
-                least[lane] = if along < least[lane] {
-                    along
-                } else {
-                    least[lane]
-                };
+    /// Takes in one place more, bright or not, of which `others` are those of the other kind; false if then no line
+    /// separates them.
+    #[inline]
+    pub(super) fn take(
+        &mut self,
+        place: [f64; 2],
+        is_bright: bool,
+        others: &[Vec<[f64; 2]>],
+    ) -> bool {
+        let sign = if is_bright { 1.0 } else { -1.0 };
+        for other in others.iter().flatten() {
+            let way = [sign * (place[0] - other[0]), sign * (place[1] - other[1])];
+            let (left, right) = (cross(self.left, way), cross(self.right, way));
+            if left < 0.0 && right > 0.0 {
+                continue;
+            }
+            let is_behind = left >= 0.0 && right <= 0.0;
+            if is_behind && self.left[0] * way[0] + self.left[1] * way[1] <= 0.0 {
+                return false;
+            }
+            if left > 0.0 && right >= 0.0 {
+                self.left = way;
+            } else if right < 0.0 && left <= 0.0 {
+                self.right = way;
+            } else if left > 0.0 && right < 0.0 {
+                return false;
             }
         }
-        least.into_iter().fold(f64::INFINITY, f64::min)
+        true
+    }
+
+    /// The first and the last angle of the directions that separate.
+    fn ends(&self) -> [f64; 2] {
+        let right = self.right[1].atan2(self.right[0]);
+        // Less than half a turn on.
+        let turn = cross(self.right, self.left)
+            .atan2(self.right[0] * self.left[0] + self.right[1] * self.left[1]);
+        [right + turn - FRAC_PI_2, right + FRAC_PI_2]
+    }
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// A direction.
+#[derive(Clone, Copy, Debug)]
+struct Along {
+    cos: f64,
+    sin: f64,
+}
+
+impl Along {
+    fn angle(angle: f64) -> Along {
+        let (sin, cos) = angle.sin_cos();
+        Along { cos, sin }
+    }
+
+    /// How far a place lies in it.
+    fn of(&self, [x, y]: [f64; 2]) -> f64 {
+        x * self.cos + y * self.sin
+    }
+
+    /// The area of the unit square that lies less far than this in it.
+    fn area_below(&self, mut offset: f64) -> f64 {
+        let Along { cos, sin } = *self;
+        // Mirrored so that both are positive.
+        offset -= cos.min(0.0) + sin.min(0.0);
+        let (a, b) = (cos.abs(), sin.abs());
+        let (small, large) = (a.min(b), a.max(b));
+        if offset <= 0.0 {
+            return 0.0;
+        }
+        if offset >= a + b {
+            return 1.0;
+        }
+        if small < FLAT {
+            return ((offset - small / 2.0) / large).clamp(0.0, 1.0);
+        }
+        let beyond = |side: f64| {
+            let beyond = (offset - side).max(0.0);
+            beyond * beyond
+        };
+        (offset * offset - beyond(a) - beyond(b)) / (2.0 * a * b)
     }
 }
 
@@ -183,15 +211,20 @@ struct Gap {
 }
 
 impl Gap {
-    fn of(sides: &[Side; 2], angle: f64) -> Gap {
-        let (sin, cos) = angle.sin_cos();
-        Gap::along(sides, [cos, sin])
-    }
-
-    fn along([dark, bright]: &[Side; 2], [cos, sin]: [f64; 2]) -> Gap {
+    fn between(dark: &[Vec<[f64; 2]>], bright: &[Vec<[f64; 2]>], along: &Along) -> Gap {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        // What `min` does about numbers that are none takes longer than all the rest.
+        for place in bright.iter().flatten() {
+            let here = along.of(*place);
+            least = if here < least { here } else { least };
+        }
+        for place in dark.iter().flatten() {
+            let here = along.of(*place);
+            most = if here > most { here } else { most };
+        }
         Gap {
-            dark: -dark.least([-cos, -sin]),
-            bright: bright.least([cos, sin]),
+            dark: most,
+            bright: least,
         }
     }
 
@@ -200,46 +233,11 @@ impl Gap {
     }
 }
 
-/// How far a direction that separates can be turned to one side until it no longer does.
-fn last_separating(sides: &[Side; 2], angle: f64, side: f64) -> f64 {
-    let (mut inside, mut outside) = (0.0, std::f64::consts::FRAC_PI_2);
-    for _ in 0..BISECTIONS {
-        let middle = (inside + outside) / 2.0;
-        if Gap::of(sides, angle + side * middle).width() > 0.0 {
-            inside = middle;
-        } else {
-            outside = middle;
-        }
-    }
-    inside
-}
-
-/// The area of the unit square in which `x cos + y sin` is below an offset.
-fn area_below(angle: f64, mut offset: f64) -> f64 {
-    let (sin, cos) = angle.sin_cos();
-    // Mirrored so that both are positive.
-    offset -= cos.min(0.0) + sin.min(0.0);
-    let (a, b) = (cos.abs(), sin.abs());
-    let (small, large) = (a.min(b), a.max(b));
-    if offset <= 0.0 {
-        return 0.0;
-    }
-    if offset >= a + b {
-        return 1.0;
-    }
-    if small < FLAT {
-        return ((offset - small / 2.0) / large).clamp(0.0, 1.0);
-    }
-    let beyond = |side: f64| (offset - side).max(0.0).powi(2);
-    (offset * offset - beyond(a) - beyond(b)) / (2.0 * a * b)
-}
-
 /// A line that leaves the axis by less is taken for parallel to it: the area is wrong by less than a sixth of this.
 const FLAT: f64 = 1e-6;
 
 /// Where the line `x cos + y sin = offset` enters and leaves the unit square.
-fn chord(angle: f64, offset: f64) -> [[f64; 2]; 2] {
-    let (sin, cos) = angle.sin_cos();
+fn chord(&Along { cos, sin }: &Along, offset: f64) -> [[f64; 2]; 2] {
     let foot = [offset * cos, offset * sin];
     let dir = [-sin, cos];
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -256,10 +254,9 @@ fn chord(angle: f64, offset: f64) -> [[f64; 2]; 2] {
 }
 
 /// The centres of gravity of the parts of the unit square below and above a line; that of an empty part is the square's.
-fn middles(angle: f64, offset: f64) -> [[f64; 2]; 2] {
+fn middles(along: &Along, offset: f64) -> [[f64; 2]; 2] {
     const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let (sin, cos) = angle.sin_cos();
-    let above = |[x, y]: [f64; 2]| x * cos + y * sin - offset;
+    let above = |place: [f64; 2]| along.of(place) - offset;
     // The outline of the part below.
     let (mut outline, mut count) = ([[0.0; 2]; 8], 0);
     for (i, corner) in CORNERS.into_iter().enumerate() {
@@ -298,6 +295,16 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
+    /// What is known of the lines between samples.
+    fn division(told: &[Told]) -> Option<Division> {
+        let mut groups = [Vec::new(), Vec::new()];
+        for &(place, is_bright) in told {
+            groups[usize::from(is_bright)].push(place);
+        }
+        let (dark, bright) = groups.split_at(1);
+        Division::of(Wedge::between(dark, bright)?, dark, bright)
+    }
+
     #[test]
     fn areas_below_a_line_are_those_of_counting() {
         for step in 0..24 {
@@ -312,14 +319,14 @@ mod tests {
                     }
                 }
                 let counted = f64::from(below) / 40_000.0;
-                let area = area_below(angle, offset);
+                let area = Along::angle(angle).area_below(offset);
                 assert!(
                     (area - counted).abs() < 3e-3,
                     "{angle} {offset}: {area}, {counted}"
                 );
             }
         }
-        assert!((area_below(0.0, 0.25) - 0.25).abs() < 1e-6);
+        assert!((Along::angle(0.0).area_below(0.25) - 0.25).abs() < 1e-6);
     }
 
     #[test]
@@ -346,11 +353,11 @@ mod tests {
                 })
                 .collect();
             for number in 0..9 {
-                let division = Division::of(&told).expect("a line separates them");
+                let division = division(&told).expect("a line separates them");
                 told.push(tell(division.place(number)));
             }
-            let division = Division::of(&told).expect("a line separates them");
-            let off = (division.dark - area_below(angle, offset)).abs();
+            let division = division(&told).expect("a line separates them");
+            let off = (division.dark - Along::angle(angle).area_below(offset)).abs();
             assert!(
                 off < 0.006 && off < 2.0 * division.error,
                 "{off}, {division:?}"
@@ -373,7 +380,7 @@ mod tests {
                         *sum = [sum[0] + x, sum[1] + y, sum[2] + 1.0];
                     }
                 }
-                let middles = middles(angle, offset);
+                let middles = middles(&Along::angle(angle), offset);
                 for (sum, middle) in sums.iter().zip(middles) {
                     if sums.iter().all(|sum| sum[2] > 100.0) {
                         let off = (sum[0] / sum[2] - middle[0]).hypot(sum[1] / sum[2] - middle[1]);
@@ -396,6 +403,6 @@ mod tests {
             ([0.1, 0.9], true),
             ([0.9, 0.1], true),
         ];
-        assert!(Division::of(&told).is_none());
+        assert!(division(&told).is_none());
     }
 }

@@ -20,7 +20,7 @@ const LEAST_LEFT: f64 = 0.5;
 pub(super) const STILL_TO_COME: f64 = 0.33;
 
 /// What some samples tell of a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Estimate {
     /// The mean of each channel.
     pub(super) mean: [f64; 4],
@@ -78,8 +78,13 @@ impl Reach {
 
     pub(super) fn with(mut self, other: &Reach) -> Reach {
         for c in 0..4 {
-            self.least[c] = self.least[c].min(other.least[c]);
-            self.most[c] = self.most[c].max(other.most[c]);
+            // What `min` does about numbers that are none takes longer than all the rest.
+            if other.least[c] < self.least[c] {
+                self.least[c] = other.least[c];
+            }
+            if other.most[c] > self.most[c] {
+                self.most[c] = other.most[c];
+            }
         }
         self
     }
@@ -110,8 +115,13 @@ pub(super) fn estimate(
     }
 }
 
-/// The same from these samples alone.
-fn of_all(looks: &[Look], channels: usize, slopes: &Slopes, cells: &mut Vec<u32>) -> Estimate {
+/// The same without a look at how it came about.
+pub(super) fn of_all(
+    looks: &[Look],
+    channels: usize,
+    slopes: &Slopes,
+    cells: &mut Vec<u32>,
+) -> Estimate {
     let bits = looks.len().ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
     cells.clear();

@@ -1,14 +1,17 @@
-//! Finishing one pixel: what its samples and those around it tell, and more samples until that is enough.
+//! Finishing pixels: what their samples and those around them tell, and more samples until that is enough.
+//!
+//! Many pixels are finished side by side, and what they ask for is looked at together: rays that are searched for
+//! together cost a fraction of what they cost one by one.
 
-use super::band::{Band, Done, Sight};
-use super::edge::{Division, Told};
-use super::estimate::{Estimate, SHARE_OF_VARIANCE, estimate};
-use super::kinds::Kinds;
-use super::look::{EyeScratch, Look, pixel};
-use super::parts::Parts;
+use super::band::{Band, Done};
+use super::dividing::{Buffers, Dividing, Next};
+use super::estimate::{Estimate, estimate, of_all};
+use super::look::{EyeScratch, Look, TOGETHER, pixel};
+use super::near::first_estimate;
 use super::slope::{Slopes, Sums};
-use super::strip::strip;
+use super::specks::Specks;
 use crate::compile::Rays;
+use std::ops::Range;
 
 /// The share of `contrast / samples` that a feature may make which no sample saw. A half plane that a (0, 2)-sequence of
 /// `n` points does not see covers up to about `1/n` of the pixel, and most do less.
@@ -17,11 +20,6 @@ const UNSEEN: f64 = 0.25;
 pub(super) const HIDDEN: f64 = 0.0625;
 /// No pixel gets more samples.
 const MOST_SAMPLES: usize = 1 << 14;
-/// With more samples none for one that a strip crosses.
-const MOST_AT_STRIPS: usize = 16;
-/// So many samples are put on an edge at most, and so many at once.
-const MOST_ON_AN_EDGE: u32 = 18;
-const ON_AN_EDGE_TOGETHER: u32 = 3;
 /// With more samples a pixel is not taken for one that an edge divides: it has failed to be so too often.
 const MOST_AT_EDGES: usize = 64;
 /// First samples so far around a pixel tell how an edge goes on and how colours slope, in pixels: those within half a
@@ -29,29 +27,85 @@ const MOST_AT_EDGES: usize = 64;
 const RING: f64 = 0.75;
 /// The same where pixels have more samples.
 const CLOSE: f64 = 0.25;
-/// How much of the contrast of two cells raises doubts about the pixel that one is in, as in the estimate of its error.
-const DOUBT: f64 = 0.4;
-
-/// The first samples of a pixel and of those around.
-const FIRST: (Sight, Sight) = (Sight::First, Sight::First);
-
 /// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
 /// samples together, since halving their error costs little.
 const EVEN: f64 = 0.25;
+
+/// What is wanted of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Task {
+    /// To be done if its first samples and a little more are enough.
+    Settle,
+    /// To be done.
+    Finish,
+}
+
+/// What has become of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outcome {
+    pub(super) pixel: (u32, u32),
+    /// Nothing if a little more was not enough.
+    pub(super) done: Option<Done>,
+    /// How many more samples it took.
+    pub(super) taken: u32,
+}
 
 /// Buffers of a thread that finishes pixels.
 #[derive(Default)]
 pub(super) struct Finishing {
     eye: EyeScratch,
+    cases: Vec<Case>,
+    /// The cases that wait for samples, and those that will do so next.
+    waiting: Vec<usize>,
+    next: Vec<usize>,
     looks: Vec<Look>,
+    buffers: Gathered,
+}
+
+/// Buffers that cases use one after the other.
+#[derive(Default)]
+struct Gathered {
     /// Samples around the pixel, and their places.
     ring: Vec<(Look, [f64; 2])>,
     order: Vec<u32>,
-    values: Vec<f32>,
-    told: Vec<Told>,
-    /// For each of these, the part of the pixel it lies in.
-    groups: Vec<u8>,
-    on_edge: Vec<Look>,
+    dividing: Buffers,
+}
+
+/// What a case waits for.
+#[derive(Clone, Debug, Default)]
+enum Wish {
+    /// Samples of these numbers.
+    Numbers(Range<u32>),
+    /// Samples at the places of its division.
+    #[default]
+    Places,
+}
+
+/// What the samples that a case waits for are to tell.
+#[derive(Clone, Copy, Debug, Default)]
+enum Step {
+    /// Whether the colour slopes like that.
+    Sloped(Slopes),
+    /// More of the lines that divide the pixel.
+    Divided,
+    /// More of what is in the pixel.
+    #[default]
+    Sampled,
+}
+
+/// A pixel at work.
+#[derive(Default)]
+struct Case {
+    pixel: (u32, u32),
+    settles: bool,
+    step: Step,
+    wish: Wish,
+    looks: Vec<Look>,
+    dividing: Dividing,
+    taken: u32,
+    /// What all samples together tell.
+    found: Estimate,
+    contrast: f64,
 }
 
 impl Finishing {
@@ -60,411 +114,328 @@ impl Finishing {
         self.eye.take_rays()
     }
 
-    /// Whether the first samples of a pixel, and those next to them around it, leave nothing to be asked.
-    pub(super) fn is_calm(&mut self, band: &Band<'_>, (x, y): (u32, u32)) -> bool {
-        let channels = band.eye.channels;
-        let (found, is_torn) = first_estimate(band, (x, y), &Slopes::default());
-        if is_torn {
-            return band.reach_around(x, y).contrast(channels) <= band.target.error;
+    /// Works on some pixels that lie near each other; `tell` hears of each what became of it, in any order.
+    pub(super) fn work(
+        &mut self,
+        band: &Band<'_>,
+        pixels: &[(u32, u32)],
+        task: Task,
+        mut tell: impl FnMut(Outcome),
+    ) {
+        if self.cases.len() < pixels.len() {
+            self.cases.resize_with(pixels.len(), Case::default);
         }
-        found.error <= band.target.error * EVEN
+        self.waiting.clear();
+        for (number, &pixel) in pixels.iter().enumerate() {
+            match self.cases[number].begin(band, pixel, task, &mut self.buffers) {
+                Some(outcome) => tell(outcome),
+                None => self.waiting.push(number),
+            }
+        }
+        while !self.waiting.is_empty() {
+            self.next.clear();
+            let mut waiting = &self.waiting[..];
+            while !waiting.is_empty() {
+                self.eye.clear();
+                let asking = waiting.iter().take_while(|&&number| {
+                    let is_room = self.eye.len() < TOGETHER;
+                    if is_room {
+                        self.cases[number].ask(&mut self.eye, band.eye.specks);
+                    }
+                    is_room
+                });
+                let (now, later) = waiting.split_at(asking.count());
+                waiting = later;
+                self.looks.clear();
+                band.eye.look(&mut self.eye, &mut self.looks);
+                let mut looks = &self.looks[..];
+                for &number in now {
+                    let case = &mut self.cases[number];
+                    let (own, others) = looks.split_at(case.asked());
+                    looks = others;
+                    match case.go_on(band, own, &mut self.buffers) {
+                        Some(outcome) => tell(outcome),
+                        None => self.next.push(number),
+                    }
+                }
+            }
+            std::mem::swap(&mut self.waiting, &mut self.next);
+        }
+    }
+}
+
+impl Case {
+    /// Begins with a pixel; what became of it, or nothing if it waits for samples.
+    fn begin(
+        &mut self,
+        band: &Band<'_>,
+        (x, y): (u32, u32),
+        task: Task,
+        buffers: &mut Gathered,
+    ) -> Option<Outcome> {
+        self.pixel = (x, y);
+        self.taken = 0;
+        self.settles = task == Task::Settle;
+        let at = band.at(x, y);
+        match task {
+            Task::Settle => self.settle(band, at, buffers),
+            Task::Finish => {
+                if let Some(settled) = band.settled_at(at) {
+                    return self.outcome(Some(settled));
+                }
+                self.looks.clear();
+                self.looks.extend_from_slice(band.looks_of(at));
+                let is_calm = !band.is_finer(at) && !band.is_broken_at(at);
+                if is_calm {
+                    // It was found so by comparison with those around it.
+                    let channels = band.eye.channels;
+                    let level = Slopes::default();
+                    let found = of_all(&self.looks, channels, &level, &mut buffers.order);
+                    let error = found.error.min(band.target.error);
+                    return self.outcome(Some(done(&found, error)));
+                }
+                self.found = self.estimate(band, &Slopes::default(), buffers);
+                if !band.is_finer(at) {
+                    // The time is over.
+                    return self.outcome(Some(done(&self.found, self.found.error)));
+                }
+                self.contrast = band.reach_around(x, y).contrast(band.eye.channels);
+                self.refine(band, buffers)
+            }
+        }
     }
 
-    /// What the first samples of a pixel at an edge come to, if a little more is enough; and how many more they were.
-    pub(super) fn settled(&mut self, band: &Band<'_>, (x, y): (u32, u32)) -> (Option<Done>, u32) {
-        if band.may_hide(x, y) {
-            return (None, 0);
+    /// Goes on with the samples it waited for; what became of the pixel, or nothing if it waits for more.
+    fn go_on(
+        &mut self,
+        band: &Band<'_>,
+        looks: &[Look],
+        buffers: &mut Gathered,
+    ) -> Option<Outcome> {
+        self.taken += count_of(looks);
+        match self.step {
+            Step::Sloped(slopes) => {
+                self.looks.extend_from_slice(looks);
+                let found = self.estimate(band, &slopes, buffers);
+                let is_enough = found.error <= band.target.error * EVEN;
+                self.outcome(is_enough.then(|| done(&found, found.error)))
+            }
+            Step::Sampled => {
+                self.looks.extend_from_slice(looks);
+                self.found = self.estimate(band, &Slopes::default(), buffers);
+                self.refine(band, buffers)
+            }
+            Step::Divided => {
+                let holds = match self.wish {
+                    Wish::Places => self.dividing.take_places(looks),
+                    Wish::Numbers(_) => {
+                        self.looks.extend_from_slice(looks);
+                        self.dividing.test(looks)
+                    }
+                };
+                match holds {
+                    true => self.divide(band),
+                    false => self.is_not_divided(),
+                }
+            }
         }
-        let looks = band.first_of(band.at(x, y));
+    }
+
+    /// Notes the places that it wants to be looked at.
+    fn ask(&self, eye: &mut EyeScratch, specks: &Specks) {
+        match &self.wish {
+            Wish::Numbers(numbers) => eye.note(self.pixel, numbers.clone(), specks),
+            Wish::Places => eye.note_places(self.pixel, &self.dividing.places, specks),
+        }
+    }
+
+    /// How many these are.
+    fn asked(&self) -> usize {
+        match &self.wish {
+            Wish::Numbers(numbers) => numbers.len(),
+            Wish::Places => self.dividing.places.len(),
+        }
+    }
+
+    /// A pixel at an edge or on a slope, by its first samples.
+    fn settle(&mut self, band: &Band<'_>, at: usize, buffers: &mut Gathered) -> Option<Outcome> {
+        let (x, y) = self.pixel;
+        if band.may_hide(x, y) {
+            return self.outcome(None);
+        }
+        let looks = band.first_of(at);
         self.looks.clear();
         self.looks.extend_from_slice(looks);
-        self.gather_ring(band, (x, y), RING, |at| band.first_of(at));
-        let all_alike = self
-            .ring
+        gather_ring(
+            band,
+            self.pixel,
+            RING,
+            |at| band.first_of(at),
+            &mut buffers.ring,
+        );
+        let around = buffers.ring.iter().map(|(look, _)| look);
+        let all_alike = looks
             .iter()
-            .all(|(look, _)| look.is_same_side(&looks[0]))
-            && looks.iter().all(|look| look.is_same_side(&looks[0]));
-        if all_alike {
-            let slopes = self.sums(|_| true).plane().map(|plane| plane.slopes());
-            let slopes = slopes.unwrap_or_default();
-            let tests = band.target.first;
-            let channels = band.eye.channels;
-            let (found, _) = first_estimate(band, (x, y), &slopes);
-            if found.error <= band.target.error * EVEN {
-                self.test(band, (x, y));
-                let found = estimate(&self.looks, channels, &slopes, &mut self.order);
-                let settled = found.error <= band.target.error * EVEN;
-                return (settled.then(|| done(&found, found.error)), tests);
-            }
-        }
-        let (divided, more) = self.divided(band, (x, y), true);
-        (divided.map(|found| done(&found, found.error)), more)
-    }
-
-    /// The pixels around a broken one about which its samples raise doubts.
-    pub(super) fn doubts(
-        &mut self,
-        band: &Band<'_>,
-        (x, y): (u32, u32),
-        doubtful: &mut Vec<usize>,
-    ) {
-        let at = band.at(x, y);
-        let looks = band.looks_of(at);
-        let channels = band.eye.channels;
-        let bits = looks.len().ilog2();
-        let (width, height) = (1i64 << bits.div_ceil(2), 1i64 << (bits / 2));
-        let target = band.target.error;
-        let area = 1.0 / f64::from(band.target.first);
-        // As in the estimate of a pixel.
-        let differs = |a: &Look, b: &Look| {
-            let apart =
-                |c: usize| f64::from((a.channels[c].min(1.0) - b.channels[c].min(1.0)).abs());
-            (0..channels).map(apart).fold(0.0, f64::max) * area * DOUBT > target
-        };
-        let mut alone = band.may_hide(x, y);
-        for row in 0..height {
-            for column in 0..width {
-                let own = inside(band, Sight::All, at, (column, row), width);
-                let mut like = 0;
-                for (dx, dy) in [(-1, 0), (1, 0), (0, -1), (0, 1)] {
-                    let (column, row) = (column + dx, row + dy);
-                    let is_inside = (0..width).contains(&column) && (0..height).contains(&row);
-                    if is_inside {
-                        like += u32::from(!differs(
-                            own,
-                            inside(band, Sight::All, at, (column, row), width),
-                        ));
-                        continue;
-                    }
-                    let Some((other, look)) =
-                        beyond(band, (x, y), (column, row), (Sight::All, Sight::First))
-                    else {
-                        continue;
-                    };
-                    if differs(own, look) {
-                        if band.settled_at(other).is_none() {
-                            doubtful.push(other);
-                        }
-                    } else {
-                        like += 1;
-                    }
-                }
-                alone |= like == 0;
-            }
-        }
-        if alone {
-            let around = band.around(x, y).map(|(x, y)| band.at(x, y));
-            doubtful.extend(around.filter(|&at| band.settled_at(at).is_none()));
-        }
-    }
-
-    /// A finished pixel, and how many more samples it took.
-    pub(super) fn finished(&mut self, band: &Band<'_>, (x, y): (u32, u32)) -> (Done, u32) {
-        let at = band.at(x, y);
-        let channels = band.eye.channels;
-        if let Some(settled) = band.settled_at(at) {
-            return (settled, 0);
-        }
-        self.looks.clear();
-        self.looks.extend_from_slice(band.looks_of(at));
-        let first = estimate(&self.looks, channels, &Slopes::default(), &mut self.order);
-        if !band.is_finer(at) {
-            // It was found calm by comparison with those around it, or the time is over.
-            let error = match band.is_broken_at(at) {
-                true => first.error,
-                false => first.error.min(band.target.error),
-            };
-            return (done(&first, error), 0);
-        }
-        let target = band.target.error;
-        let contrast = band.reach_around(x, y).contrast(channels);
-        self.gather_ring(band, (x, y), CLOSE, |at| band.looks_of(at));
-        let mut found = first;
-        let mut taken = 0;
-        loop {
-            let count = self.looks.len();
-            let samples = f64::from(u32::try_from(count).unwrap_or(u32::MAX));
-            let error = found.error.max(contrast * UNSEEN / samples);
-            let is_last = count >= MOST_SAMPLES || band.target.is_over();
-            if error <= target || is_last {
-                return (done(&found, error), taken);
-            }
-            let hidden = contrast * HIDDEN / samples;
-            if hidden <= target && count <= MOST_AT_EDGES {
-                let (divided, more) = self.divided(band, (x, y), false);
-                taken += more;
-                if let Some(divided) = divided {
-                    return (done(&divided, divided.error.max(hidden)), taken);
-                }
-            }
-            let numbers = u32::try_from(count).unwrap_or(u32::MAX);
-            let pixel = std::iter::once((x, y));
-            band.eye
-                .looks(pixel, numbers..2 * numbers, &mut self.eye, &mut self.looks);
-            taken += numbers;
-            found = estimate(&self.looks, channels, &Slopes::default(), &mut self.order);
-        }
-    }
-
-    /// Gathers the samples just around a pixel.
-    fn gather_ring<'a>(
-        &mut self,
-        band: &'a Band<'_>,
-        (x, y): (u32, u32),
-        ring: f64,
-        looks_of: impl Fn(usize) -> &'a [Look],
-    ) {
-        self.ring.clear();
-        for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
-            let from = [
-                f64::from(other_x) - f64::from(x),
-                f64::from(other_y) - f64::from(y),
-            ];
-            for look in looks_of(band.at(other_x, other_y)) {
-                let share = look.share();
-                let place = [from[0] + share[0], from[1] + share[1]];
-                if place.iter().all(|v| (-ring..=1.0 + ring).contains(v)) {
-                    self.ring.push((*look, place));
-                }
-            }
-        }
-    }
-
-    /// The sums over the samples of a pixel and around it that are of some kind.
-    fn sums(&self, is_one: impl Fn(&Look) -> bool) -> Sums {
-        let mut sums = Sums::default();
-        let own = self.looks.iter().map(|look| (look, look.share()));
-        let ring = self.ring.iter().map(|(look, place)| (look, *place));
-        for (look, place) in own.chain(ring).filter(|(look, _)| is_one(look)) {
-            sums.add(place, &look.channels);
-        }
-        sums
-    }
-
-    /// More samples of a pixel, as many as it has had.
-    fn test(&mut self, band: &Band<'_>, pixel: (u32, u32)) {
-        let numbers = band.target.first..2 * band.target.first;
-        let pixel = std::iter::once(pixel);
-        band.eye
-            .looks(pixel, numbers, &mut self.eye, &mut self.looks);
-    }
-
-    /// What is found if the pixel is divided by a straight edge, or by two of a strip, and if that is good enough; and how
-    /// many more samples it took.
-    fn divided(
-        &mut self,
-        band: &Band<'_>,
-        pixel: (u32, u32),
-        mut needs_test: bool,
-    ) -> (Option<Estimate>, u32) {
-        let (channels, target) = (band.eye.channels, band.target.error * EVEN);
-        let around = self.ring.iter().map(|(look, _)| look);
-        let all = self.looks.iter().chain(around);
-        let Some(kinds) = Kinds::of(all, channels, &mut self.values) else {
-            return (None, 0);
-        };
-        self.told.clear();
-        let own = self.looks.iter().map(|look| (look.share(), look));
-        let around = self.ring.iter().map(|(look, place)| (*place, look));
-        let told = own
             .chain(around)
-            .map(|(place, look)| (place, kinds.is_bright(look).unwrap_or(false)));
-        self.told.extend(told);
-        self.groups.clear();
-        self.groups
-            .extend(self.told.iter().map(|told| u8::from(told.1)));
-        let mut strip_is_bright = None;
-        let mut known = Division::of(&self.told);
-        if known.is_none() {
-            if self.looks.len() > MOST_AT_STRIPS {
-                return (None, 0);
+            .all(|look| look.is_same_side(&looks[0]));
+        if all_alike {
+            let mut sums = Sums::default();
+            for (place, look) in placed(&self.looks, &buffers.ring) {
+                sums.add(place, &look.channels);
             }
-            let Some(strip) = strip(&self.told, &mut self.groups) else {
-                return (None, 0);
-            };
-            strip_is_bright = Some(strip.is_bright);
+            let slopes = sums.plane().map(|plane| plane.slopes()).unwrap_or_default();
+            let (found, _) = first_estimate(band, self.pixel, &slopes);
+            if found.error <= band.target.error * EVEN {
+                self.step = Step::Sloped(slopes);
+                self.wish = Wish::Numbers(band.target.first..2 * band.target.first);
+                return None;
+            }
         }
-        let lines: u8 = if strip_is_bright.is_some() { 2 } else { 1 };
-        let mut sums = [Sums::default(); 3];
-        let own = self.looks.iter().map(|look| (look.share(), look));
-        let around = self.ring.iter().map(|(look, place)| (*place, look));
-        for ((place, look), &group) in own.chain(around).zip(&self.groups) {
-            sums[usize::from(group)].add(place, &look.channels);
+        match self.begin_dividing(band, buffers) {
+            true => self.divide(band),
+            false => self.outcome(None),
         }
-        let mut taken = 0;
-        loop {
-            let mut divisions = [known.take(), None];
-            for line in u8::from(divisions[0].is_some())..lines {
-                for (told, &group) in self.told.iter_mut().zip(&self.groups) {
-                    told.1 = group > line;
-                }
-                divisions[usize::from(line)] = Division::of(&self.told);
+    }
+
+    /// What is to be done with all the samples that there are.
+    fn refine(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> Option<Outcome> {
+        let target = band.target.error;
+        let count = self.looks.len();
+        let error = self.found.error.max(self.hidden(UNSEEN));
+        let is_last = count >= MOST_SAMPLES || band.target.is_over();
+        if error <= target || is_last {
+            return self.outcome(Some(done(&self.found, error)));
+        }
+        if self.hidden(HIDDEN) <= target && count <= MOST_AT_EDGES {
+            gather_ring(
+                band,
+                self.pixel,
+                CLOSE,
+                |at| band.looks_of(at),
+                &mut buffers.ring,
+            );
+            if self.begin_dividing(band, buffers) {
+                return self.divide(band);
             }
-            let Some(first) = divisions[0] else {
-                return (None, taken);
-            };
-            let second = match (lines, divisions[1]) {
-                (1, _) => None,
-                (_, None) => return (None, taken),
-                (_, second) => second,
-            };
-            let Some(parts) = Parts::of(&first, second.as_ref(), &sums) else {
-                return (None, taken);
-            };
-            let (mut rest, mut whole) = (0.0, 0.0);
-            for c in 0..channels {
-                let (of_parts, of_lines) = parts.variances(c, &first, second.as_ref());
-                rest = f64::max(rest, of_parts);
-                whole = f64::max(whole, of_parts + of_lines);
+        }
+        self.is_not_divided()
+    }
+
+    /// The error that something unseen may make, if a share of the contrast around may hide between the samples.
+    fn hidden(&self, share: f64) -> f64 {
+        self.contrast * share / f64::from(count_of(&self.looks))
+    }
+
+    fn begin_dividing(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> bool {
+        self.dividing.begin(
+            placed(&self.looks, &buffers.ring),
+            (self.looks.len(), band.eye.channels),
+            self.settles,
+            &mut buffers.dividing,
+        )
+    }
+
+    /// What is to be done with the lines that are known.
+    fn divide(&mut self, band: &Band<'_>) -> Option<Outcome> {
+        let target = band.target.error * EVEN;
+        self.step = Step::Divided;
+        match self.dividing.next(band.eye.channels, target) {
+            Next::Nothing => self.is_not_divided(),
+            Next::Places => {
+                self.wish = Wish::Places;
+                None
             }
-            if rest > target * target {
-                return (None, taken);
+            Next::Test => {
+                self.wish = Wish::Numbers(band.target.first..2 * band.target.first);
+                None
             }
-            if whole <= target * target && needs_test {
-                needs_test = false;
-                let start = self.looks.len();
-                self.test(band, pixel);
-                taken += u32::try_from(self.looks.len() - start).unwrap_or(0);
-                for look in &self.looks[start..] {
-                    let Some(is_bright) = kinds.is_bright(look) else {
-                        return (None, taken);
-                    };
-                    let place = look.share();
-                    let group = match strip_is_bright {
-                        None => u8::from(is_bright),
-                        Some(strip) if strip == is_bright => 1,
-                        Some(_) => 2 * u8::from(first.is_beyond(place)),
-                    };
-                    self.told.push((place, false));
-                    self.groups.push(group);
-                    sums[usize::from(group)].add(place, &look.channels);
-                }
-                continue;
-            }
-            if whole <= target * target {
-                let error = whole.sqrt();
-                return (
-                    Some(Estimate {
-                        mean: parts.mean(),
-                        error,
-                    }),
-                    taken,
-                );
-            }
-            if taken >= MOST_ON_AN_EDGE * u32::from(lines) {
-                return (None, taken);
-            }
-            // The line that is known worse.
-            let line = u8::from(second.is_some_and(|second| second.error > first.error));
-            let division = if line == 0 {
-                first
-            } else {
-                second.unwrap_or(first)
-            };
-            self.on_edge.clear();
-            let numbers = taken..taken + ON_AN_EDGE_TOGETHER;
-            let start = self.told.len();
-            let places = numbers.map(|number| (division.place(number), false));
-            self.told.extend(places);
-            let shares = self.told[start..].iter().map(|(place, _)| *place);
-            band.eye
-                .looks_at(pixel, shares, &mut self.eye, &mut self.on_edge);
-            taken += ON_AN_EDGE_TOGETHER;
-            for (told, look) in self.told[start..].iter().zip(&self.on_edge) {
-                let Some(is_bright) = kinds.is_bright(look) else {
-                    return (None, taken);
+            Next::Found(found) => {
+                let hidden = if self.settles {
+                    0.0
+                } else {
+                    self.hidden(HIDDEN)
                 };
-                let group = match strip_is_bright {
-                    None => u8::from(is_bright),
-                    Some(strip) if strip == is_bright => 1,
-                    Some(_) => 2 * line,
-                };
-                self.groups.push(group);
-                sums[usize::from(group)].add(told.0, &look.channels);
+                self.outcome(Some(done(&found, found.error.max(hidden))))
             }
         }
     }
-}
 
-/// What the first samples of a pixel tell on a surface with these slopes if they are compared with those next to them,
-/// in the pixel and around it; and whether two of these met different surfaces or sides.
-fn first_estimate(band: &Band<'_>, (x, y): (u32, u32), slopes: &Slopes) -> (Estimate, bool) {
-    let at = band.at(x, y);
-    let count = band.target.first;
-    let bits = count.ilog2();
-    let (width, height) = (1i64 << bits.div_ceil(2), 1i64 << (bits / 2));
-    let (mut mean, mut variances) = ([0.0; 4], [0.0; 4]);
-    let mut is_torn = false;
-    let area = 1.0 / f64::from(count);
-    // Two pairs of neighbours belong to each cell.
-    let share = area * area * SHARE_OF_VARIANCE * 2.0;
-    for cell in 0..width * height {
-        let (column, row) = (cell % width, cell / width);
-        let look = inside(band, Sight::First, at, (column, row), width);
-        let own = slopes.levelled(look);
-        let (mut apart, mut pairs) = ([0.0; 4], 0.0);
-        for (dx, dy) in [(-1, 0), (1, 0), (0, -1), (0, 1i32)] {
-            let (column, row) = (column + i64::from(dx), row + i64::from(dy));
-            let is_outside = column < 0 || row < 0 || column >= width || row >= height;
-            let (other, away) = if is_outside {
-                let Some((_, other)) = beyond(band, (x, y), (column, row), FIRST) else {
-                    continue;
-                };
-                (other, [dx, dy])
-            } else {
-                (inside(band, Sight::First, at, (column, row), width), [0, 0])
-            };
-            is_torn |= !look.is_same_side(other);
-            pairs += 1.0;
-            let other = slopes.levelled_at(other, away.map(f64::from));
-            for (sum, (a, b)) in apart.iter_mut().zip(own.iter().zip(other)) {
-                *sum += (a - b) * (a - b);
-            }
+    /// No lines divide the pixel: it is sampled on.
+    fn is_not_divided(&mut self) -> Option<Outcome> {
+        if self.settles {
+            return self.outcome(None);
         }
-        for c in 0..4 {
-            mean[c] += area * own[c];
-            variances[c] += share * apart[c] / f64::max(pairs, 1.0);
-        }
+        let count = count_of(&self.looks);
+        self.step = Step::Sampled;
+        self.wish = Wish::Numbers(count..2 * count);
+        None
     }
-    (Estimate::of(mean, variances, band.eye.channels), is_torn)
+
+    fn estimate(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
+        estimate(&self.looks, band.eye.channels, slopes, &mut buffers.order)
+    }
+
+    #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]
+    fn outcome(&self, done: Option<Done>) -> Option<Outcome> {
+        Some(Outcome {
+            pixel: self.pixel,
+            done,
+            taken: self.taken,
+        })
+    }
 }
 
-/// The sample of a pixel in a cell of the grid of all that it has.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "cells are few"
-)]
-fn inside<'a>(
-    band: &'a Band<'_>,
-    sight: Sight,
-    at: usize,
-    (column, row): (i64, i64),
-    width: i64,
-) -> &'a Look {
-    band.look_in(sight, at, (row * width + column) as usize)
+/// Whether the first samples of a pixel, and those next to them around it, leave nothing to be asked.
+pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
+    let target = band.target.error;
+    let contrast = band.reach_around(x, y).contrast(band.eye.channels);
+    // So much is the estimate of the error at most if every two of `n` neighbours differ by the contrast.
+    let most = (3.0 * f64::from(band.target.first)).sqrt();
+    if contrast <= target * f64::min(EVEN * most, 1.0) {
+        return true;
+    }
+    let (found, is_torn) = first_estimate(band, (x, y), &Slopes::default());
+    if is_torn {
+        return contrast <= target;
+    }
+    found.error <= target * EVEN
 }
 
-/// What was seen beyond the border of a pixel, next to a cell of the grid of its samples; and in which pixel.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "cells are few"
-)]
-fn beyond<'a>(
+/// The samples of a pixel and around it with their places.
+fn placed<'a>(
+    looks: &'a [Look],
+    ring: &'a [(Look, [f64; 2])],
+) -> impl Iterator<Item = ([f64; 2], &'a Look)> + Clone {
+    let own = looks.iter().map(|look| (look.share(), look));
+    own.chain(ring.iter().map(|(look, place)| (*place, look)))
+}
+
+/// Gathers the samples just around a pixel.
+fn gather_ring<'a>(
     band: &'a Band<'_>,
     (x, y): (u32, u32),
-    (column, row): (i64, i64),
-    (own, others): (Sight, Sight),
-) -> Option<(usize, &'a Look)> {
-    let bits = band.count(own, band.at(x, y)).ilog2();
-    let (width, height) = (1i64 << bits.div_ceil(2), 1i64 << (bits / 2));
-    let at = band.at_next((x, y), (column.div_euclid(width), row.div_euclid(height)))?;
-    let coarser = bits.saturating_sub(band.count(others, at).ilog2()) / 2;
-    let column = (column.rem_euclid(width) >> coarser) as usize;
-    let row = (row.rem_euclid(height) >> coarser) as usize;
-    let cell = row * (width as usize >> coarser) + column;
-    Some((at, band.look_in(others, at, cell)))
+    width: f64,
+    looks_of: impl Fn(usize) -> &'a [Look],
+    ring: &mut Vec<(Look, [f64; 2])>,
+) {
+    ring.clear();
+    for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
+        let from = [
+            f64::from(other_x) - f64::from(x),
+            f64::from(other_y) - f64::from(y),
+        ];
+        for look in looks_of(band.at(other_x, other_y)) {
+            let share = look.share();
+            let place = [from[0] + share[0], from[1] + share[1]];
+            if place.iter().all(|v| (-width..=1.0 + width).contains(v)) {
+                ring.push((*look, place));
+            }
+        }
+    }
+}
+
+fn count_of(looks: &[Look]) -> u32 {
+    u32::try_from(looks.len()).unwrap_or(u32::MAX)
 }
 
 fn done(found: &Estimate, error: f64) -> Done {

@@ -20,31 +20,33 @@ pub(super) enum Kinds {
 }
 
 impl Kinds {
-    /// Two kinds of samples, if they are clearly two. `values` is a buffer.
+    /// Two kinds of samples, if they are clearly two.
     pub(super) fn of<'a>(
         looks: impl Iterator<Item = &'a Look> + Clone,
         channels: usize,
-        values: &mut Vec<f32>,
     ) -> Option<Kinds> {
-        let reach = |channel: usize| {
-            let of_channel = looks.clone().map(|look| look.channels[channel].min(1.0));
-            of_channel.fold((f32::INFINITY, f32::NEG_INFINITY), |(least, most), c| {
-                (least.min(c), most.max(c))
-            })
-        };
-        let width = |channel: &usize| {
-            let (least, most) = reach(*channel);
-            most - least
-        };
+        let (mut least, mut most) = ([f32::INFINITY; 4], [f32::NEG_INFINITY; 4]);
+        for look in looks.clone() {
+            for (c, &value) in look.channels.iter().enumerate() {
+                let value = if value < 1.0 { value } else { 1.0 };
+                least[c] = if value < least[c] { value } else { least[c] };
+                most[c] = if value > most[c] { value } else { most[c] };
+            }
+        }
+        let width = |&c: &usize| most[c] - least[c];
         let channel = (0..channels).max_by(|a, b| width(a).total_cmp(&width(b)))?;
-        values.clear();
-        values.extend(looks.clone().map(|look| look.channels[channel].min(1.0)));
-        values.sort_unstable_by(f32::total_cmp);
-        let (&least, &most) = (values.first()?, values.last()?);
-        let gap = values
-            .windows(2)
-            .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-        let (below, above) = (gap[0], gap[1]);
+        let (least, most) = (least[channel], most[channel]);
+        // A gap that is wider than what lies on each side of it holds the middle.
+        let middle = (least + most) / 2.0;
+        let (mut below, mut above) = (least, most);
+        for look in looks.clone() {
+            let value = look.channels[channel].min(1.0);
+            if value <= middle {
+                below = if value > below { value } else { below };
+            } else {
+                above = if value < above { value } else { above };
+            }
+        }
         if above - below > APART * (below - least).max(most - above) {
             let ranges = [(least, below), (above, most)];
             return Some(Kinds::Colors { channel, ranges });

@@ -1,5 +1,6 @@
 //! What samples of a pixel saw.
 
+use super::specks::Specks;
 use crate::compile::Rays;
 use crate::film::Pixel;
 use crate::math::sobol::Sobol;
@@ -74,6 +75,8 @@ pub(super) struct Eye<'a> {
     pub(super) size: (u32, u32),
     /// How many of the four channels count.
     pub(super) channels: usize,
+    /// What is too small for samples.
+    pub(super) specks: &'a Specks,
 }
 
 /// Buffers that a thread keeps.
@@ -90,35 +93,66 @@ impl EyeScratch {
         self.block.take_rays()
     }
 
-    /// Notes a point of the sequence of a pixel as a place to look at.
-    fn note(&mut self, (x, y): (u32, u32), point: (u32, u32)) {
-        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32) - 0.5;
-        let (dx, dy) = (share(point.0), share(point.1));
-        self.places.push((f64::from(x) + dx, f64::from(y) + dy));
-        self.cells.push(place(point));
+    /// Forgets what has been noted.
+    pub(super) fn clear(&mut self) {
+        self.places.clear();
+        self.cells.clear();
+    }
+
+    /// How many places have been noted.
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Notes points of the sequence of a pixel as places to look at.
+    pub(super) fn note(&mut self, (x, y): (u32, u32), numbers: Range<u32>, specks: &Specks) {
+        let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
+        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32);
+        let specks = specks.of_pixel((x, y));
+        for number in numbers {
+            let point = sobol.point(number);
+            let [dx, dy] = specks.moved_out([share(point.0), share(point.1)]);
+            self.places
+                .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
+            self.cells.push(place(point));
+        }
+    }
+
+    /// Notes points of a sequence of its own in a rectangle of a pixel: what `places` makes of each, one after the other.
+    pub(super) fn note_rectangle(
+        &mut self,
+        (x, y): (u32, u32),
+        rectangle: u32,
+        numbers: Range<u32>,
+        places: impl Fn([f64; 2]) -> ([f64; 2], [f64; 2]),
+    ) {
+        // Pixels of a picture are fewer than 2^16 on a side: no pixel has this sequence.
+        let sobol = Sobol::of_pixel(x.cast_signed(), (y | rectangle << 24).cast_signed());
+        let share = |v: u32| (f64::from(v) + 0.5) / 2f64.powi(32);
+        for number in numbers {
+            let point = sobol.point(number);
+            let both = places([share(point.0), share(point.1)]);
+            for [dx, dy] in [both.0, both.1] {
+                let place = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
+                self.places.push(place);
+                self.cells.push(self::place(point));
+            }
+        }
+    }
+
+    /// Notes places of a pixel, given as shares of its side.
+    pub(super) fn note_places(&mut self, (x, y): (u32, u32), shares: &[[f64; 2]], specks: &Specks) {
+        let specks = specks.of_pixel((x, y));
+        for &share in shares {
+            let [dx, dy] = specks.moved_out(share);
+            let place = (f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5);
+            self.places.push(place);
+            self.cells.push((0, 0));
+        }
     }
 }
 
 impl Eye<'_> {
-    /// Samples at places of one pixel, given as shares of its side.
-    pub(super) fn looks_at(
-        &self,
-        (x, y): (u32, u32),
-        shares: impl Iterator<Item = [f64; 2]>,
-        scratch: &mut EyeScratch,
-        looks: &mut Vec<Look>,
-    ) {
-        scratch.places.clear();
-        scratch.cells.clear();
-        for [dx, dy] in shares {
-            scratch
-                .places
-                .push((f64::from(x) + dx - 0.5, f64::from(y) + dy - 0.5));
-            scratch.cells.push((0, 0));
-        }
-        self.look(scratch, looks);
-    }
-
     /// Samples of these numbers of each of these pixels, pixel by pixel.
     pub(super) fn looks(
         &self,
@@ -127,19 +161,15 @@ impl Eye<'_> {
         scratch: &mut EyeScratch,
         looks: &mut Vec<Look>,
     ) {
-        scratch.places.clear();
-        scratch.cells.clear();
-        for (x, y) in pixels {
-            let sobol = Sobol::of_pixel(x.cast_signed(), y.cast_signed());
-            for number in numbers.clone() {
-                scratch.note((x, y), sobol.point(number));
-            }
+        scratch.clear();
+        for pixel in pixels {
+            scratch.note(pixel, numbers.clone(), self.specks);
         }
         self.look(scratch, looks);
     }
 
     /// Looks at the places that have been noted.
-    fn look(&self, scratch: &mut EyeScratch, looks: &mut Vec<Look>) {
+    pub(super) fn look(&self, scratch: &mut EyeScratch, looks: &mut Vec<Look>) {
         let start = looks.len();
         looks.resize(start + scratch.places.len(), Look::NONE);
         let chunks = scratch.places.chunks(TOGETHER);

@@ -9,13 +9,16 @@
 //! keeps the best that it had when the time is over.
 
 mod band;
+mod dividing;
 mod edge;
 mod estimate;
 mod finish;
 mod kinds;
 mod look;
+mod near;
 mod parts;
 mod slope;
+mod specks;
 mod strip;
 #[cfg(test)]
 mod tests;
@@ -27,6 +30,7 @@ use crate::options::{Converging, Reached, RenderOptions};
 use crate::trace::Tracer;
 use band::{Band, Done, MARGIN, Target};
 use look::Eye;
+use specks::Specks;
 use std::ops::Range;
 use std::time::Instant;
 
@@ -52,10 +56,17 @@ pub(super) fn draw(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
     let deadline = how.time.and_then(|time| Instant::now().checked_add(time));
+    let error = how.error.max(LEAST_ERROR);
+    let specks = Specks::of(
+        tracer.world(),
+        (options.width, options.height),
+        error / STEPS,
+    );
     let eye = Eye {
         tracer,
         size: (options.width, options.height),
         channels: if options.alpha { 4 } else { 3 },
+        specks: &specks,
     };
     let mut drawing = Drawing {
         eye,
@@ -71,7 +82,6 @@ pub(super) fn draw(
         samples: 0,
         rays: Rays::default(),
     };
-    let error = how.error.max(LEAST_ERROR);
     match deadline {
         None => {
             let target = Target::new(error / STEPS, None);

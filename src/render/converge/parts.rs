@@ -20,15 +20,15 @@ impl Parts {
         let last = second.map_or(0.0, |second| 1.0 - second.dark);
         let between = (1.0 - first.dark - last).max(0.0);
         let shares = [first.dark, between, last];
-        let middle_of_last = second.map_or([0.5; 2], |second| second.middles[1]);
+        let of_first = first.middles();
+        let middle_of_last = second.map_or([0.5; 2], |second| second.middles()[1]);
         let middle = match second {
-            None => first.middles[1],
+            None => of_first[1],
             Some(_) if between < LEAST_PART => [0.5; 2],
-            Some(_) => [0, 1].map(|i| {
-                (0.5 - first.dark * first.middles[0][i] - last * middle_of_last[i]) / between
-            }),
+            Some(_) => [0, 1]
+                .map(|i| (0.5 - first.dark * of_first[0][i] - last * middle_of_last[i]) / between),
         };
-        let middles = [first.middles[0], middle, middle_of_last];
+        let middles = [of_first[0], middle, middle_of_last];
         let mut parts = Parts {
             shares,
             colors: [[0.0; 4]; 3],

@@ -2,64 +2,6 @@
 
 use super::edge::Told;
 
-/// A strip of one kind of samples between others: for each sample 0 or 2 for either side, 1 for the strip; or `None` if
-/// there is no direction in which the samples follow each other like that.
-pub(super) fn strip(told: &[Told], groups: &mut Vec<u8>) -> Option<Strip> {
-    let mut best: Option<(f64, Strip)> = None;
-    let (sin_step, cos_step) = (std::f64::consts::PI / f64::from(STRIP_DIRECTIONS)).sin_cos();
-    let (mut sin, mut cos) = (0.0, 1.0);
-    for _ in 0..STRIP_DIRECTIONS {
-        let direction = [cos, sin];
-        (sin, cos) = (
-            sin * cos_step + cos * sin_step,
-            cos * cos_step - sin * sin_step,
-        );
-        let along = |told: &Told| told.0[0] * direction[0] + told.0[1] * direction[1];
-        // How far both kinds reach, the darker first.
-        let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-        for told in told {
-            let along = along(told);
-            for (range, counts) in ranges.iter_mut().zip([!told.1, told.1]) {
-                range.0 = range.0.min(if counts { along } else { f64::INFINITY });
-                range.1 = range.1.max(if counts { along } else { f64::NEG_INFINITY });
-            }
-        }
-        let is_within = |a: (f64, f64), b: (f64, f64)| a.0 > b.0 && a.1 < b.1;
-        let is_bright = is_within(ranges[1], ranges[0]);
-        if !is_bright && !is_within(ranges[0], ranges[1]) {
-            continue;
-        }
-        let (from, to) = ranges[usize::from(is_bright)];
-        // How far the others reach on either side.
-        let (mut before, mut behind) = (f64::NEG_INFINITY, f64::INFINITY);
-        let mut is_mixed = false;
-        for told in told.iter().filter(|told| told.1 != is_bright) {
-            let along = along(told);
-            is_mixed |= along >= from && along <= to;
-            if along < from {
-                before = before.max(along);
-            } else {
-                behind = behind.min(along);
-            }
-        }
-        let width = (from - before).min(behind - to);
-        if !is_mixed && width > 0.0 && best.is_none_or(|(widest, _)| width > widest) {
-            best = Some((
-                width,
-                Strip {
-                    direction,
-                    is_bright,
-                    from,
-                },
-            ));
-        }
-    }
-    let (_, strip) = best?;
-    groups.clear();
-    groups.extend(told.iter().map(|told| strip.group(told)));
-    Some(strip)
-}
-
 /// Directions in which a strip is looked for.
 const STRIP_DIRECTIONS: u32 = 16;
 
@@ -73,7 +15,56 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    fn group(&self, told: &Told) -> u8 {
+    /// A strip of one kind of samples between the others, the widest apart from these; `None` if there is no direction in
+    /// which the samples follow each other like that.
+    pub(super) fn between(dark: &[[f64; 2]], bright: &[[f64; 2]]) -> Option<Strip> {
+        let mut best: Option<(f64, Strip)> = None;
+        let (sin_step, cos_step) = (std::f64::consts::PI / f64::from(STRIP_DIRECTIONS)).sin_cos();
+        let (mut sin, mut cos) = (0.0, 1.0);
+        for _ in 0..STRIP_DIRECTIONS {
+            let direction = [cos, sin];
+            (sin, cos) = (
+                sin * cos_step + cos * sin_step,
+                cos * cos_step - sin * sin_step,
+            );
+            let (of_dark, of_bright) = (reach(dark, direction), reach(bright, direction));
+            let is_within = |a: (f64, f64), b: (f64, f64)| a.0 > b.0 && a.1 < b.1;
+            let is_bright = is_within(of_bright, of_dark);
+            if !is_bright && !is_within(of_dark, of_bright) {
+                continue;
+            }
+            let ((from, to), others) = if is_bright {
+                (of_bright, dark)
+            } else {
+                (of_dark, bright)
+            };
+            // How far the others reach on either side.
+            let (mut before, mut behind) = (f64::NEG_INFINITY, f64::INFINITY);
+            let mut is_mixed = false;
+            for place in others {
+                let along = place[0] * direction[0] + place[1] * direction[1];
+                if along < from {
+                    before = if along > before { along } else { before };
+                } else {
+                    is_mixed |= along <= to;
+                    behind = if along < behind { along } else { behind };
+                }
+            }
+            let width = f64::min(from - before, behind - to);
+            if !is_mixed && width > 0.0 && best.is_none_or(|(widest, _)| width > widest) {
+                let strip = Strip {
+                    direction,
+                    is_bright,
+                    from,
+                };
+                best = Some((width, strip));
+            }
+        }
+        best.map(|(_, strip)| strip)
+    }
+
+    /// 0 or 2 for either side of it, 1 for the strip.
+    pub(super) fn group(&self, told: &Told) -> u8 {
         let [cos, sin] = self.direction;
         match told.1 == self.is_bright {
             true => 1,
@@ -81,6 +72,18 @@ impl Strip {
             false => 2,
         }
     }
+}
+
+/// The least and the most of how far places lie in a direction.
+fn reach(places: &[[f64; 2]], direction: [f64; 2]) -> (f64, f64) {
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for place in places {
+        let along = place[0] * direction[0] + place[1] * direction[1];
+        // What `min` does about numbers that are none takes longer than all the rest.
+        least = if along < least { along } else { least };
+        most = if along > most { along } else { most };
+    }
+    (least, most)
 }
 
 #[cfg(test)]
@@ -93,16 +96,25 @@ mod tests {
         places.map(|place| (place, is_bright(place))).collect()
     }
 
+    /// The strip between samples.
+    fn between(told: &[Told]) -> Option<Strip> {
+        let of = |kind: bool| -> Vec<[f64; 2]> {
+            let ours = told.iter().filter(|told| told.1 == kind);
+            ours.map(|told| told.0).collect()
+        };
+        Strip::between(&of(false), &of(true))
+    }
+
     #[test]
     fn a_slanted_strip_is_found_between_its_sides() {
         for dark in [false, true] {
             let along = |[x, y]: [f64; 2]| x + y;
             let told = told(|place| (0.7..1.1).contains(&along(place)) != dark);
-            let mut groups = Vec::new();
-            let strip = strip(&told, &mut groups).expect("there is a strip");
+            let strip = between(&told).expect("there is a strip");
             assert_eq!(strip.is_bright, !dark);
-            for ((place, _), group) in told.iter().zip(groups) {
-                let along = along(*place);
+            for told in &told {
+                let (place, group) = (told.0, strip.group(told));
+                let along = along(place);
                 let middle = (0.7..1.1).contains(&along);
                 assert_eq!(group == 1, middle, "{place:?}");
                 assert!(middle || group == 0 || group == 2);
@@ -113,6 +125,6 @@ mod tests {
     #[test]
     fn a_chequer_is_no_strip() {
         let told = told(|[x, y]| (x < 0.4) != (y < 0.4));
-        assert!(strip(&told, &mut Vec::new()).is_none());
+        assert!(between(&told).is_none());
     }
 }

@@ -1,0 +1,221 @@
+//! A pixel that is being divided: by a straight edge, or by two of a strip. Samples are put on the lines until it is known
+//! well enough how much lies on each side.
+
+use super::edge::{Division, Told, Wedge};
+use super::estimate::Estimate;
+use super::kinds::Kinds;
+use super::look::Look;
+use super::parts::Parts;
+use super::slope::Sums;
+use super::strip::Strip;
+
+/// With more samples none for one that a strip crosses.
+const MOST_AT_STRIPS: usize = 16;
+/// So many samples are put on an edge at most, and so many at once.
+const MOST_ON_AN_EDGE: u32 = 18;
+const ON_AN_EDGE_TOGETHER: u32 = 3;
+
+/// Buffers for the beginning of a division.
+#[derive(Default)]
+pub(super) struct Buffers {
+    told: Vec<Told>,
+    groups: Vec<u8>,
+}
+
+/// A pixel and the lines that divide it.
+#[derive(Default)]
+pub(super) struct Dividing {
+    kinds: Option<Kinds>,
+    /// If two lines bound a strip, whether that is the brighter kind.
+    strip_is_bright: Option<bool>,
+    /// Where the samples of each part lie: before the first line, behind it, and behind the second.
+    groups: [Vec<[f64; 2]>; 3],
+    wedges: [Wedge; 2],
+    sums: [Sums; 3],
+    needs_test: bool,
+    /// How many samples were put on lines.
+    taken: u32,
+    first: Option<Division>,
+    /// Which line samples are put on, and where.
+    line: usize,
+    pub(super) places: Vec<[f64; 2]>,
+}
+
+/// What comes next of a pixel that is being divided.
+pub(super) enum Next {
+    /// It is not divided by lines.
+    Nothing,
+    /// More samples all over the pixel are to show whether it is.
+    Test,
+    /// Samples at `places`.
+    Places,
+    /// It is known well enough.
+    Found(Estimate),
+}
+
+impl Dividing {
+    /// Finds lines between the samples; false if there are none. `needs_test` if what is found is to be tested.
+    pub(super) fn begin<'a>(
+        &mut self,
+        placed: impl Iterator<Item = ([f64; 2], &'a Look)> + Clone,
+        (own, channels): (usize, usize),
+        needs_test: bool,
+        buffers: &mut Buffers,
+    ) -> bool {
+        let looks = placed.clone().map(|(_, look)| look);
+        let Some(kinds) = Kinds::of(looks, channels) else {
+            return false;
+        };
+        self.kinds = Some(kinds);
+        self.needs_test = needs_test;
+        self.taken = 0;
+        buffers.told.clear();
+        let told = placed.clone();
+        buffers
+            .told
+            .extend(told.map(|(place, look)| (place, kinds.is_bright(look).unwrap_or(false))));
+        self.strip_is_bright = None;
+        let told = &buffers.told;
+        buffers.groups.clear();
+        buffers
+            .groups
+            .extend(told.iter().map(|told| u8::from(told.1)));
+        if !self.separate(told, &buffers.groups) {
+            if own > MOST_AT_STRIPS {
+                return false;
+            }
+            let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
+                return false;
+            };
+            buffers.groups.clear();
+            buffers
+                .groups
+                .extend(told.iter().map(|told| strip.group(told)));
+            self.strip_is_bright = Some(strip.is_bright);
+            if !self.separate(told, &buffers.groups) {
+                return false;
+            }
+        }
+        self.sums = [Sums::default(); 3];
+        for ((place, look), &group) in placed.zip(&buffers.groups) {
+            self.sums[usize::from(group)].add(place, &look.channels);
+        }
+        true
+    }
+
+    fn lines(&self) -> usize {
+        1 + usize::from(self.strip_is_bright.is_some())
+    }
+
+    /// Puts samples into their groups; whether lines separate these.
+    fn separate(&mut self, told: &[Told], groups: &[u8]) -> bool {
+        for group in &mut self.groups {
+            group.clear();
+        }
+        for ((place, _), &group) in told.iter().zip(groups) {
+            self.groups[usize::from(group)].push(*place);
+        }
+        for line in 0..self.lines() {
+            let (before, behind) = self.groups.split_at(line + 1);
+            let Some(wedge) = Wedge::between(before, behind) else {
+                return false;
+            };
+            self.wedges[line] = wedge;
+        }
+        true
+    }
+
+    /// What comes next: samples, or what was found for an error of `target`.
+    pub(super) fn next(&mut self, channels: usize, target: f64) -> Next {
+        let lines = self.lines();
+        let division = |line: usize| {
+            let (before, behind) = self.groups.split_at(line + 1);
+            Division::of(self.wedges[line], before, behind)
+        };
+        let Some(first) = division(0) else {
+            return Next::Nothing;
+        };
+        let second = if lines == 2 { division(1) } else { None };
+        if lines == 2 && second.is_none() {
+            return Next::Nothing;
+        }
+        let Some(parts) = Parts::of(&first, second.as_ref(), &self.sums) else {
+            return Next::Nothing;
+        };
+        let (mut rest, mut whole) = (0.0, 0.0);
+        for c in 0..channels {
+            let (of_parts, of_lines) = parts.variances(c, &first, second.as_ref());
+            rest = f64::max(rest, of_parts);
+            whole = f64::max(whole, of_parts + of_lines);
+        }
+        self.first = Some(first);
+        if rest > target * target {
+            return Next::Nothing;
+        }
+        if whole <= target * target {
+            if std::mem::take(&mut self.needs_test) {
+                return Next::Test;
+            }
+            return Next::Found(Estimate {
+                mean: parts.mean(),
+                error: whole.sqrt(),
+            });
+        }
+        if self.taken >= MOST_ON_AN_EDGE << (lines - 1) {
+            return Next::Nothing;
+        }
+        // The line that is known worse.
+        self.line = usize::from(second.is_some_and(|second| second.error > first.error));
+        let division = match second {
+            Some(second) if self.line == 1 => second,
+            _ => first,
+        };
+        let numbers = self.taken..self.taken + ON_AN_EDGE_TOGETHER;
+        self.taken = numbers.end;
+        self.places.clear();
+        self.places
+            .extend(numbers.map(|number| division.place(number)));
+        Next::Places
+    }
+
+    /// Takes samples all over the pixel; false if they show that no lines divide it.
+    pub(super) fn test(&mut self, looks: &[Look]) -> bool {
+        looks.iter().all(|look| {
+            let place = look.share();
+            let is_beyond = self.first.is_some_and(|first| first.is_beyond(place));
+            self.take(look, place, 2 * usize::from(is_beyond))
+        })
+    }
+
+    /// Takes the samples at `places`; false if they show that no lines divide the pixel.
+    pub(super) fn take_places(&mut self, looks: &[Look]) -> bool {
+        looks
+            .iter()
+            .enumerate()
+            .all(|(i, look)| self.take(look, self.places[i], 2 * self.line))
+    }
+
+    /// Takes a sample, which belongs to a group of its kind or to `beside` if it lies beside a strip.
+    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
+        let is_bright = self.kinds.and_then(|kinds| kinds.is_bright(look));
+        let Some(is_bright) = is_bright else {
+            return false;
+        };
+        let group = match self.strip_is_bright {
+            None => usize::from(is_bright),
+            Some(strip) if strip == is_bright => 1,
+            Some(_) => beside,
+        };
+        self.sums[group].add(place, &look.channels);
+        for line in 0..self.lines() {
+            let (before, behind) = self.groups.split_at(line + 1);
+            let is_behind = group > line;
+            let others = if is_behind { before } else { behind };
+            if !self.wedges[line].take(place, is_behind, others) {
+                return false;
+            }
+        }
+        self.groups[group].push(place);
+        true
+    }
+}
