@@ -24,7 +24,25 @@ impl Reader<'_> {
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<(&Arc<Object>, bool)> =
-            self.objects.iter().map(|object| (object, false)).collect();
+            self.objects.whole().map(|object| (object, false)).collect();
+        let mut last = None;
+        for texture in self.objects.textures_of_plain() {
+            if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
+                if has_subsurface {
+                    found.extend(subsurface_of(texture));
+                }
+                parts.extend(faults_of(texture));
+            }
+        }
+        if has_subsurface {
+            let mut last = None;
+            for finish in self.objects.finishes_of_plain() {
+                if last.replace(Arc::as_ptr(finish)) != Some(Arc::as_ptr(finish)) {
+                    let subsurface = finish.subsurface.iter();
+                    found.extend(subsurface.map(|it| (it.at, Word::Subsurface)));
+                }
+            }
+        }
         while let Some((object, is_hollow)) = open.pop() {
             let is_hollow = object.flags.hollow.unwrap_or(is_hollow);
             let is_shared = Arc::strong_count(object) > 1;

@@ -5,10 +5,9 @@
 
 use super::cursor::Place;
 use super::literal::{Ground, Literal};
-use super::plain::plain_object;
+use super::plain::{Read, plain_object};
 use super::reader::Reader;
 use crate::args::{Args, Parse};
-use crate::scene::Object;
 use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
 use std::sync::Arc;
 
@@ -59,7 +58,7 @@ impl Reader<'_> {
     /// Takes the objects at hand, as long as they are written as plain literals, and gives them to `take`.
     pub(super) fn take_literal_objects(
         &mut self,
-        mut take: impl FnMut(&mut Self, Object) -> Parse<()>,
+        mut take: impl FnMut(&mut Self, Read) -> Parse<()>,
     ) -> Parse<()> {
         if !self.is_at_data() {
             return Ok(());
@@ -84,12 +83,13 @@ impl Reader<'_> {
     }
 
     /// The object that begins at a byte, and its end, if it is a shape that is written as plain literals.
-    fn literal_object(&self, text: &str, at: usize) -> Option<(Object, usize)> {
+    fn literal_object(&self, text: &str, at: usize) -> Option<(Read, usize)> {
         let ground = Ground {
             file: self.here.tokens.file,
             names: &self.names,
             scopes: &self.scopes,
             version: self.version,
+            memory: &self.memory,
         };
         let mut args = Literal::new(text, at, &ground);
         let object = plain_object(&mut args, &self.default_layer).ok()??;
@@ -113,6 +113,7 @@ impl Reader<'_> {
             names: &self.names,
             scopes: &self.scopes,
             version: self.version,
+            memory: &self.memory,
         };
         let mut args = Literal::new(&text[..range.end], range.start, &ground);
         args.literal_vectors(len, take);
@@ -125,6 +126,7 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lang::literal::Memory;
     use crate::lang::scope::Scopes;
     use crate::source::FileId;
     use crate::syntax::Names;
@@ -138,6 +140,7 @@ mod tests {
             names: &names,
             scopes: &scopes,
             version: 3.7,
+            memory: &Memory::default(),
         };
         let mut args = Literal::new(text, 0, &ground);
         plain_object(&mut args, &Layer::default()).ok()??;

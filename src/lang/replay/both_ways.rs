@@ -13,7 +13,7 @@ fn told(reading: &Reading) -> String {
         undrawn,
         ..
     } = reading;
-    let objects = scene.iter().flat_map(|scene| &scene.objects);
+    let objects = scene.iter().flat_map(|scene| scene.objects.iter());
     let first: Vec<_> = objects.clone().take(300).collect();
     let count = objects.count();
     format!("{messages}\n{findings:#?}\n{undrawn:?}\n{count}\n{first:?}")
