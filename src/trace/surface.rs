@@ -279,8 +279,8 @@ impl Tracer<'_> {
 
     /// The colour of a layer, in previews its quick colour.
     fn color(&self, layer: &PreparedLayer, spot: &Spot) -> Color {
-        match layer.quick_color {
-            Some(quick) if !self.quality.has_transparency => quick,
+        match &layer.quick_color {
+            Some(quick) if !self.quality.has_transparency => **quick,
             _ => layer.pigment.color(spot),
         }
     }
