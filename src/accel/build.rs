@@ -36,13 +36,20 @@ struct Split {
 
 /// The nodes for a range of items, the root first.
 pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
-    // Most nodes have five children; what is not used is not taken.
-    let mut nodes = Vec::with_capacity(entries.len() / 4);
+    let mut nodes = Vec::with_capacity(expected(entries.len()));
     if !entries.is_empty() {
         subtree(entries, 0, &mut nodes);
     }
-    nodes.shrink_to_fit();
+    // Shrinking copies all of them; where they are many, what is not used is no memory.
+    if nodes.capacity() - nodes.len() > nodes.len() / 2 {
+        nodes.shrink_to_fit();
+    }
     nodes
+}
+
+/// How many nodes so many items mostly have; hardly ever more.
+fn expected(items: usize) -> usize {
+    items / 4
 }
 
 /// Appends the node of a range and all below it.
@@ -99,6 +106,7 @@ fn build_parts(ranges: &mut [&mut [Entry]], depth: u32) -> Vec<Vec<Node>> {
         .map(|range| {
             let mut nodes = Vec::new();
             if range.len() > 1 {
+                nodes.reserve_exact(expected(range.len()));
                 subtree(range, depth + 1, &mut nodes);
             }
             nodes

@@ -96,18 +96,37 @@ impl Reader<'_> {
         args.reached().map(|end| (object, end))
     }
 
-    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does.
+    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does, if the data go on here, or behind the comma
+    /// at hand.
     pub(super) fn take_vectors_of_data(
         &mut self,
         len: usize,
         take: &mut dyn FnMut(&[f64]) -> bool,
     ) {
+        let has_comma = self.raw().is_mark(',') && self.raw_ahead(1).kind == Kind::More;
+        self.here.at += usize::from(has_comma);
+        let begins = if has_comma { "<" } else { "" };
+        if !self.take_vectors_here(len, begins, take) {
+            self.here.at -= usize::from(has_comma);
+        }
+    }
+
+    /// Takes the vectors of the data at hand, if these begin so; says whether there were any.
+    fn take_vectors_here(
+        &mut self,
+        len: usize,
+        begins: &str,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> bool {
         if !self.is_at_data() {
-            return;
+            return false;
         }
         let Some((text, range)) = self.data() else {
-            return;
+            return false;
         };
+        if !text[range.clone()].trim_ascii_start().starts_with(begins) {
+            return false;
+        }
         let ground = Ground {
             file: self.here.tokens.file,
             names: &self.names,
@@ -117,8 +136,12 @@ impl Reader<'_> {
         };
         let mut args = Literal::new(&text[..range.end], range.start, &ground);
         args.literal_vectors(len, take);
-        if let Some(end) = args.reached().filter(|end| *end > range.start) {
-            self.go_to(end);
+        match args.reached().filter(|end| *end > range.start) {
+            Some(end) => {
+                self.go_to(end);
+                true
+            }
+            None => false,
         }
     }
 }
