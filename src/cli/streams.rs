@@ -32,6 +32,20 @@ pub enum Stream {
     Warning,
 }
 
+impl Stream {
+    /// The file of a stream that is to have one, but is not told which.
+    pub(super) fn file(self) -> &'static str {
+        match self {
+            Stream::All => "alltext.out",
+            Stream::Debug => "debug.out",
+            Stream::Fatal => "fatal.out",
+            Stream::Render => "render.out",
+            Stream::Statistics => "stats.out",
+            Stream::Warning => "warning.out",
+        }
+    }
+}
+
 /// Lines of findings are no longer than this.
 const WIDTH: usize = 79;
 

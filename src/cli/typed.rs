@@ -137,9 +137,12 @@ impl Default for Typed {
 }
 
 impl Typed {
-    /// Names the file of a stream; an empty name means none.
+    /// Names the file of a stream; an empty name means none, and a mere "yes" POV-Ray's own name for it.
     pub(super) fn stream(&mut self, stream: Stream, name: &str) {
+        const YES: [&str; 4] = ["on", "true", "yes", "1"];
         self.streams.retain(|(other, _)| *other != stream);
+        let is_yes = YES.iter().any(|yes| name.eq_ignore_ascii_case(yes));
+        let name = if is_yes { stream.file() } else { name };
         if !name.is_empty() {
             self.streams.push((stream, PathBuf::from(name)));
         }

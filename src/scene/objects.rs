@@ -270,7 +270,7 @@ mod tests {
         let shared = Look::Texture(Arc::clone(&texture));
         let disc = Shape::read(
             crate::args::Word::Disc,
-            &mut crate::args::text::TextArgs::new("0, y, 1 }"),
+            &mut crate::args::text::TextArgs::new("0, <0, 1, 0>, 1 }"),
         );
         let mut objects = Objects::default();
         let mut expected = Vec::new();
