@@ -52,12 +52,9 @@ const PARTS: &[&str] = &[
 
 /// What is missing to draw the objects that a file shows, as the first error says it.
 const UNBUILT: &[(&str, &str)] = &[
-    ("building.inc", "`normal`"),
-    ("chair.inc", "`normal`"),
     ("demo_globals.inc", "radiosity"),
     ("table_cloth.inc", "`uv_mapping`"),
     ("terrain.inc", "`function`"),
-    ("water.inc", "`normal`"),
 ];
 
 /// Reads a scene that includes these files and ends; the first error, if there is one.

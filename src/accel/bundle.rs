@@ -7,9 +7,9 @@
 //! are those of one ray at a time, to the bit.
 
 use super::node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
-use super::{Bvh, Pending, Stack};
+use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
-use crate::math::lanes::{Eight, Kernel, eight};
+use crate::math::lanes::{Eight, Kernel, Lanes, eight};
 use crate::math::rounding::{f32_above, f32_below, nearest};
 use glam::{DVec3, Vec3};
 
@@ -246,8 +246,8 @@ impl Bundle {
     #[inline(always)]
     fn try_item(
         &mut self,
-        ball: &Ball,
-        cell: Option<&Cell>,
+        lanes: Lanes,
+        (ball, cell): (&Ball, Option<&Cell>),
         mut visit: impl FnMut(usize, u32, &mut Ended),
     ) -> bool {
         let to_centre = DVec3::from(ball.centre.map(f64::from)) - self.origin;
@@ -257,27 +257,29 @@ impl Bundle {
         let slab = cell.map(|cell| Slab::new(cell, self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
-            let mut met = eight(&ConesAndBall {
+            let asked = ConesAndBall {
                 cones: &self.cones[cones],
                 centre,
                 radius,
                 distance,
-            });
+            };
+            let mut met = eight(lanes, &asked);
             while met != 0 {
                 let place = cones * LANES + met.trailing_zeros() as usize;
                 met &= met - 1;
                 let Some(group) = self.groups.get(place) else {
                     break;
                 };
-                let mut rays = eight(&GroupAndBall {
+                let asked = GroupAndBall {
                     group,
                     centre,
                     radius,
-                });
+                };
+                let mut rays = eight(lanes, &asked);
                 if rays != 0
                     && let Some(slab) = &slab
                 {
-                    rays &= eight(&GroupAndBox { group, slab });
+                    rays &= eight(lanes, &GroupAndBox { group, slab });
                 }
                 // Sizes without end meet what has none as well: the empty places behind the last ray.
                 let there = (self.count - place * LANES).min(LANES);
@@ -526,8 +528,9 @@ impl Bvh {
     /// visited then, and each ray is better asked for by itself.
     #[inline(always)]
     #[must_use]
-    pub fn together(
+    pub(crate) fn together(
         &self,
+        lanes: Lanes,
         bundle: &mut Bundle,
         mut visit: impl FnMut(u32, usize, u32, &mut Ended),
     ) -> bool {
@@ -544,14 +547,16 @@ impl Bvh {
             }
             if let Some(number) = child.node() {
                 let node = &self.nodes[number as usize];
-                let (near_sq, met) = eight(&PyramidAndNode {
+                let asked = PyramidAndNode {
                     pyramid: &bundle.pyramid,
                     node,
                     end,
-                });
+                };
+                let (near_sq, met) = eight(lanes, &asked);
                 #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
                 let name = |place: usize, child| (child, number * WIDTH as u32 + place as u32);
-                next = super::nearest_child(node, &near_sq, met, &mut pending, name);
+                let bottom = pending.make_room();
+                next = nearest_child(node, (&near_sq, met), (&mut pending, bottom), name);
             } else {
                 let item = child.item();
                 let known = self.balls.get(item as usize).copied().flatten();
@@ -563,10 +568,10 @@ impl Bvh {
                     }
                 };
                 let is_shortened = bundle.try_item(
-                    &ball,
-                    cell.as_ref(),
+                    lanes,
+                    (&ball, cell.as_ref()),
                     #[inline(always)]
-                    |first, lanes, ended| visit(item, first, lanes, ended),
+                    |first, rays, ended| visit(item, first, rays, ended),
                 );
                 if is_shortened {
                     end = bundle.farthest();

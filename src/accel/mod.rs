@@ -12,11 +12,12 @@ mod node;
 
 pub use bundle::{Bundle, Ended};
 
+use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
 use build::Entry;
 use bundle::Ball;
 use glam::DVec3;
-use node::{Cell, Child, Frame, FrameRay, Node, WIDTH};
+use node::{Cell, Child, Frame, Node, WIDTH};
 use rayon::prelude::*;
 
 /// A tree over items, which it knows by their position in the list it was built from.
@@ -39,13 +40,14 @@ struct Pending<C> {
 struct Stack<T> {
     len: usize,
     places: [T; ROOM],
+    /// What lies below them.
     deeper: Vec<T>,
 }
 
 /// Items whose boxes are worked out at a time.
 const PIECE: usize = 1 << 14;
 
-/// Room for the pending places of a tree of nine levels.
+/// Room for the pending places of a tree of eight levels and more.
 const ROOM: usize = 64;
 
 impl<T: Copy + Default> Stack<T> {
@@ -58,24 +60,46 @@ impl<T: Copy + Default> Stack<T> {
         }
     }
 
+    /// Makes room for the children of a node; gives the number of places in use.
     #[inline(always)]
-    fn push(&mut self, place: T) {
-        if self.len < ROOM {
-            self.places[self.len] = place;
-            self.len += 1;
-        } else {
-            self.deeper.push(place);
+    fn make_room(&mut self) -> usize {
+        if self.len > ROOM - WIDTH {
+            self.deepen();
         }
+        self.len
+    }
+
+    #[cold]
+    fn deepen(&mut self) {
+        self.deeper.extend_from_slice(&self.places[..self.len]);
+        self.len = 0;
+    }
+
+    /// Puts a place on top, for which there must be room.
+    #[inline(always)]
+    fn put(&mut self, place: T) {
+        self.places[self.len % ROOM] = place;
+        self.len += 1;
+    }
+
+    /// Puts a place, for which there must be room, below those down to `bottom` that are to come before it.
+    #[inline(always)]
+    fn sink(&mut self, place: T, bottom: usize, comes_first: impl Fn(&T, &T) -> bool) {
+        let mut at = self.len;
+        while at > bottom && comes_first(&self.places[(at - 1) % ROOM], &place) {
+            self.places[at % ROOM] = self.places[(at - 1) % ROOM];
+            at -= 1;
+        }
+        self.places[at % ROOM] = place;
+        self.len += 1;
     }
 
     #[inline(always)]
     fn pop(&mut self) -> Option<T> {
-        if self.len == ROOM
-            && let Some(place) = self.deeper.pop()
-        {
-            return Some(place);
+        if self.len == 0 {
+            return self.deeper.pop();
         }
-        self.len = self.len.checked_sub(1)?;
+        self.len -= 1;
         Some(self.places[self.len % ROOM])
     }
 }
@@ -152,8 +176,23 @@ impl Bvh {
     ///
     /// `visit` gets an item and the end of the search so far, and gives the new end: the same, or the parameter of a hit
     /// before it. Boxes that begin beyond the end are passed over.
+    #[inline]
+    pub fn nearest(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32, f64) -> f64) {
+        with_widest(
+            #[inline(always)]
+            |lanes| self.nearest_in(lanes, ray, (from, to), visit),
+        );
+    }
+
+    /// [`Bvh::nearest`] for work that is compiled for lanes already.
     #[inline(always)]
-    pub fn nearest(&self, ray: &Ray, from: f64, to: f64, mut visit: impl FnMut(u32, f64) -> f64) {
+    pub(crate) fn nearest_in(
+        &self,
+        lanes: Lanes,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        mut visit: impl FnMut(u32, f64) -> f64,
+    ) {
         let ray = self.frame.ray(ray);
         let from = ray.from(from);
         let (mut end, mut frame_end) = (to, ray.to(to));
@@ -161,12 +200,12 @@ impl Bvh {
         let mut next = self.root();
         while let Some(child) = next {
             next = if let Some(node) = child.node() {
-                enter_node(
-                    &self.nodes[node as usize],
-                    &ray,
-                    (from, frame_end),
-                    &mut pending,
-                )
+                let node = &self.nodes[node as usize];
+                let bottom = pending.make_room();
+                let (enter, met) = node.meet(lanes, &ray, (from, frame_end));
+                nearest_child(node, (&enter, met), (&mut pending, bottom), |_, child| {
+                    child
+                })
             } else {
                 let hit = visit(child.item(), end);
                 if hit < end {
@@ -184,13 +223,28 @@ impl Bvh {
 
     /// Visits the items whose boxes the ray may meet from `from` to `to`, in no order, until `visit` says to stop.
     /// Says whether it did.
-    #[inline(always)]
+    #[inline]
     pub fn any(&self, ray: &Ray, from: f64, to: f64, visit: impl FnMut(u32) -> bool) -> bool {
+        with_widest(
+            #[inline(always)]
+            |lanes| self.any_in(lanes, ray, (from, to), visit),
+        )
+    }
+
+    /// [`Bvh::any`] for work that is compiled for lanes already.
+    #[inline(always)]
+    pub(crate) fn any_in(
+        &self,
+        lanes: Lanes,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        visit: impl FnMut(u32) -> bool,
+    ) -> bool {
         let ray = self.frame.ray(ray);
-        let (from, to) = (ray.from(from), ray.to(to));
+        let span = (ray.from(from), ray.to(to));
         self.search(
             #[inline(always)]
-            |node| node.meet(&ray, from, to).1,
+            |node| node.meet(lanes, &ray, span).1,
             visit,
         )
     }
@@ -221,11 +275,12 @@ impl Bvh {
         let mut next = self.root();
         while let Some(node) = next.and_then(Child::node) {
             let node = &self.nodes[node as usize];
+            pending.make_room();
             let mut chosen = choose(node);
             while chosen != 0 {
-                let child = node.child(chosen.trailing_zeros() as usize);
+                let child = node.child(chosen.trailing_zeros() as usize % WIDTH);
                 if child.node().is_some() {
-                    pending.push(child);
+                    pending.put(child);
                 } else if child != Child::NOTHING && visit(child.item()) {
                     return true;
                 }
@@ -258,30 +313,16 @@ fn each(
     }
 }
 
-/// The nearest of the children that the ray meets. The others go on the stack, the next nearest on top.
-#[inline(always)]
-fn enter_node(
-    node: &Node,
-    ray: &FrameRay,
-    (from, to): (f32, f32),
-    pending: &mut Stack<Pending<Child>>,
-) -> Option<Child> {
-    let (enter, met) = node.meet(ray, from, to);
-    nearest_child(node, &enter, met, pending, |_, child| child)
-}
-
-/// The nearest of the marked children, one bit each. The others go on the stack, the next nearest on top. `name` gives
-/// what they are kept as, from the place in the node and the child.
+/// The nearest of the marked children, one bit each. The others go on the stack, down to the place `bottom` of it, the
+/// next nearest on top; there must be room. `name` gives what they are kept as, from the place in the node and the child.
 #[inline(always)]
 fn nearest_child<C: Copy + Default>(
     node: &Node,
-    enter: &[f32; WIDTH],
-    mut met: u32,
-    pending: &mut Stack<Pending<C>>,
+    (enter, mut met): (&[f32; WIDTH], u32),
+    (pending, bottom): (&mut Stack<Pending<C>>, usize),
     name: impl Fn(usize, Child) -> C,
 ) -> Option<C> {
-    let mut found = [Pending::default(); WIDTH];
-    let mut count = 0;
+    let mut nearest: Option<Pending<C>> = None;
     while met != 0 {
         let place = met.trailing_zeros() as usize % WIDTH;
         met &= met - 1;
@@ -293,19 +334,16 @@ fn nearest_child<C: Copy + Default>(
             enter: enter[place],
             child: name(place, child),
         };
-        let mut at = count;
-        while at > 0 && found[at - 1].enter < next.enter {
-            found[at] = found[at - 1];
-            at -= 1;
+        match &mut nearest {
+            None => nearest = Some(next),
+            Some(nearest) if next.enter < nearest.enter => {
+                pending.put(*nearest);
+                *nearest = next;
+            }
+            Some(_) => pending.sink(next, bottom, |above, this| above.enter < this.enter),
         }
-        found[at] = next;
-        count = (count + 1) % (WIDTH + 1);
     }
-    let nearest = count.checked_sub(1)?;
-    for place in &found[..nearest] {
-        pending.push(*place);
-    }
-    Some(found[nearest].child)
+    nearest.map(|nearest| nearest.child)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::{Bundle, Bvh};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::Eased;
+use crate::math::lanes::Lanes;
 use crate::math::random::Random;
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
@@ -296,18 +297,23 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
                 continue;
             }
             let mut best = vec![None; rays.len()];
-            let is_done = tree.together(&mut bundle, |place, first, lanes, ended| {
-                for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
-                    let ray = first + lane;
-                    let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray]) else {
-                        continue;
-                    };
-                    let slot: &mut Option<f64> = &mut best[ray];
-                    if t < far(ray) && slot.is_none_or(|least| t < least) {
-                        ended.note(lane, *slot.insert(t));
+            let is_done = tree.together(
+                Lanes::widest(),
+                &mut bundle,
+                |place, first, lanes, ended| {
+                    for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
+                        let ray = first + lane;
+                        let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray])
+                        else {
+                            continue;
+                        };
+                        let slot: &mut Option<f64> = &mut best[ray];
+                        if t < far(ray) && slot.is_none_or(|least| t < least) {
+                            ended.note(lane, *slot.insert(t));
+                        }
                     }
-                }
-            });
+                },
+            );
             if !is_done {
                 continue;
             }

@@ -130,15 +130,34 @@ impl Mapping {
     #[must_use]
     pub fn color(&self, bitmap: &Bitmap, point: DVec3) -> Option<Color> {
         let at = self.place(bitmap, point)?;
-        Some(match self.interpolation {
+        Some(self.color_at(bitmap, at))
+    }
+
+    /// The colour at a place in pixels from the left and from the top, which may lie outside.
+    #[must_use]
+    pub fn color_at(&self, bitmap: &Bitmap, at: DVec2) -> Color {
+        match self.interpolation {
             Interpolation::None => {
-                let [x, y] = [at.x, at.y].map(trunc);
-                bitmap.color(self.kept(x, bitmap.width), self.kept(y, bitmap.height))
+                let [x, y] = self.pixel(bitmap, at);
+                bitmap.color(x, y)
             }
             Interpolation::Bilinear => self.weighted(bitmap, at, bilinear),
             Interpolation::NormalisedDistance => self.weighted(bitmap, at, normalised_distance),
             Interpolation::Bicubic => self.bicubic(bitmap, at),
-        })
+        }
+    }
+
+    /// The index in the palette of the pixel at such a place, 0 without a palette.
+    #[must_use]
+    pub fn index_at(&self, bitmap: &Bitmap, at: DVec2) -> u8 {
+        let [x, y] = self.pixel(bitmap, at);
+        bitmap.index(x, y).unwrap_or(0)
+    }
+
+    /// Column and row of the pixel at such a place.
+    fn pixel(&self, bitmap: &Bitmap, at: DVec2) -> [usize; 2] {
+        let [x, y] = [at.x, at.y].map(trunc);
+        [self.kept(x, bitmap.width), self.kept(y, bitmap.height)]
     }
 
     /// A column or row within the picture.
@@ -184,6 +203,24 @@ impl Mapping {
             }
         }
         sum.color()
+    }
+}
+
+impl Bitmap {
+    /// A place, no farther from the picture than it is large, on one of its copies side by side.
+    #[must_use]
+    pub fn wrapped(&self, at: DVec2) -> DVec2 {
+        let wrapped = |at: f64, size: usize| {
+            let size = size as f64;
+            if at < 0.0 {
+                at + size
+            } else if at >= size {
+                at - size
+            } else {
+                at
+            }
+        };
+        DVec2::new(wrapped(at.x, self.width), wrapped(at.y, self.height))
     }
 }
 

@@ -6,7 +6,7 @@ use super::{Bitmap, Mapping, Samples};
 use crate::args::{Args, Parse, Sampled, Word, not_built};
 use crate::color::{Color, Gamma, Rgb};
 use crate::source::{Diagnostic, Span};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 /// What a picture is read for.
@@ -63,6 +63,38 @@ impl Source {
         color.filter += self.all.0;
         color.transmit += self.all.1;
         color
+    }
+
+    /// The height of a `bump_map` at a place in pixels from the left and from the top: the grey of the colour, or with
+    /// `use_index` the index.
+    #[must_use]
+    pub fn height(&self, at: DVec2) -> f64 {
+        let at = self.bitmap.wrapped(at);
+        if self.uses_index {
+            f64::from(self.mapping.index_at(&self.bitmap, at))
+        } else {
+            f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey())
+        }
+    }
+
+    /// The number that `material_map` reads at a point: the index in the palette, or the red of the colour as a byte; 0
+    /// outside of a picture that is there once.
+    #[must_use]
+    pub fn material(&self, point: DVec3) -> usize {
+        let Some(at) = self.mapping.place(&self.bitmap, point) else {
+            return 0;
+        };
+        if self.bitmap.palette_len().is_some() {
+            return usize::from(self.mapping.index_at(&self.bitmap, at));
+        }
+        let red = self.mapping.color_at(&self.bitmap, at).rgb.r;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the cast saturates"
+        )]
+        let number = (red * 255.0) as usize;
+        number
     }
 
     /// Whether light passes somewhere.

@@ -5,6 +5,7 @@ use super::leaf::Leaf;
 use super::model::{Item, Model};
 use super::query::{Departure, Scratch};
 use crate::math::Ray;
+use crate::math::lanes::Lanes;
 use crate::shape::{Geometry, Root};
 
 /// Which surfaces a question is about.
@@ -81,12 +82,12 @@ impl Model {
                 loop {
                     let root = match search.from {
                         Some(left) if left.leaf == number && leaf.shape.is_faceted() => {
-                            leaf.nearest_beside(ray, least, next_after(far), left.face)?
+                            leaf.nearest_beside(ray, least, beyond(far), left.face)?
                         }
                         Some(left) if left.leaf == number => {
                             nearest_but(leaf, left, ray, least, &mut scratch.roots)?
                         }
-                        _ => leaf.nearest(ray, least, next_after(far))?,
+                        _ => leaf.nearest(ray, least, beyond(far))?,
                     };
                     let found = Found {
                         root,
@@ -113,6 +114,7 @@ impl Model {
     #[inline(always)]
     pub(super) fn find_all<W: Wants>(
         &self,
+        lanes: Lanes,
         search: &Search,
         far: f64,
         scratch: &mut Scratch,
@@ -133,10 +135,10 @@ impl Model {
         }
         let tree = &self.finder.tree;
         if W::ANY {
-            tree.any(
+            tree.any_in(
+                lanes,
                 search.ray,
-                0.0,
-                far,
+                (0.0, far),
                 #[inline(always)]
                 |place| {
                     let item = self.finder.bounded[place as usize];
@@ -146,10 +148,10 @@ impl Model {
                 },
             );
         } else {
-            tree.nearest(
+            tree.nearest_in(
+                lanes,
                 search.ray,
-                0.0,
-                end,
+                (0.0, end),
                 #[inline(always)]
                 |place, end| {
                     let item = self.finder.bounded[place as usize];
@@ -191,7 +193,9 @@ fn nearest_but(
         .copied()
 }
 
-/// The next larger number, so that a limit that is left out takes `far` in.
-fn next_after(far: f64) -> f64 {
-    far.next_up()
+/// A number a little larger, so that a limit that is left out takes `far` in: one or two roundings, or the least normal
+/// number where that is more.
+#[inline(always)]
+fn beyond(far: f64) -> f64 {
+    far * (1.0 + f64::EPSILON) + f64::MIN_POSITIVE
 }

@@ -11,7 +11,7 @@ use super::lot::FourQueries;
 use super::query::{Query, Scratch};
 use super::search::SKIN;
 use super::world::World;
-use crate::math::lanes::{Four, FourKernel, four};
+use crate::math::lanes::{Four, FourKernel, Lanes, four};
 use crate::shape::{Crossing, FourRays, FourSpans, Root};
 
 /// Combinations of up to so many operands are tried end by end; the work grows with the square.
@@ -23,7 +23,7 @@ struct Passing<'a> {
     leaves: &'a [Leaf],
     rays: &'a FourQueries,
     /// Which rays there are, one bit each.
-    lanes: u32,
+    there: u32,
 }
 
 /// What four rays find.
@@ -78,7 +78,7 @@ impl FourKernel for Passing<'_> {
         let required = order.required.len();
         for (place, &number) in order.required.iter().enumerate() {
             let spans = self.spans(number, &rays);
-            unknown |= spans.unknown & self.lanes;
+            unknown |= spans.unknown & self.there;
             ends[place] = (
                 F::pick(spans.is_met, spans.enter, endless),
                 F::pick(spans.is_met, spans.leave, endless.negated()),
@@ -87,14 +87,14 @@ impl FourKernel for Passing<'_> {
             leave = leave.smaller(ends[place].1);
             low = low.larger(enter);
             high = high.smaller(leave);
-            if F::bits(low.not_above(high)) & self.lanes & !unknown == 0 {
+            if F::bits(low.not_above(high)) & self.there & !unknown == 0 {
                 found.unknown = unknown;
                 return found;
             }
         }
         for (place, &number) in (required..).zip(&order.others) {
             let spans = self.spans(number, &rays);
-            unknown |= spans.unknown & self.lanes;
+            unknown |= spans.unknown & self.there;
             // Never inside: entered behind everything, left before everything.
             ends[place % MOST_OPERANDS] = (
                 F::pick(spans.is_met, spans.enter, endless),
@@ -130,7 +130,7 @@ impl FourKernel for Passing<'_> {
                 operand = F::pick(is_best, F::all(f64::from(number)), operand);
             }
         }
-        let met = F::bits(met) & self.lanes;
+        let met = F::bits(met) & self.there;
         unknown |= F::bits(twice) & met;
         FoundByFour {
             t: best.store(),
@@ -201,8 +201,9 @@ impl World {
     #[inline(always)]
     pub(super) fn ask_four<const ASKS_FACE: bool>(
         &self,
+        lanes: Lanes,
         number: u32,
-        (rays, lanes): (&FourQueries, u32),
+        (rays, there): (&FourQueries, u32),
         query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
         mut take: impl FnMut(usize, Found),
@@ -212,9 +213,9 @@ impl World {
             program,
             leaves: &self.model.leaves,
             rays,
-            lanes,
+            there,
         };
-        let mut found = four(&passing);
+        let mut found = four(lanes, &passing);
         let mut met = found.met;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
@@ -277,8 +278,9 @@ impl World {
     #[inline(always)]
     pub(super) fn ask_four_of_leaf(
         &self,
+        lanes: Lanes,
         number: u32,
-        (rays, lanes): (&FourQueries, u32),
+        (rays, mut there): (&FourQueries, u32),
         query: impl Fn(usize) -> Query,
         mut take: impl FnMut(usize, Found),
     ) -> u32 {
@@ -289,8 +291,7 @@ impl World {
             rays,
             left: [0, 0],
         };
-        let mut own = rays.have_left(number) & lanes;
-        let mut lanes = lanes;
+        let mut own = rays.have_left(number) & there;
         while own != 0 {
             let lane = own.trailing_zeros() as usize % 4;
             own &= own - 1;
@@ -299,19 +300,19 @@ impl World {
                 let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
                 let leaves = left.normal.dot(query.ray.dir) > 0.0;
                 if leaves && leaf.is_left_behind(&query.ray) {
-                    lanes &= !(1 << lane);
+                    there &= !(1 << lane);
                     continue;
                 }
                 asked.left[usize::from(leaves)] |= 1 << lane;
                 unclear |= u32::from(!is_plain) << lane;
             }
         }
-        if lanes == 0 {
+        if there == 0 {
             return 0;
         }
-        let found = four(&asked);
-        let mut unknown = (found.unknown | unclear) & lanes;
-        let mut met = found.met & lanes & !unknown;
+        let found = four(lanes, &asked);
+        let mut unknown = (found.unknown | unclear) & there;
+        let mut met = found.met & there & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;

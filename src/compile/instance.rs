@@ -48,7 +48,7 @@ impl Instance {
         };
         with_widest(
             #[inline(always)]
-            || self.model.find_all(&inner, far, scratch, wants),
+            |lanes| self.model.find_all(lanes, &inner, far, scratch, wants),
         )
     }
 

@@ -9,6 +9,7 @@ use super::query::{Best, Query, Scratch, Way};
 use super::together::each_bit;
 use super::world::World;
 use crate::accel::Bundle;
+use crate::math::lanes::Lanes;
 use crate::math::watertight::RayFrame;
 use crate::shape::{Mesh, Shape};
 use glam::DVec3;
@@ -75,6 +76,7 @@ impl World {
     #[inline(always)]
     pub(super) fn see_meshes(
         &self,
+        lanes: Lanes,
         (lot, bests): (&mut Lot, &mut [Option<Best>]),
         query: impl Fn(usize) -> Query,
         (bundle, origin): (&mut Bundle, DVec3),
@@ -88,10 +90,11 @@ impl World {
             let count = bests.len();
             let is_done = asked.enter(&mut own, (origin, 1.0), count, lot, &query)
                 && asked.mesh.tree().together(
+                    lanes,
                     &mut own.bundle,
                     #[inline(always)]
-                    |face, first, lanes, ended| {
-                        each_bit(lanes, |lane| {
+                    |face, first, rays, ended| {
+                        each_bit(rays, |lane| {
                             let ray = first + lane;
                             let frame = &own.frames[ray];
                             let Some(t) = asked.mesh.meet(frame, face) else {
@@ -135,6 +138,7 @@ impl World {
     #[inline(always)]
     pub(super) fn meshes_block(
         &self,
+        lanes: Lanes,
         (lot, ways): (&mut Lot, &mut [Way]),
         queries: &[Query],
         (bundle, centre): (&mut Bundle, DVec3),
@@ -149,10 +153,11 @@ impl World {
             let count = queries.len();
             let is_done = asked.enter(&mut own, (centre, -1.0), count, lot, query)
                 && asked.mesh.tree().together(
+                    lanes,
                     &mut own.bundle,
                     #[inline(always)]
-                    |face, first, lanes, ended| {
-                        each_bit(lanes, |lane| {
+                    |face, first, rays, ended| {
+                        each_bit(rays, |lane| {
                             let ray = first + lane;
                             if ways[ray] == Way::Blocked {
                                 return;

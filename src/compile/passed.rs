@@ -14,21 +14,22 @@ impl World {
     pub fn gather(&self, query: &Query, scratch: &mut Scratch) {
         let mut among = std::mem::take(&mut scratch.among);
         among.clear();
+        let search = self.search_for(query);
         with_widest(
             #[inline(always)]
-            || {
+            |lanes| {
                 let mut take = |item: Numbered| {
                     let mut best = None;
-                    self.try_item(item, query, query.far, &mut best, scratch);
+                    self.try_item(item, (query, &search), query.far, &mut best, scratch);
                     if best.is_some() {
                         among.push(item);
                     }
                 };
                 self.finder().unbounded.iter().for_each(|&item| take(item));
-                self.finder().tree.any(
+                self.finder().tree.any_in(
+                    lanes,
                     &query.ray,
-                    0.0,
-                    query.far,
+                    (0.0, query.far),
                     #[inline(always)]
                     |number| {
                         take(self.finder().bounded[number as usize]);
@@ -47,11 +48,12 @@ impl World {
         let among = std::mem::take(&mut scratch.among);
         let mut best: Option<Best> = None;
         let mut far = query.far;
+        let search = self.search_for(query);
         with_widest(
             #[inline(always)]
-            || {
+            |_| {
                 for &item in &among {
-                    far = self.try_item(item, query, far, &mut best, scratch);
+                    far = self.try_item(item, (query, &search), far, &mut best, scratch);
                 }
             },
         );

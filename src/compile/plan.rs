@@ -59,17 +59,16 @@ impl World {
         combinations: usize,
         primitives: &BTreeMap<&'static str, usize>,
     ) -> Vec<&'static str> {
-        let layers = || {
-            let textures = self.surfaces.iter().flat_map(|surface| {
+        let textures = || {
+            self.surfaces.iter().flat_map(|surface| {
                 let inside = surface.inside_texture.iter();
                 std::iter::once(&surface.texture)
                     .chain(inside)
                     .chain(&surface.skins)
-            });
-            textures.flat_map(|texture| texture.layers())
+            })
         };
         let has = |some: bool, what: &'static str| (!some).then_some(what);
-        let mirrors = layers().any(|layer| layer.finish.has_reflection());
+        let mirrors = textures().any(|texture| texture.has_reflection());
         let areas = (0..).take(self.lights.len());
         let areas = areas.filter(|&light| self.lights.get(light).area.is_some());
         [

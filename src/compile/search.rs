@@ -5,7 +5,7 @@ use super::find::{Search, Start, Wants};
 use super::order::Numbered;
 use super::query::{Best, Departure, Hit, Query, Scratch, Seen};
 use super::world::World;
-use crate::math::lanes::with_widest;
+use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
 use crate::options::LeastDistance;
 use crate::shape::Root;
@@ -42,36 +42,36 @@ impl World {
         scratch.rays.count(query);
         let best = with_widest(
             #[inline(always)]
-            || self.nearest_found(query, scratch),
+            |lanes| self.nearest_found(lanes, query, scratch),
         );
         best.map(|best| self.hit(&query.ray, &best.found))
     }
 
     #[inline(always)]
-    pub(super) fn nearest_found(&self, query: &Query, scratch: &mut Scratch) -> Option<Best> {
+    pub(super) fn nearest_found(
+        &self,
+        lanes: Lanes,
+        query: &Query,
+        scratch: &mut Scratch,
+    ) -> Option<Best> {
         let mut best: Option<Best> = None;
         let mut far = query.far;
+        let search = self.search_for(query);
+        let asked = (query, &search);
         for &item in &self.model.finder.unbounded {
-            far = self.try_item(item, query, far, &mut best, scratch);
+            far = self.try_item(item, asked, far, &mut best, scratch);
         }
-        self.nearest_bounded(query, &mut best, scratch);
-        best
-    }
-
-    /// Makes `best` the nearest of itself and all bounded items.
-    #[inline(always)]
-    fn nearest_bounded(&self, query: &Query, best: &mut Option<Best>, scratch: &mut Scratch) {
-        let far = best.map_or(query.far, |best| best.found.root.t);
-        self.model.finder.tree.nearest(
+        self.model.finder.tree.nearest_in(
+            lanes,
             &query.ray,
-            0.0,
-            far,
+            (0.0, far),
             #[inline(always)]
             |number, far| {
                 let item = self.model.finder.bounded[number as usize];
-                self.try_item(item, query, far, best, scratch)
+                self.try_item(item, asked, far, &mut best, scratch)
             },
         );
+        best
     }
 
     /// Tries one item; gives the new far limit.
@@ -79,12 +79,12 @@ impl World {
     pub(super) fn try_item(
         &self,
         item: Numbered,
-        query: &Query,
+        (query, search): (&Query, &Search),
         far: f64,
         best: &mut Option<Best>,
         scratch: &mut Scratch,
     ) -> f64 {
-        match self.see_item(item, query, far, scratch) {
+        match self.see_item(item, (query, search), far, scratch) {
             None => far,
             Some(found) => self.offer(item.number, found, query, far, best),
         }
@@ -95,12 +95,12 @@ impl World {
     pub(super) fn see_item(
         &self,
         item: Numbered,
-        query: &Query,
+        (query, search): (&Query, &Search),
         far: f64,
         scratch: &mut Scratch,
     ) -> Option<Found> {
         let mut wants = Seeing { world: self, query };
-        self.find(item, query, far, scratch, &mut wants)
+        self.model.find(item.item, search, far, scratch, &mut wants)
     }
 
     /// Takes what was found of an item if it is the best so far; gives the new far limit.
@@ -161,24 +161,16 @@ impl World {
         t * normal.dot(query.ray.dir).abs() <= SKIN * blur
     }
 
-    /// The first surface of an item up to and including `far` that is wanted.
+    /// A query as the model sees it.
     #[inline(always)]
-    pub(super) fn find<W: Wants>(
-        &self,
-        item: Numbered,
-        query: &Query,
-        far: f64,
-        scratch: &mut Scratch,
-        wants: &mut W,
-    ) -> Option<Found> {
-        let search = Search {
+    pub(super) fn search_for<'q>(&self, query: &'q Query) -> Search<'q> {
+        Search {
             ray: &query.ray,
             from: query.from.as_ref(),
             least: self.least_distance(query),
             blur: query.from.map_or(0.0, |left| left.blur),
             start: Start::default(),
-        };
-        self.model.find(item.item, &search, far, scratch, wants)
+        }
     }
 
     /// Which of two items at exactly the same distance is drawn: unbounded ones come first, then the one whose box

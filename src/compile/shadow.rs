@@ -1,12 +1,12 @@
 //! What lies between a point and a light.
 
 use super::csg::Found;
-use super::find::Wants;
+use super::find::{Search, Wants};
 use super::order::Numbered;
 use super::query::{Query, Scratch, Way};
 use super::search::{BLUR, POV_RAY_SHADOW};
 use super::world::World;
-use crate::math::lanes::with_widest;
+use crate::math::lanes::{Lanes, with_widest};
 use crate::options::LeastDistance;
 use glam::DVec3;
 
@@ -66,12 +66,20 @@ impl World {
         scratch.rays.shadow += 1;
         with_widest(
             #[inline(always)]
-            || self.way_found(query, light, scratch),
+            |lanes| self.way_found(lanes, query, light, scratch),
         )
     }
 
     #[inline(always)]
-    pub(super) fn way_found(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
+    pub(super) fn way_found(
+        &self,
+        lanes: Lanes,
+        query: &Query,
+        light: u32,
+        scratch: &mut Scratch,
+    ) -> Way {
+        let search = self.search_for(query);
+        let asked = (query, &search);
         let light = light as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
@@ -81,7 +89,7 @@ impl World {
         if let Some(&item) = self.items.get(last as usize)
             && self.blocks(
                 Numbered { number: last, item },
-                query,
+                asked,
                 &mut Way::Free,
                 scratch,
             )
@@ -91,19 +99,19 @@ impl World {
         let mut way = Way::Free;
         scratch.among.clear();
         for &item in &self.model.finder.unbounded {
-            if self.stops(item, query, &mut way, scratch) {
+            if self.stops(item, asked, &mut way, scratch) {
                 scratch.blockers[light] = item.number;
                 return Way::Blocked;
             }
         }
-        let is_blocked = self.model.finder.tree.any(
+        let is_blocked = self.model.finder.tree.any_in(
+            lanes,
             &query.ray,
-            0.0,
-            query.far,
+            (0.0, query.far),
             #[inline(always)]
             |number| {
                 let item = self.model.finder.bounded[number as usize];
-                let blocks = self.stops(item, query, &mut way, scratch);
+                let blocks = self.stops(item, asked, &mut way, scratch);
                 if blocks {
                     scratch.blockers[light] = item.number;
                 }
@@ -115,9 +123,15 @@ impl World {
 
     /// As [`World::blocks`]; an item that lies there and is not opaque is gathered.
     #[inline(always)]
-    fn stops(&self, item: Numbered, query: &Query, way: &mut Way, scratch: &mut Scratch) -> bool {
+    fn stops(
+        &self,
+        item: Numbered,
+        asked: (&Query, &Search),
+        way: &mut Way,
+        scratch: &mut Scratch,
+    ) -> bool {
         let mut of_item = Way::Free;
-        if self.blocks(item, query, &mut of_item, scratch) {
+        if self.blocks(item, asked, &mut of_item, scratch) {
             return true;
         }
         if of_item == Way::Filtered {
@@ -132,7 +146,7 @@ impl World {
     pub(super) fn blocks(
         &self,
         item: Numbered,
-        query: &Query,
+        (query, search): (&Query, &Search),
         way: &mut Way,
         scratch: &mut Scratch,
     ) -> bool {
@@ -141,7 +155,9 @@ impl World {
             query,
             way,
         };
-        let found = self.find(item, query, query.far, scratch, &mut wants);
+        let found = self
+            .model
+            .find(item.item, search, query.far, scratch, &mut wants);
         found.is_some()
     }
 }

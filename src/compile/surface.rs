@@ -3,7 +3,7 @@
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
-use crate::texture::PreparedTexture;
+use crate::texture::{PreparedLayer, PreparedTexture};
 use std::sync::Arc;
 
 /// The object switches that matter while tracing.
@@ -58,6 +58,7 @@ struct Traits {
     is_lit_from_behind: bool,
     has_fresnel: bool,
     is_plain: bool,
+    is_bumpy: bool,
 }
 
 impl Surface {
@@ -73,12 +74,15 @@ impl Surface {
             let two = std::iter::once(&texture).chain(&inside_texture);
             two.chain(&skins)
         };
-        let layers = || textures().flat_map(|texture| texture.layers());
+        let has = |is_such: &dyn Fn(&PreparedLayer) -> bool| {
+            textures().any(|texture| texture.has_layer(is_such))
+        };
         let traits = Traits {
             is_opaque: textures().all(|texture| texture.is_opaque()),
-            is_lit_from_behind: layers().any(|layer| layer.finish.diffuse_back != 0.0),
-            has_fresnel: layers().any(|layer| layer.finish.reflection.is_fresnel),
+            is_lit_from_behind: has(&|layer| layer.finish.diffuse_back != 0.0),
+            has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
             is_plain: textures().count() == 1 && texture.is_plain(),
+            is_bumpy: has(&|layer| layer.normal.is_some()),
         };
         Surface {
             texture,
@@ -101,6 +105,12 @@ impl Surface {
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.traits.is_plain
+    }
+
+    /// Whether bumps tilt its normal somewhere.
+    #[must_use]
+    pub fn is_bumpy(&self) -> bool {
+        self.traits.is_bumpy
     }
 
     /// Whether the view through it matters to its mirror images.

@@ -8,7 +8,7 @@ use super::query::{Hit, Query, Scratch, Seen, Way};
 use super::world::World;
 use crate::accel::Ended;
 use crate::math::Ray;
-use crate::math::lanes::with_widest;
+use crate::math::lanes::{Lanes, with_widest};
 use glam::DVec3;
 
 /// Calls `visit` with the place of each bit that is set.
@@ -44,7 +44,7 @@ impl World {
         bests.resize(dirs.len(), None);
         with_widest(
             #[inline(always)]
-            || {
+            |lanes| {
                 lot.fill(
                     dirs.len(),
                     query,
@@ -53,7 +53,9 @@ impl World {
                 );
                 for &item in &self.finder().unbounded {
                     for (ray, best) in bests.iter_mut().enumerate() {
-                        let far = self.try_item(item, &query(ray), lot.far(ray), best, scratch);
+                        let query = &query(ray);
+                        let asked = (query, &self.search_for(query));
+                        let far = self.try_item(item, asked, lot.far(ray), best, scratch);
                         lot.shorten(ray, far);
                     }
                 }
@@ -61,15 +63,17 @@ impl World {
                 let rays = rays.map(|(ray, dir)| (*dir, lot.far(ray)));
                 let is_done = bundle.fill(&self.finder().tree, origin, rays)
                     && self.see_meshes(
+                        lanes,
                         (&mut lot, &mut bests),
                         query,
                         (&mut bundle, origin),
                         scratch,
                     )
                     && self.finder().tree.together(
+                        lanes,
                         &mut bundle,
                         #[inline(always)]
-                        |number, first, lanes, ended| {
+                        |number, first, rays, ended| {
                             let item = self.finder().bounded[number as usize];
                             if self.is_large_mesh(item) {
                                 return;
@@ -85,17 +89,20 @@ impl World {
                                         ended.note(ray - first, new);
                                     }
                                 };
-                            let lanes = self.in_fours::<true>(
+                            let left = self.in_fours::<true>(
+                                lanes,
                                 (item, Seen::Image),
                                 (&mut lot, query),
-                                (first, lanes),
+                                (first, rays),
                                 scratch,
                                 #[inline(always)]
                                 |lot, ray, found| offer(lot, ray, found, ended),
                             );
-                            each_bit(lanes, |lane| {
+                            each_bit(left, |lane| {
                                 let ray = first + lane;
-                                let found = self.see_item(item, &query(ray), lot.far(ray), scratch);
+                                let query = &query(ray);
+                                let asked = (query, &self.search_for(query));
+                                let found = self.see_item(item, asked, lot.far(ray), scratch);
                                 if let Some(found) = found {
                                     offer(&mut lot, ray, found, ended);
                                 }
@@ -104,7 +111,7 @@ impl World {
                     );
                 if !is_done {
                     for (ray, best) in bests.iter_mut().enumerate() {
-                        *best = self.nearest_found(&query(ray), scratch);
+                        *best = self.nearest_found(lanes, &query(ray), scratch);
                     }
                 }
             },
@@ -134,7 +141,7 @@ impl World {
         let mut lot = std::mem::take(&mut scratch.lot);
         let was_of_use = with_widest(
             #[inline(always)]
-            || {
+            |lanes| {
                 lot.fill(
                     queries.len(),
                     #[inline(always)]
@@ -145,7 +152,8 @@ impl World {
                 for query in queries {
                     let mut way = Way::Free;
                     let mut unbounded = self.finder().unbounded.iter();
-                    if unbounded.any(|&item| self.blocks(item, query, &mut way, scratch)) {
+                    let asked = (query, &self.search_for(query));
+                    if unbounded.any(|&item| self.blocks(item, asked, &mut way, scratch)) {
                         way = Way::Blocked;
                     }
                     ways.push(way);
@@ -160,43 +168,51 @@ impl World {
                     (-query.ray.dir, end)
                 });
                 if !bundle.fill(&self.finder().tree, centre, rays) {
-                    self.find_ways(queries, light, scratch, ways);
+                    self.find_ways(lanes, (queries, light), scratch, ways);
                     return false;
                 }
-                let is_done =
-                    self.meshes_block((&mut lot, ways), queries, (&mut bundle, centre), scratch)
-                        && self.finder().tree.together(
-                            &mut bundle,
+                let is_done = self.meshes_block(
+                    lanes,
+                    (&mut lot, ways),
+                    queries,
+                    (&mut bundle, centre),
+                    scratch,
+                ) && self.finder().tree.together(
+                    lanes,
+                    &mut bundle,
+                    #[inline(always)]
+                    |number, first, rays, ended| {
+                        let item = self.finder().bounded[number as usize];
+                        if self.is_large_mesh(item) {
+                            return;
+                        }
+                        let left = self.in_fours::<false>(
+                            lanes,
+                            (item, Seen::Shadow),
+                            (&mut lot, |ray| queries[ray]),
+                            (first, rays),
+                            scratch,
                             #[inline(always)]
-                            |number, first, lanes, ended| {
-                                let item = self.finder().bounded[number as usize];
-                                if self.is_large_mesh(item) {
-                                    return;
+                            |lot, ray, found| {
+                                if found.root.t < lot.far(ray) {
+                                    ways[ray] = Way::Blocked;
+                                    ended.note(ray - first, f64::NEG_INFINITY);
                                 }
-                                let lanes = self.in_fours::<false>(
-                                    (item, Seen::Shadow),
-                                    (&mut lot, |ray| queries[ray]),
-                                    (first, lanes),
-                                    scratch,
-                                    #[inline(always)]
-                                    |lot, ray, found| {
-                                        if found.root.t < lot.far(ray) {
-                                            ways[ray] = Way::Blocked;
-                                            ended.note(ray - first, f64::NEG_INFINITY);
-                                        }
-                                    },
-                                );
-                                each_bit(lanes, |lane| {
-                                    let way = &mut ways[first + lane];
-                                    if self.blocks(item, &queries[first + lane], way, scratch) {
-                                        *way = Way::Blocked;
-                                        ended.note(lane, f64::NEG_INFINITY);
-                                    }
-                                });
                             },
                         );
+                        each_bit(left, |lane| {
+                            let way = &mut ways[first + lane];
+                            let query = &queries[first + lane];
+                            let asked = (query, &self.search_for(query));
+                            if self.blocks(item, asked, way, scratch) {
+                                *way = Way::Blocked;
+                                ended.note(lane, f64::NEG_INFINITY);
+                            }
+                        });
+                    },
+                );
                 if !is_done {
-                    self.find_ways(queries, light, scratch, ways);
+                    self.find_ways(lanes, (queries, light), scratch, ways);
                 }
                 is_done
             },
@@ -206,28 +222,29 @@ impl World {
         was_of_use
     }
 
-    /// Asks about an item by four rays at a time, where that goes, those of `lanes` from the first ray on. Gives the rays
+    /// Asks about an item by four rays at a time, where that goes, those of `rays` from the first on. Gives the rays
     /// that must still be asked for singly; `take` gets the number of each of the others that meets the item, and what it
     /// meets; unless `ASKS_FACE` perhaps no more than the distance.
     #[inline(always)]
     fn in_fours<const ASKS_FACE: bool>(
         &self,
+        lanes: Lanes,
         (item, seen): (Numbered, Seen),
         (lot, query): (&mut Lot, impl Fn(usize) -> Query),
-        (first, lanes): (usize, u32),
+        (first, rays): (usize, u32),
         scratch: &mut Scratch,
         mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
         if !self.suits_four(item.item, seen) {
-            return lanes;
+            return rays;
         }
-        let is_for_one = |lanes: u32| lanes.is_power_of_two() && !self.model.suits_one(item.item);
-        if is_for_one(lanes) {
-            return lanes;
+        let is_for_one = |rays: u32| rays.is_power_of_two() && !self.model.suits_one(item.item);
+        if is_for_one(rays) {
+            return rays;
         }
         let mut left = 0;
         for half in [0, 4] {
-            let some = lanes >> half & 0b1111;
+            let some = rays >> half & 0b1111;
             if some == 0 || is_for_one(some) {
                 left |= some << half;
                 continue;
@@ -239,9 +256,9 @@ impl World {
             let take = |lane, found| take(lot, start + lane, found);
             let unknown = match item.item {
                 Item::Program(program) => {
-                    self.ask_four::<ASKS_FACE>(program, asked, query, scratch, take)
+                    self.ask_four::<ASKS_FACE>(lanes, program, asked, query, scratch, take)
                 }
-                Item::Leaf(leaf) => self.ask_four_of_leaf(leaf, asked, query, take),
+                Item::Leaf(leaf) => self.ask_four_of_leaf(lanes, leaf, asked, query, take),
                 Item::Instance(_) => some,
             };
             left |= unknown << half;
@@ -251,10 +268,16 @@ impl World {
 
     /// What lies on each ray that is not known to be blocked, one ray at a time.
     #[inline(always)]
-    fn find_ways(&self, queries: &[Query], light: u32, scratch: &mut Scratch, ways: &mut [Way]) {
+    fn find_ways(
+        &self,
+        lanes: Lanes,
+        (queries, light): (&[Query], u32),
+        scratch: &mut Scratch,
+        ways: &mut [Way],
+    ) {
         for (query, way) in queries.iter().zip(ways) {
             if *way != Way::Blocked {
-                *way = self.way_found(query, light, scratch);
+                *way = self.way_found(lanes, query, light, scratch);
             }
         }
     }

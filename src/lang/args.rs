@@ -7,7 +7,7 @@ use crate::args::{Args, Parse, Sampled, Word};
 use crate::color::{Color, Gamma};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
-use crate::texture::{Layer, Pigment, Texture};
+use crate::texture::{Layer, Normal, Pigment, Texture};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::sync::Arc;
@@ -190,6 +190,8 @@ impl Args for Reader<'_> {
         let layer = &self.default_layer;
         if kind == TypeId::of::<Pigment>() {
             Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Option<Arc<Normal>>>() {
+            Some(Arc::new(layer.normal.clone()))
         } else if kind == TypeId::of::<Layer>() {
             Some(Arc::new(layer.clone()))
         } else {

@@ -4,8 +4,8 @@ use super::reader::Reader;
 use crate::args::Word;
 use crate::interior::Interior;
 use crate::scene::{Kind, Object};
-use crate::source::{Code, Diagnostic, Span};
-use crate::texture::{NormalKind, Texture};
+use crate::source::{Diagnostic, Span};
+use crate::texture::{NormalKind, Patterned, Texture};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
@@ -28,10 +28,12 @@ impl Reader<'_> {
         let mut last = None;
         for texture in self.objects.textures_of_plain() {
             if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
-                if has_subsurface {
-                    found.extend(subsurface_of(texture));
+                for texture in all_textures(texture) {
+                    if has_subsurface {
+                        found.extend(subsurface_of(texture));
+                    }
+                    parts.extend(normals_without_pattern(texture));
                 }
-                parts.extend(faults_of(texture));
             }
         }
         if has_subsurface {
@@ -54,10 +56,12 @@ impl Reader<'_> {
             }
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
-                if has_subsurface {
-                    found.extend(subsurface_of(&texture.what));
+                for texture in all_textures(&texture.what) {
+                    if has_subsurface {
+                        found.extend(subsurface_of(texture));
+                    }
+                    parts.extend(normals_without_pattern(texture));
                 }
-                parts.extend(faults_of(&texture.what));
             }
             match &object.kind {
                 Kind::Shape(_) => {}
@@ -72,24 +76,13 @@ impl Reader<'_> {
         for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }
-        for (at, fault) in in_order(parts) {
-            self.record(match fault {
-                Fault::NotBuilt(word) => {
-                    Diagnostic::error(at, format!("`{word}` is not built yet"))
-                        .with_code(Code::NotBuilt)
-                }
-                Fault::NoPattern => Diagnostic::error(at, "this `normal` has no pattern")
+        for (at, ()) in in_order(parts) {
+            self.record(
+                Diagnostic::error(at, "this `normal` has no pattern")
                     .with_hint("Write `normal { bumps 0.5 }`, or the name of another pattern."),
-            });
+            );
         }
     }
-}
-
-/// Why a surface cannot have a texture at any quality.
-#[derive(PartialEq)]
-enum Fault {
-    NotBuilt(Word),
-    NoPattern,
 }
 
 /// Each once, as they stand in the files.
@@ -99,16 +92,22 @@ fn in_order<T: PartialEq>(mut found: Vec<(Span, T)>) -> Vec<(Span, T)> {
     found
 }
 
-fn faults_of(texture: &Texture) -> impl Iterator<Item = (Span, Fault)> {
-    let pattern = texture
-        .pattern()
-        .map(|pattern| (pattern.at, Fault::NotBuilt(pattern.word)));
+/// A texture and all that it chooses from.
+fn all_textures(texture: &Texture) -> Vec<&Texture> {
+    let mut all = vec![texture];
+    let mut at = 0;
+    while let Some(next) = all.get(at) {
+        let chosen = next.pattern().map(Patterned::textures);
+        all.extend(chosen.into_iter().flatten());
+        at += 1;
+    }
+    all
+}
+
+fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())> {
     let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
-    let normals = normals.map(|normal| match normal.kind {
-        NormalKind::None => (normal.at, Fault::NoPattern),
-        _ => (normal.at, Fault::NotBuilt(Word::Normal)),
-    });
-    pattern.into_iter().chain(normals)
+    let normals = normals.filter(|normal| matches!(normal.kind, NormalKind::None));
+    normals.map(|normal| (normal.at, ()))
 }
 
 /// The media of an interior, which are seen in hollow objects alone.

@@ -4,7 +4,7 @@ use super::formula::NoiseFormula;
 use super::{Pattern, Stop};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
-use crate::math::noise::NoiseGenerator;
+use crate::math::noise::{NoiseGenerator, vector_noise};
 
 /// The colours that POV-Ray gives where the scene does not.
 const COLORS: [Stop; 8] = [
@@ -25,7 +25,14 @@ pub(super) fn bozo(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
         .boxed()
 }
 
-/// `spotted` and `bumps`, from black to white.
+/// `bumps`, from black to white; as a normal it is noise in three components.
+pub(super) fn bumps(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(NoiseGenerator::noise)
+        .with_tilt(|_, point| vector_noise(point))
+        .boxed()
+}
+
+/// `spotted`, from black to white.
 pub(super) fn spotted(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     NoiseFormula::new(NoiseGenerator::noise).boxed()
 }

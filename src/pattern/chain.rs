@@ -8,7 +8,7 @@ use super::warp::{self, Warp, Warping};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::math::noise::{Octaves, vector_turbulence};
 use crate::math::{Step, Transform, shorten};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 /// Beyond this no coordinate goes, so that sums and products of a few stay finite; POV-Ray's value.
 const FARTHEST: f64 = 1e17;
@@ -119,6 +119,58 @@ impl PreparedChain {
             point += *amount * vector_turbulence(point, octaves);
         }
         point.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST))
+    }
+}
+
+impl PreparedChain {
+    /// How normals turn on their way to the pattern and back. Warps leave them as they are.
+    #[must_use]
+    pub fn turns(&self) -> Turns {
+        let transforms = self.movements.iter().filter_map(|movement| match movement {
+            Movement::Transform(inverse) => Some(inverse.matrix3),
+            Movement::Warp(_) => None,
+        });
+        let turn = |inverse: DMat3| Turn {
+            to_pattern: inverse.inverse().transpose(),
+            back: inverse.transpose(),
+        };
+        Turns(transforms.map(turn).collect())
+    }
+}
+
+/// How normals turn on their way to a pattern, in the order in which the transforms act on points.
+#[derive(Clone, Debug, Default)]
+pub struct Turns(Vec<Turn>);
+
+/// What one transform does to normals.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    to_pattern: DMat3,
+    back: DMat3,
+}
+
+impl Turns {
+    /// A normal in pattern space; after each transform it is made one long if `is_unit`.
+    #[must_use]
+    pub fn to_pattern(&self, normal: DVec3, is_unit: bool) -> DVec3 {
+        self.0.iter().fold(normal, |normal, turn| {
+            sized(turn.to_pattern * normal, is_unit)
+        })
+    }
+
+    /// The way back.
+    #[must_use]
+    pub fn back(&self, normal: DVec3, is_unit: bool) -> DVec3 {
+        let turns = self.0.iter().rev();
+        turns.fold(normal, |normal, turn| sized(turn.back * normal, is_unit))
+    }
+}
+
+fn sized(normal: DVec3, is_unit: bool) -> DVec3 {
+    if is_unit {
+        normal.normalize_or_zero()
+    } else {
+        normal
     }
 }
 

@@ -147,6 +147,23 @@ fn nearest(point: DVec3, length: impl Fn(DVec3) -> f64) -> Nearest {
     found
 }
 
+/// The nearest of the points scattered over the cells, by the distance of this metric: 2 is Euclid's; 1 is the sum of
+/// the coordinates with their signs, as `facets` has it in POV-Ray.
+#[must_use]
+pub fn nearest_feature(point: DVec3, metric: f64) -> DVec3 {
+    let found = if metric == 2.0 {
+        nearest(point, DVec3::length_squared)
+    } else if metric == 1.0 {
+        nearest(point, |d| d.x + d.y + d.z)
+    } else {
+        nearest(point, |d| {
+            let d = d.abs();
+            d.x.powf(metric) + d.y.powf(metric) + d.z.powf(metric)
+        })
+    };
+    found.point
+}
+
 /// The point of a cell.
 fn point_of(cell: [i64; 3]) -> DVec3 {
     let first = hashed_cell(cell);

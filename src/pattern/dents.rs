@@ -3,11 +3,13 @@
 use super::Pattern;
 use super::formula::NoiseFormula;
 use crate::args::{Args, Parse};
-use crate::math::noise::NoiseGenerator;
+use crate::math::noise::{NoiseGenerator, vector_noise};
 use glam::DVec3;
 
 pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    NoiseFormula::new(value).boxed()
+    NoiseFormula::new(value)
+        .with_tilt(|generator, point| value(generator, point) * vector_noise(point))
+        .boxed()
 }
 
 fn value(generator: NoiseGenerator, point: DVec3) -> f64 {

@@ -19,7 +19,11 @@ pub(super) struct Formula {
 pub(super) struct NoiseFormula {
     value: fn(NoiseGenerator, DVec3) -> f64,
     map: &'static [Stop],
+    tilt: Option<Tilt>,
 }
+
+/// How a formula of noise tilts a normal.
+type Tilt = fn(NoiseGenerator, DVec3) -> DVec3;
 
 impl Formula {
     /// A pattern from black to white.
@@ -57,7 +61,19 @@ impl Formula {
 impl NoiseFormula {
     /// A pattern from black to white.
     pub(super) fn new(value: fn(NoiseGenerator, DVec3) -> f64) -> Self {
-        NoiseFormula { value, map: &GREY }
+        NoiseFormula {
+            value,
+            map: &GREY,
+            tilt: None,
+        }
+    }
+
+    /// The same that tilts normals by a formula of its own.
+    pub(super) fn with_tilt(self, tilt: Tilt) -> Self {
+        NoiseFormula {
+            tilt: Some(tilt),
+            ..self
+        }
     }
 
     /// The same with colours of its own.
@@ -100,6 +116,7 @@ impl Pattern for NoiseFormula {
     fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
         Box::new(PreparedNoise {
             value: self.value,
+            tilt: self.tilt,
             noise: with.noise,
         })
     }
@@ -113,11 +130,16 @@ impl Pattern for NoiseFormula {
 #[derive(Debug)]
 struct PreparedNoise {
     value: fn(NoiseGenerator, DVec3) -> f64,
+    tilt: Option<Tilt>,
     noise: NoiseGenerator,
 }
 
 impl Value for PreparedNoise {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
         (self.value)(self.noise, point)
+    }
+
+    fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        self.tilt.map(|tilt| tilt(self.noise, point))
     }
 }

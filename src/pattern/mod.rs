@@ -52,7 +52,8 @@ mod wave;
 mod wood;
 mod wrinkles;
 
-pub use chain::{Chain, PreparedChain};
+pub use chain::{Chain, PreparedChain, Turns};
+pub use crackle::nearest_feature;
 pub use field::{ReadPattern, read_field};
 pub use map::{Between, Keys, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
@@ -69,7 +70,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 /// What POV-Ray adds to coordinates, so that a face that lies in a cell boundary does not show rounding noise.
-const NUDGE: f64 = 1e-10;
+pub const NUDGE: f64 = 1e-10;
 
 /// Reads what stands behind the word of a pattern and belongs to it, and makes the pattern.
 type New = fn(&mut dyn Args) -> Parse<Box<dyn Pattern>>;
@@ -84,7 +85,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Boxed, boxed::new),
     (Word::Bozo, bozo::bozo),
     (Word::Brick, brick::new),
-    (Word::Bumps, bozo::spotted),
+    (Word::Bumps, bozo::bumps),
     (Word::Cells, cells::new),
     (Word::Checker, checker::new),
     (Word::Crackle, crackle::new),
@@ -169,6 +170,12 @@ pub trait Pattern: Debug + Send + Sync + Copies {
 pub trait Value: Debug + Send + Sync {
     /// The value at a point of pattern space, before waves. For a pattern with a list, the index of an entry.
     fn value(&self, point: DVec3, spot: &Spot) -> f64;
+
+    /// How a `normal` of height 1 tilts a surface at a point of pattern space: what is added to the unit normal; `None`
+    /// for the patterns whose values are the heights.
+    fn tilt(&self, _point: DVec3) -> Option<DVec3> {
+        None
+    }
 }
 
 /// The place that is coloured, for the patterns that ask for more than a point of their own space.

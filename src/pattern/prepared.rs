@@ -1,6 +1,6 @@
 //! A pattern ready for drawing: the way to it, its value, and its wave.
 
-use super::{PreparedChain, Spot, Value, Wave};
+use super::{PreparedChain, Spot, Turns, Value, Wave};
 use glam::DVec3;
 
 /// A pattern ready for drawing.
@@ -28,5 +28,17 @@ impl PreparedPattern {
     #[inline]
     pub fn value(&self, moved: DVec3, spot: &Spot) -> f64 {
         self.wave.of(self.value.value(moved, spot))
+    }
+
+    /// How a `normal` of height 1 tilts a surface at a point of pattern space; `None` where the values are the heights.
+    #[must_use]
+    pub fn tilt(&self, moved: DVec3) -> Option<DVec3> {
+        self.value.tilt(moved)
+    }
+
+    /// How normals turn on their way to the pattern and back.
+    #[must_use]
+    pub fn turns(&self) -> Turns {
+        self.chain.turns()
     }
 }

@@ -39,12 +39,23 @@ impl Pattern for Quilted {
 
 impl Value for Quilted {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+        let v = self.cushion(point).abs();
+        (v.x + v.y + v.z) / 3.0
+    }
+
+    fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        Some(self.cushion(point))
+    }
+}
+
+impl Quilted {
+    /// The way from the middle of the cube, longer the steeper the cushion is there.
+    fn cushion(&self, point: DVec3) -> DVec3 {
         let from_centre = point - point.floor() - 0.5;
         let t = from_centre.length();
         let [c0, c1] = self.controls.map(f64::from);
         let s = 1.0 - t;
         let height = t * t * t + 3.0 * t * s * s * c0 + 3.0 * t * t * s * c1;
-        let v = (from_centre * (height * SCALE)).abs();
-        (v.x + v.y + v.z) / 3.0
+        from_centre * (height * SCALE)
     }
 }

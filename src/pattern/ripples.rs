@@ -69,27 +69,48 @@ impl Pattern for Rings {
     }
 }
 
+/// The distance from the middle of rings, in which nothing is divided by zero.
+fn length(out: DVec3) -> f64 {
+    match out.length() {
+        0.0 => 1.0,
+        length => length,
+    }
+}
+
+impl Prepared {
+    /// The height of the rings about a source at this distance.
+    fn height(&self, source: &Source, length: f64) -> f64 {
+        match self.rings {
+            Rings::Ripples => cycloidal(length * self.frequency + self.phase),
+            Rings::Waves => {
+                let index = length * self.frequency * source.frequency + self.phase;
+                cycloidal(index) / source.frequency
+            }
+        }
+    }
+}
+
 impl Value for Prepared {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
         let mut sum = 0.0;
         for source in &self.sources {
-            let length = match (point - source.place).length() {
-                0.0 => 1.0,
-                length => length,
-            };
-            sum += match self.rings {
-                Rings::Ripples => cycloidal(length * self.frequency + self.phase),
-                Rings::Waves => {
-                    let index = length * self.frequency * source.frequency + self.phase;
-                    cycloidal(index) / source.frequency
-                }
-            };
+            sum += self.height(source, length(point - source.place));
         }
         let mean = sum / self.sources.len().max(1) as f64;
         match self.rings {
             Rings::Ripples => 0.5 * (1.0 + mean),
             Rings::Waves => 0.2 * (2.5 + mean),
         }
+    }
+
+    fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        let count = self.sources.len().max(1) as f64;
+        let tilts = self.sources.iter().map(|source| {
+            let out = point - source.place;
+            let length = length(out);
+            self.height(source, length) / length / count * out
+        });
+        Some(tilts.sum())
     }
 }
 

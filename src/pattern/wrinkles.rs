@@ -3,14 +3,14 @@
 use super::Pattern;
 use super::formula::NoiseFormula;
 use crate::args::{Args, Parse};
-use crate::math::noise::NoiseGenerator;
+use crate::math::noise::{NoiseGenerator, vector_noise};
 use glam::DVec3;
 
 /// How many octaves are summed.
 const OCTAVES: u32 = 10;
 
 pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
-    NoiseFormula::new(value).boxed()
+    NoiseFormula::new(value).with_tilt(tilt).boxed()
 }
 
 fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
@@ -26,4 +26,14 @@ fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
         size *= 0.5;
     }
     sum / 2.0
+}
+
+fn tilt(_generator: NoiseGenerator, point: DVec3) -> DVec3 {
+    let mut frequency = 1.0;
+    let mut sum = DVec3::ZERO;
+    for _ in 0..OCTAVES {
+        sum += (vector_noise(point * frequency) / frequency).abs();
+        frequency *= 2.0;
+    }
+    sum
 }

@@ -300,7 +300,7 @@ pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F,
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
-    use crate::math::lanes::{FourKernel, four, four_anywhere};
+    use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
     use crate::math::{Bounds, Ray};
     use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
@@ -363,7 +363,7 @@ mod tests {
             for _ in 0..4000 {
                 let rays = [(); 4].map(|()| rng.ray_near(&bounds));
                 let asked = Asked { shape, rays };
-                let (wide, narrow) = (four(&asked), four_anywhere(&asked));
+                let (wide, narrow) = (four(Lanes::widest(), &asked), four(Lanes::NARROW, &asked));
                 assert_eq!(wide, narrow);
                 for (ray, found) in rays.iter().zip(wide) {
                     let Some(found) = found else { continue };

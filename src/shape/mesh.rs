@@ -16,7 +16,7 @@ use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word, declared};
 use crate::math::conditioning::power_of_two;
-use crate::math::lanes::with_widest;
+use crate::math::lanes::{Lanes, with_widest};
 use crate::math::watertight::{RayFrame, TriangleHit};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
@@ -294,12 +294,18 @@ impl Triangles {
     fn first(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
         with_widest(
             #[inline(always)]
-            || self.first_found(ray, from, to, but),
+            |lanes| self.first_found(lanes, ray, (from, to), but),
         )
     }
 
     #[inline(always)]
-    fn first_found(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
+    fn first_found(
+        &self,
+        lanes: Lanes,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        but: u32,
+    ) -> Option<(f64, u32)> {
         let frame = RayFrame::new(ray);
         let mut best = None;
         let visit = |face, end| {
@@ -316,7 +322,7 @@ impl Triangles {
             }
             end
         };
-        self.tree().nearest(ray, from, to, visit);
+        self.tree().nearest_in(lanes, ray, (from, to), visit);
         best
     }
 

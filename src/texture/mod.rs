@@ -1,7 +1,7 @@
-//! Textures: what a surface looks like. A texture is a stack of layers, each a pigment and a finish.
-//!
-//! Drawn are pigments, finishes and layers. Normals and textures chosen by patterns are read and kept.
+//! Textures: what a surface looks like. A texture is a stack of layers, each a pigment, a finish and perhaps bumps; or a
+//! pattern chooses it among others.
 
+mod choice;
 mod film;
 mod finish;
 mod layers;
@@ -13,7 +13,9 @@ mod pigment_pattern;
 mod prepared;
 mod rare;
 mod reflection;
+mod tilt;
 
+pub use choice::{Look, Looks};
 pub use film::{Irid, Subsurface};
 pub use finish::Finish;
 pub use layers::{Layer, Texture};
@@ -25,3 +27,4 @@ pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
 pub use rare::Rare;
 pub use reflection::Reflection;
+pub use tilt::PreparedNormal;

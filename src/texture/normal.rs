@@ -1,10 +1,10 @@
-//! `normal`: bumps that tilt the normal of a surface. They are read and kept; drawing does not have them yet.
+//! `normal`: bumps on a surface, as a scene describes them.
 
 use super::read_pattern;
-use crate::args::{Args, Parse, Word, declared};
+use crate::args::{Args, Parse, Word, declared, default_of};
 use crate::bitmap;
 use crate::math::Step;
-use crate::pattern::{self, Keys, Map, Modifiers, Pattern};
+use crate::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
 use crate::source::Span;
 use glam::DVec2;
 use std::sync::Arc;
@@ -100,7 +100,8 @@ impl Normal {
 
     fn read_entry(args: &mut dyn Args) -> Parse<Arc<Normal>> {
         let at = args.span();
-        let mut normal = Normal::begin(args, at, None)?;
+        let base: Option<Arc<Normal>> = default_of(args);
+        let mut normal = Normal::begin(args, at, base.as_deref())?;
         while normal.read_item(args)? {}
         normal.checked(args)
     }
@@ -219,7 +220,7 @@ impl NormalKind {
         let has_open_block = pattern.has_open_block();
         let is_list = pattern.has_list() && args.word()? == Some(Word::Normal);
         let kind = if is_list {
-            let normals = normal_list(pattern.default_map().len(), args)?;
+            let normals = normal_list(pattern.default_map(), args)?;
             NormalKind::Normals(pattern, normals)
         } else {
             NormalKind::Pattern(pattern)
@@ -251,13 +252,15 @@ impl NormalKind {
 }
 
 /// The normals that a pattern with a list chooses from: all of them must be there.
-fn normal_list(count: usize, args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
+fn normal_list(stops: &[Stop], args: &mut dyn Args) -> Parse<Map<Arc<Normal>>> {
+    let count = stops.len();
+    let base: Option<Arc<Normal>> = default_of(args);
     let mut entries = Vec::new();
-    for _ in 0..count {
+    for (at, _) in stops {
         if !args.accept(Word::Normal)? {
             return Err(args.expected(&format!("`normal`: this pattern chooses from {count}")));
         }
-        entries.push((0.0, Normal::read(args, None)?));
+        entries.push((*at, Normal::read(args, base.as_ref())?));
         args.comma()?;
     }
     Map::new(entries).ok_or_else(|| args.expected("`normal`"))

@@ -1,5 +1,4 @@
 //! Textures that are chosen by a pattern: `texture_map`, lists behind `checker` and its kin, `tiles`, `material_map`.
-//! They are read and kept; drawing does not have them yet.
 
 use super::{Layer, Texture, read_pattern};
 use crate::args::{Args, Parse, Word, declared};
@@ -107,6 +106,19 @@ impl Patterned {
                 Err(args.expected(&format!("`texture_map` after `{}`", self.word)))
             }
             _ => Ok(()),
+        }
+    }
+
+    /// The textures that are chosen from.
+    #[must_use]
+    pub fn textures(&self) -> Vec<&Texture> {
+        match &self.kind {
+            PatternedKind::Map(_, None) | PatternedKind::Average(None) => Vec::new(),
+            PatternedKind::Map(_, Some(map)) | PatternedKind::Average(Some(map)) => {
+                map.entries().iter().map(|entry| &entry.1).collect()
+            }
+            PatternedKind::Tiles(two) => two.iter().collect(),
+            PatternedKind::Material(_, textures) => textures.iter().collect(),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
 
-use super::{Finish, Layer, Pigment, PigmentKind, Texture};
+use super::choice::Choice;
+use super::{Finish, Layer, Look, Looks, Pigment, PigmentKind, PreparedNormal, Texture};
 use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
@@ -14,6 +15,8 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct PreparedTexture {
     layers: SmallVec<[PreparedLayer; 1]>,
+    /// What chooses among other textures; the layers do not count then.
+    choice: Option<Box<Choice>>,
     is_opaque: bool,
     has_reflection: bool,
 }
@@ -27,6 +30,8 @@ pub struct PreparedLayer {
     pub quick_color: Option<Box<Color>>,
     /// The answer to light.
     pub finish: Arc<Finish>,
+    /// Bumps.
+    pub normal: Option<Box<PreparedNormal>>,
 }
 
 /// A pigment ready for rays. There may be a million of them, most of them plain.
@@ -50,22 +55,65 @@ impl PreparedTexture {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color.clone(),
             finish: Arc::clone(&layer.finish),
+            normal: layer
+                .normal
+                .as_ref()
+                .and_then(|normal| PreparedNormal::new(normal, after, settings).map(Box::new)),
         };
         let layers: SmallVec<[PreparedLayer; 1]> =
             texture.layers().iter().rev().map(prepare).collect();
+        let choice = texture.pattern();
+        let choice = choice.and_then(|choice| Choice::new(choice, after, settings));
+        let (is_opaque, has_reflection) = match &choice {
+            None => (
+                layers
+                    .iter()
+                    .any(|layer| !layer.pigment.can_be_transparent()),
+                layers.iter().any(|layer| layer.finish.has_reflection()),
+            ),
+            Some(choice) => (
+                choice.textures().all(PreparedTexture::is_opaque),
+                choice.textures().any(PreparedTexture::has_reflection),
+            ),
+        };
         PreparedTexture {
-            is_opaque: layers
-                .iter()
-                .any(|layer| !layer.pigment.can_be_transparent()),
-            has_reflection: layers.iter().any(|layer| layer.finish.has_reflection()),
             layers,
+            choice: choice.map(Box::new),
+            is_opaque,
+            has_reflection,
         }
     }
 
-    /// The layers, the top one first.
+    /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
     #[must_use]
     pub fn layers(&self) -> &[PreparedLayer] {
         &self.layers
+    }
+
+    /// Whether a pattern chooses among other textures.
+    #[must_use]
+    pub fn is_patterned(&self) -> bool {
+        self.choice.is_some()
+    }
+
+    /// Whether some layer is of this kind, of the texture itself or of any that it chooses from.
+    pub fn has_layer(&self, is_such: &dyn Fn(&PreparedLayer) -> bool) -> bool {
+        match &self.choice {
+            None => self.layers.iter().any(is_such),
+            Some(choice) => choice.textures().any(|texture| texture.has_layer(is_such)),
+        }
+    }
+
+    /// Adds the textures that are seen of it at a place, whose patterns are asked at `point`.
+    pub fn look<'t>(&'t self, point: DVec3, spot: &Spot, weight: f32, to: &mut Looks<'t>) {
+        match &self.choice {
+            None => to.push(Look {
+                weight,
+                texture: self,
+                point,
+            }),
+            Some(choice) => choice.look(point, spot, weight, to),
+        }
     }
 
     /// Whether no light passes anywhere: some layer has neither filter nor transmit.
@@ -74,13 +122,15 @@ impl PreparedTexture {
         self.is_opaque
     }
 
-    /// Whether it is one opaque layer with nothing to it but light and highlights: no mirror image, no film, no grain.
+    /// Whether it is one opaque layer with nothing to it but light and highlights: no bumps, no mirror image, no film, no
+    /// grain.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         match self.layers.as_slice() {
-            [layer] => {
+            [layer] if self.choice.is_none() => {
                 let finish = &layer.finish;
                 self.is_opaque
+                    && layer.normal.is_none()
                     && !self.has_reflection
                     && finish.crand <= 0.0
                     && finish.irid.amount <= 0.0
@@ -103,9 +153,10 @@ impl PreparedTexture {
                 PreparedLayer {
                     pigment: PreparedPigment::Plain(color),
                     finish,
+                    normal: None,
                     ..
                 },
-            ] => Some((*color, finish)),
+            ] if self.choice.is_none() => Some((*color, finish)),
             _ => None,
         }
     }
@@ -152,7 +203,8 @@ impl PreparedPigment {
     }
 
     /// The colour at a point, which for the entries of maps is one of the pattern around them.
-    pub(super) fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+    #[must_use]
+    pub fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(both) => {

@@ -151,7 +151,8 @@ impl Tracer<'_> {
         let light = lights.get(number);
         let arrival = light.arrival(hit.point);
         let cosine = normal.dot(arrival.to_light);
-        if !faces(surface, cosine) || !lights.of(surface.lights).contains(&number) {
+        let faces = faces(surface, cosine) || (surface.is_bumpy() && cosine > MOST_TILTED);
+        if !faces || !lights.of(surface.lights).contains(&number) {
             return Known::NOTHING;
         }
         Known {
@@ -340,6 +341,9 @@ pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: 
         seen: Seen::Shadow,
     }
 }
+
+/// Bumps hardly ever let a surface face a light that is farther behind it.
+const MOST_TILTED: f64 = -0.5;
 
 /// Whether light at this cosine to the normal can matter to a surface.
 #[inline]

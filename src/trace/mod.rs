@@ -67,6 +67,8 @@ struct Quality {
     has_transparency: bool,
     /// From 8 on: mirror images.
     has_reflection: bool,
+    /// From 8 on: bumps.
+    has_normals: bool,
 }
 
 impl Quality {
@@ -77,6 +79,7 @@ impl Quality {
         has_area_lights: true,
         has_transparency: true,
         has_reflection: true,
+        has_normals: true,
     };
 }
 
@@ -139,6 +142,7 @@ impl<'w> Tracer<'w> {
             has_area_lights: quality >= 5,
             has_transparency: quality >= 6,
             has_reflection: quality >= 8,
+            has_normals: quality >= 8,
         };
         Tracer {
             world,

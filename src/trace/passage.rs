@@ -119,12 +119,17 @@ fn divided(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] / b[0], a[1] / b[1]]
 }
 
-/// The direction behind a surface of unit `normal` towards the viewer (Snell's law as a vector).
+/// The direction behind a surface of unit `normal` (Snell's law as a vector). Bumps may have turned it from the viewer.
 pub(super) fn bend(dir: DVec3, normal: DVec3, ratio: f64) -> Bend {
     if (ratio - 1.0).abs() < NO_BEND {
         return Bend::None;
     }
-    let cosine = dir.dot(normal).abs();
+    let along = dir.dot(normal);
+    let (normal, cosine) = if along <= 0.0 {
+        (normal, -along)
+    } else {
+        (-normal, along)
+    };
     let behind_sq = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
     if behind_sq < 0.0 {
         return Bend::Total;

@@ -9,7 +9,7 @@ use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
 use crate::shape::Shares;
-use crate::texture::{Finish, PreparedLayer, PreparedTexture};
+use crate::texture::{Finish, Look, Looks, PreparedLayer, PreparedTexture};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -56,9 +56,6 @@ impl View {
     }
 }
 
-/// Textures and their shares in the look of a point.
-type Looks<'s> = SmallVec<[(f32, &'s PreparedTexture); 1]>;
-
 #[allow(
     clippy::cast_possible_truncation,
     reason = "POV-Ray keeps shares of textures in single precision, like colours"
@@ -72,6 +69,8 @@ struct Mirror<'f> {
     reflectivity: Rgb,
     weight: f64,
     finish: &'f Finish,
+    /// The direction of the mirrored ray.
+    dir: DVec3,
 }
 
 impl Tracer<'_> {
@@ -86,14 +85,12 @@ impl Tracer<'_> {
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self.looks(surface, hit, path.ray.dir).as_slice() {
-            [(_, texture)] => self.shade_texture(path, hit, texture, known, scratch),
+            [only] if only.weight == 1.0 => self.shade_texture(path, hit, only, known, scratch),
             several => {
                 let mut sum = View::NOTHING;
-                for (weight, texture) in several {
-                    sum.add(
-                        *weight,
-                        self.shade_texture(path, hit, texture, known, scratch),
-                    );
+                for look in several {
+                    let view = self.shade_texture(path, hit, look, known, scratch);
+                    sum.add(look.weight, view);
                 }
                 sum
             }
@@ -105,7 +102,7 @@ impl Tracer<'_> {
     fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
-                return Looks::from_elem((1.0, &**inside), 1);
+                return look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
         };
@@ -115,13 +112,16 @@ impl Tracer<'_> {
             self.world.shares(hit)
         };
         if shares.is_empty() {
-            return Looks::from_elem((1.0, outside), 1);
+            return look_of(outside, hit, dir);
         }
         let least = self.world.globals.adc_bailout;
         let drawn = shares.iter().filter(|share| share.weight >= least);
-        drawn
-            .map(|share| (single(share.weight), &*surface.skins[share.skin as usize]))
-            .collect()
+        let mut looks = Looks::new();
+        for share in drawn {
+            let skin = &surface.skins[share.skin as usize];
+            skin.look(hit.point, &spot(hit, dir), single(share.weight), &mut looks);
+        }
+        looks
     }
 
     /// What a ray sees of one texture at a hit.
@@ -129,19 +129,20 @@ impl Tracer<'_> {
         &self,
         path: &Path,
         hit: &Hit,
-        texture: &PreparedTexture,
+        look: &Look,
         known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
+        let texture = look.texture;
         let surface = &self.world.surfaces[hit.surface as usize];
         let mut view = View::NOTHING;
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                view.rgb = self.color(lowest, &spot(hit, path.ray.dir)).rgb;
+                view.rgb = self.color(lowest, look.point, &spot(hit, path.ray.dir)).rgb;
             }
             return view;
         }
-        let lit = Lit {
+        let mut lit = Lit {
             at: Viewed::new(hit, path.ray.dir),
             departure: &hit.departure,
             path,
@@ -151,11 +152,16 @@ impl Tracer<'_> {
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
+        let spot = spot(hit, path.ray.dir);
+        let flat = lit.at.normal;
+        let mut top = None;
         for layer in texture.layers() {
-            let color = self.color(layer, &spot(hit, path.ray.dir));
+            let color = self.color(layer, look.point, &spot);
+            lit.at.normal = self.normal(layer, look.point, &spot);
+            top.get_or_insert(lit.at.normal);
             view.rgb += self.layer(&lit, layer, color, scratch) * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let mirror = self.mirror(&lit, hit, &layer.finish, color.rgb);
+                let mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
@@ -166,6 +172,7 @@ impl Tracer<'_> {
                 break;
             }
         }
+        lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
         if self.quality.has_transparency && !self.is_opaque(filter.map(f32::abs)) {
             is_total = self.pass(&lit, hit, filter, &mut view, scratch);
@@ -204,7 +211,13 @@ impl Tracer<'_> {
     }
 
     /// How much of its surroundings a layer reflects at this angle.
-    fn mirror<'f>(&self, lit: &Lit, hit: &Hit, finish: &'f Finish, pigment: Rgb) -> Mirror<'f> {
+    fn mirror<'f>(
+        &self,
+        lit: &Lit,
+        (hit, flat): (&Hit, DVec3),
+        finish: &'f Finish,
+        pigment: Rgb,
+    ) -> Mirror<'f> {
         let reflection = &finish.reflection;
         let cosine = -lit.at.view.dot(lit.at.normal);
         let mut reflectivity = if reflection.min == reflection.max {
@@ -229,6 +242,7 @@ impl Tracer<'_> {
             reflectivity,
             weight: f64::from(weight),
             finish,
+            dir: mirrored_off(lit.at.view, lit.at.normal, flat),
         }
     }
 
@@ -236,7 +250,7 @@ impl Tracer<'_> {
     fn reflect(&self, lit: &Lit, hit: &Hit, mirror: &Mirror, scratch: &mut Scratch) -> Rgb {
         let path = lit.path;
         let onward = Path {
-            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.at.normal)),
+            ray: Ray::new(hit.point, mirror.dir),
             from: Some(hit.departure),
             seen: Seen::Reflection,
             level: path.level + 1,
@@ -253,7 +267,7 @@ impl Tracer<'_> {
         };
         let irid = &mirror.finish.irid;
         if irid.amount > 0.0 {
-            let film = self.film(irid, &lit.at, mirrored(path.ray.dir, lit.at.normal));
+            let film = self.film(irid, &lit.at, mirror.dir);
             return rgb * mirror.reflectivity * film;
         }
         rgb * mirror.reflectivity
@@ -264,24 +278,36 @@ impl Tracer<'_> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let looks = self.looks(surface, hit, ray.dir);
         let caustics = f64::from(self.interior_of(hit).caustics);
-        looks.iter().fold(Rgb::BLACK, |sum, (weight, texture)| {
-            let light = texture.layers().iter().fold(Rgb::WHITE, |light, layer| {
-                let through = self.color(layer, &spot(hit, ray.dir)).transmission();
+        let spot = spot(hit, ray.dir);
+        looks.iter().fold(Rgb::BLACK, |sum, look| {
+            let layers = look.texture.layers().iter();
+            let light = layers.fold(Rgb::WHITE, |light, layer| {
+                let through = self.color(layer, look.point, &spot).transmission();
                 if caustics == 0.0 {
                     return light * through;
                 }
-                let cosine = hit.shading_normal.dot(ray.dir).abs();
-                light * through * (1.0 + cosine.powf(caustics))
+                let normal = self.normal(layer, look.point, &spot);
+                light * through * (1.0 + normal.dot(ray.dir).abs().powf(caustics))
             });
-            sum + light * f64::from(*weight)
+            sum + light * f64::from(look.weight)
         })
     }
 
     /// The colour of a layer, in previews its quick colour.
-    fn color(&self, layer: &PreparedLayer, spot: &Spot) -> Color {
+    #[inline]
+    fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
         match &layer.quick_color {
             Some(quick) if !self.quality.has_transparency => **quick,
-            _ => layer.pigment.color(spot),
+            _ => layer.pigment.patterned(point, spot),
+        }
+    }
+
+    /// The normal of a layer on the side that is seen, tilted by its bumps.
+    #[inline]
+    fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
+        match &layer.normal {
+            Some(bumps) if self.quality.has_normals => bumps.tilted(point, spot.normal, spot),
+            _ => spot.normal,
         }
     }
 
@@ -293,6 +319,21 @@ impl Tracer<'_> {
     fn is_opaque(&self, filter: Rgb) -> bool {
         f64::from(filter.grey()) <= self.world.globals.adc_bailout
     }
+}
+
+/// What a ray sees of a texture that covers a hit alone.
+#[inline]
+fn look_of<'t>(texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
+    if texture.is_patterned() {
+        let mut looks = Looks::new();
+        texture.look(hit.point, &spot(hit, dir), 1.0, &mut looks);
+        return looks;
+    }
+    Looks::from_buf([Look {
+        weight: 1.0,
+        texture,
+        point: hit.point,
+    }])
 }
 
 /// The place that patterns are asked about.
@@ -312,6 +353,19 @@ pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
         -hit.shading_normal
     } else {
         hit.shading_normal
+    }
+}
+
+/// The mirror image of a direction in a surface tilted by bumps. Where that goes into the flat surface it is mirrored
+/// there as well, or there alone if it goes into the tilted one too (facts 4.5).
+pub(super) fn mirrored_off(dir: DVec3, tilted: DVec3, flat: DVec3) -> DVec3 {
+    let image = mirrored(dir, tilted);
+    if tilted == flat || image.dot(flat) >= 0.0 {
+        image
+    } else if image.dot(tilted) < 0.0 {
+        mirrored(dir, flat)
+    } else {
+        mirrored(image, flat)
     }
 }
 

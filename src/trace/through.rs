@@ -1,8 +1,8 @@
 //! What comes through a surface: straight on, bent, thrown back as a whole, or split into its colours.
 
-use super::light::{Lit, mirrored};
+use super::light::Lit;
 use super::passage::{Bend, Passage, bend};
-use super::surface::{View, single};
+use super::surface::{View, facing_normal, mirrored_off, single};
 use super::{Inside, Path, Sample, Tracer, spectrum};
 use crate::color::Rgb;
 use crate::compile::{Hit, Scratch, Seen};
@@ -125,8 +125,10 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         let path = lit.path;
+        let flat = facing_normal(hit, path.ray.dir);
+        let dir = mirrored_off(path.ray.dir, lit.at.normal, flat);
         let onward = Path {
-            ray: Ray::new(hit.point, mirrored(path.ray.dir, lit.at.normal)),
+            ray: Ray::new(hit.point, dir),
             from: Some(hit.departure),
             seen: Seen::Reflection,
             level: path.level + 1,

@@ -4,6 +4,8 @@
     reason = "a function for a machine known only at run time cannot be called otherwise"
 )]
 
+use super::Lanes;
+
 /// Four numbers, worked on together. Each operation rounds as that on single numbers does.
 pub(crate) trait Four: Copy {
     /// One truth for each number.
@@ -42,20 +44,14 @@ pub(crate) trait FourKernel {
     fn run<F: Four>(&self) -> Self::Answer;
 }
 
-/// Runs a kernel with 256 bits at once where the machine can.
+/// Runs a kernel in these lanes.
 #[inline(always)]
-pub(crate) fn four<K: FourKernel>(kernel: &K) -> K::Answer {
+pub(crate) fn four<K: FourKernel>(lanes: Lanes, kernel: &K) -> K::Answer {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") {
-        // SAFETY: the machine has just said that it has the instructions.
+    if lanes.are_wide {
+        // SAFETY: lanes are wide only where the machine has the instructions.
         return unsafe { four_wide(kernel) };
     }
-    kernel.run::<[f64; 4]>()
-}
-
-/// The same on any machine, for tests of the other.
-#[cfg(test)]
-pub(crate) fn four_anywhere<K: FourKernel>(kernel: &K) -> K::Answer {
     kernel.run::<[f64; 4]>()
 }
 

@@ -1,0 +1,8 @@
+// Normal: the mean of normals by weight.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 angle 40 }
+light_source { <5, 8, -10>, 1 }
+background { rgb <0.2, 0.3, 0.4> }
+sphere { 0, 1 pigment { rgb 0.8 } normal { average normal_map { [1 bumps 1 scale 0.2] [2 ripples 1 scale 0.1] } scale 0.5 } finish { phong 0.5 } }
+plane { y, -1.07 pigment { rgb 0.6 } normal { average normal_map { [1 bumps 1 scale 0.2] [2 ripples 1 scale 0.1] } scale 0.5 } }

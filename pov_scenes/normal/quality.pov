@@ -1,0 +1,9 @@
+// From quality 8 on there are bumps.
+// switches: +Q7
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 angle 40 }
+light_source { <5, 8, -10>, 1 }
+background { rgb <0.2, 0.3, 0.4> }
+sphere { 0, 1 pigment { rgb 0.8 } normal { bumps 1 scale 0.3 } }
+plane { y, -1.07 pigment { rgb 0.6 } }

@@ -1,0 +1,11 @@
+// Texture_map: lit colours are blended.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 angle 40 }
+light_source { <5, 8, -10>, 1 }
+background { rgb <0.2, 0.3, 0.4> }
+#declare A = texture { pigment { rgb <0.9, 0.2, 0.1> } finish { phong 0.5 } }
+#declare B = texture { pigment { bozo scale 0.2 } normal { bumps 0.5 scale 0.1 } finish { reflection 0.3 } }
+#declare C = texture { pigment { rgbf <0.8, 1, 0.8, 0.7> } finish { specular 0.5 } }
+sphere { 0, 1 texture { gradient x texture_map { [0.2 A] [0.2 B] [0.6 B] [0.8 C] } scale 0.5 turbulence 0.2 } }
+plane { y, -1.07 texture { gradient x texture_map { [0.2 A] [0.2 B] [0.6 B] [0.8 C] } scale 0.5 turbulence 0.2 } }

@@ -1,0 +1,158 @@
+//! Textures that a pattern chooses, as rays need them: which ones are seen at a point, and the share of each.
+
+use super::{Patterned, PatternedKind, PreparedTexture, Texture};
+use crate::bitmap;
+use crate::math::Step;
+use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// A texture that is seen at a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Look<'t> {
+    /// Its share.
+    pub weight: f32,
+    /// The texture; no pattern chooses it further.
+    pub texture: &'t PreparedTexture,
+    /// Where its own patterns are asked.
+    pub point: DVec3,
+}
+
+/// The textures that are seen at a point.
+pub type Looks<'t> = SmallVec<[Look<'t>; 1]>;
+
+/// A choice among textures, ready for rays.
+#[derive(Debug)]
+pub(super) enum Choice {
+    /// By the value of a pattern.
+    Map(PreparedPattern, Map<PreparedTexture>),
+    /// All of them, by weight.
+    Average(PreparedChain, Map<PreparedTexture>),
+    /// Two in turn, as a checkerboard.
+    Tiles(PreparedChain, Box<[PreparedTexture; 2]>),
+    /// By the pixels of a picture.
+    Material(PreparedChain, Box<bitmap::Source>, Vec<PreparedTexture>),
+}
+
+impl Choice {
+    /// The form for drawing; `None` where there is nothing to choose from.
+    pub(super) fn new(patterned: &Patterned, after: &[Step], settings: &Settings) -> Option<Self> {
+        let modifiers = &patterned.modifiers;
+        let chain = || modifiers.prepare_chain(after, settings);
+        // No other transforms act on the entries.
+        let entry = |texture: &Texture| texture.prepare(&[], settings);
+        match &patterned.kind {
+            PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,
+            PatternedKind::Map(pattern, Some(map)) => {
+                let pattern = modifiers.prepare(&**pattern, after, settings);
+                Some(Choice::Map(pattern, map.map(entry)))
+            }
+            PatternedKind::Average(Some(map)) => Some(Choice::Average(chain(), map.map(entry))),
+            PatternedKind::Tiles(two) => {
+                let [first, second] = &**two;
+                Some(Choice::Tiles(
+                    chain(),
+                    Box::new([entry(first), entry(second)]),
+                ))
+            }
+            PatternedKind::Material(source, textures) => {
+                let textures = textures.iter().map(entry).collect();
+                let source = Box::new(source.clone());
+                Some(Choice::Material(chain(), source, textures))
+            }
+        }
+    }
+
+    /// Everything that may be chosen.
+    pub(super) fn textures(&self) -> Box<dyn Iterator<Item = &PreparedTexture> + '_> {
+        match self {
+            Choice::Map(_, map) | Choice::Average(_, map) => {
+                Box::new(map.entries().iter().map(|entry| &entry.1))
+            }
+            Choice::Tiles(_, two) => Box::new(two.iter()),
+            Choice::Material(_, _, textures) => Box::new(textures.iter()),
+        }
+    }
+
+    /// Adds what is seen at a point.
+    pub(super) fn look<'t>(&'t self, point: DVec3, spot: &Spot, weight: f32, to: &mut Looks<'t>) {
+        match self {
+            Choice::Map(pattern, map) => {
+                let moved = pattern.moved(point);
+                match map.between(pattern.value(moved, spot)) {
+                    Between::One(entry) => entry.look(moved, spot, weight, to),
+                    Between::Two(first, second, share) => {
+                        #[allow(
+                            clippy::cast_possible_truncation,
+                            reason = "shares are single precision, like colours"
+                        )]
+                        let share = share as f32;
+                        second.look(moved, spot, weight * share, to);
+                        first.look(moved, spot, weight * (1.0 - share), to);
+                    }
+                }
+            }
+            Choice::Average(chain, map) => {
+                let moved = chain.moved(point);
+                let total: f32 = map.entries().iter().map(|entry| entry.0).sum();
+                for (own, entry) in map.entries() {
+                    entry.look(moved, spot, weight * own / total, to);
+                }
+            }
+            Choice::Tiles(chain, two) => {
+                let moved = chain.moved(point);
+                two[tile(moved)].look(moved, spot, weight, to);
+            }
+            Choice::Material(chain, source, textures) => {
+                let moved = chain.moved(point);
+                if let Some(texture) = textures.get(source.material(moved) % textures.len().max(1))
+                {
+                    texture.look(moved, spot, weight, to);
+                }
+            }
+        }
+    }
+}
+
+/// The number of the tile that a point lies in: 0 where the sum of the whole parts of its coordinates is odd, otherwise 1.
+fn tile(point: DVec3) -> usize {
+    let sum = (point + NUDGE).floor().element_sum();
+    usize::from(sum.rem_euclid(2.0) == 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+    use crate::texture::Layer;
+
+    /// The shares of what is seen at a point.
+    fn weights(text: &str, x: f64) -> Vec<f32> {
+        let known = Texture::from(Layer::default());
+        let mut args = TextArgs::new(text).with("T", known);
+        let texture = Texture::read(&mut args, &Layer::default()).unwrap();
+        let texture = texture.prepare(&[], &Settings::default());
+        let point = DVec3::new(x, 0.5, 0.5);
+        let mut looks = Looks::new();
+        texture.look(point, &Spot::at(point), 1.0, &mut looks);
+        looks.iter().map(|look| look.weight).collect()
+    }
+
+    #[test]
+    fn the_shares_of_all_textures_add_up_to_one() {
+        let map = "{ gradient <1,0,0> texture_map { [0 T] [0.5 T] } }";
+        assert_eq!(weights(map, 0.125), [0.25, 0.75]);
+        assert_eq!(weights(map, 0.75), [1.0]);
+        let mean = "{ average texture_map { [T] [3 T] } }";
+        assert_eq!(weights(mean, 0.0), [0.25, 0.75]);
+        let nested = "{ average texture_map { [T] [average texture_map { [T] [T] }] } }";
+        assert_eq!(weights(nested, 0.0), [0.5, 0.25, 0.25]);
+    }
+
+    #[test]
+    fn tiles_begin_with_the_second_texture() {
+        assert_eq!(tile(DVec3::splat(0.5)), 1);
+        assert_eq!(tile(DVec3::new(1.5, 0.5, 0.5)), 0);
+        assert_eq!(tile(DVec3::new(-0.5, 0.5, 0.5)), 0);
+    }
+}
