@@ -54,7 +54,6 @@ const PARTS: &[&str] = &[
 const UNBUILT: &[(&str, &str)] = &[
     ("demo_globals.inc", "radiosity"),
     ("table_cloth.inc", "`uv_mapping`"),
-    ("terrain.inc", "`function`"),
 ];
 
 /// Reads a scene that includes these files and ends; the first error, if there is one.

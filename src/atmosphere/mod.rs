@@ -22,7 +22,7 @@ pub struct Atmosphere {
     pub fogs: Vec<Fog>,
     /// All rainbows.
     pub rainbows: Vec<Rainbow>,
-    /// What fills all space; kept, and not drawn yet.
+    /// What fills all space.
     pub media: Vec<Media>,
     /// What rays see that meet nothing, in front of the background.
     pub sky_sphere: Option<Arc<SkySphere>>,

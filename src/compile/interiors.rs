@@ -1,6 +1,6 @@
 //! The interiors of a world: few are written, every object has one.
 
-use crate::interior::Interior;
+use crate::interior::{Interior, PreparedMedia};
 use crate::texture::Finish;
 use std::sync::Arc;
 
@@ -29,6 +29,8 @@ pub struct Interiors {
     hollow: [Vec<bool>; 2],
     unnamed: u32,
     default: Interior,
+    /// The media of the written ones; those behind the last that has any are left out.
+    media: Vec<Arc<[PreparedMedia]>>,
 }
 
 impl Interiors {
@@ -68,6 +70,36 @@ impl Interiors {
                 self.written(interior)
             }
         }
+    }
+
+    /// Says what fills an interior that the scene writes.
+    pub(super) fn fill(&mut self, id: InteriorId, media: Arc<[PreparedMedia]>) {
+        let number = id.0 as usize;
+        if self.media.len() <= number {
+            self.media.resize_with(number + 1, Arc::default);
+        }
+        self.media[number] = media;
+    }
+
+    /// Fills an interior as the one that it is made of.
+    pub(super) fn hand_down(&mut self, from: Option<InteriorId>, to: InteriorId) {
+        let known = from.and_then(|from| self.media.get(from.0 as usize));
+        if let Some(media) = known.filter(|media| !media.is_empty() && from != Some(to)) {
+            let media = Arc::clone(media);
+            self.fill(to, media);
+        }
+    }
+
+    /// What fills an interior.
+    #[must_use]
+    pub fn media(&self, id: InteriorId) -> &[PreparedMedia] {
+        self.media.get(id.0 as usize).map_or(&[], |media| media)
+    }
+
+    /// Whether something fills some interior.
+    #[must_use]
+    pub fn have_media(&self) -> bool {
+        !self.media.is_empty()
     }
 
     /// Says whether the object of an interior is hollow.

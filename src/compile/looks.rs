@@ -82,6 +82,7 @@ impl Flat {
         let interior = self
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
+        self.fill(interior, object, above);
         let own = &object.flags;
         let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
         self.interiors.set_hollow(interior, is_hollow);
@@ -107,6 +108,20 @@ impl Flat {
             },
             steps: joined(&object.steps, &above.steps),
             slot: 0,
+        }
+    }
+
+    /// Makes the media of an object's interior ready.
+    fn fill(&mut self, interior: InteriorId, object: &Object, above: &Heritage) {
+        match &object.interior {
+            Some(own) if !own.media.is_empty() => {
+                let steps = joined(&object.steps, &above.steps);
+                let media = own.media.iter();
+                let media = media.map(|media| media.prepare(&steps, &self.settings));
+                self.interiors.fill(interior, media.collect());
+            }
+            Some(_) => {}
+            None => self.interiors.hand_down(above.interior, interior),
         }
     }
 

@@ -12,6 +12,7 @@ use super::surface::Surface;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
 use crate::color::{Color, Rgb};
+use crate::interior::PreparedMedia;
 use crate::math::Bounds;
 use crate::math::noise::NoiseGenerator;
 use crate::options::{LeastDistance, RenderOptions};
@@ -61,6 +62,8 @@ pub struct World {
     pub background: Color,
     /// The sky in front of it.
     pub sky: Option<PreparedSky>,
+    /// What fills all space.
+    pub media: Vec<PreparedMedia>,
     /// The fogs, none that does nothing.
     pub fogs: Vec<Fog>,
     /// The rainbows.
@@ -103,6 +106,12 @@ impl World {
                 .sky_sphere
                 .as_ref()
                 .map(|sky| sky.prepare(&scene.pattern_settings(), scene.version >= 3.7)),
+            media: scene
+                .atmosphere
+                .media
+                .iter()
+                .map(|media| media.prepare(&[], &scene.pattern_settings()))
+                .collect(),
             fogs: scene
                 .atmosphere
                 .fogs

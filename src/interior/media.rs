@@ -1,7 +1,8 @@
-//! `media`: what fills space and glows, swallows light or scatters it. Kept as data; it is not drawn yet.
+//! `media`: what fills space and glows, swallows light or scatters it, as a scene describes it.
 
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::{Color, Rgb};
+use crate::math::Step;
 use crate::pattern::{Keys, Map};
 use crate::source::{Diagnostic, Span};
 use crate::texture::{Family, Pigment};
@@ -171,9 +172,7 @@ impl Media {
     fn read_item(&mut self, args: &mut dyn Args) -> Parse<()> {
         if let Some(step) = transform_step(args)? {
             // Only the densities that stand before it.
-            for density in &mut self.densities {
-                density.0.transform(&step);
-            }
+            self.transform(&step);
             return Ok(());
         }
         match args.word()? {
@@ -199,6 +198,15 @@ impl Media {
             _ => return Err(args.expected("a parameter of `media` or `}`")),
         }
         Ok(())
+    }
+}
+
+impl Media {
+    /// Moves its densities.
+    pub fn transform(&mut self, step: &Step) {
+        for density in &mut self.densities {
+            density.0.transform(step);
+        }
     }
 }
 

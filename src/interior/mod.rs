@@ -1,15 +1,18 @@
 //! `interior`: what fills an object: how it bends light and how light fades in it.
 //!
-//! Its media are kept, and not drawn yet.
 
 mod media;
+mod medium;
 
 pub use media::{Density, Media, Phase, Sampling, Scattering};
+pub use medium::{Effect, PreparedMedia};
 
 use crate::args::{Args, Parse, Word, declared};
 use crate::color::Rgb;
+use crate::math::{Step, Transform};
 use crate::source::Diagnostic;
 use crate::texture::Finish;
+use std::sync::Arc;
 
 /// The power of the cosine for `caustics 1`; old finishes give the power itself.
 const CAUSTICS: f32 = 45.0;
@@ -55,6 +58,21 @@ impl Default for Interior {
             media: Vec::new(),
             refraction: 1.0,
         }
+    }
+}
+
+impl Interior {
+    /// The interior of an object that has been moved by these steps already: they do not move its media.
+    #[must_use]
+    pub fn after(mut self, steps: &[Step]) -> Self {
+        if !(steps.is_empty() || self.media.is_empty()) {
+            let back = Transform::from_steps(steps).inverse();
+            let back = Step::General(Arc::new(back));
+            for media in &mut self.media {
+                media.transform(&back);
+            }
+        }
+        self
     }
 }
 

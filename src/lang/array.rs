@@ -23,7 +23,6 @@ impl Reader<'_> {
             ..self.declaring_here(symbol, is_local)
         };
         let outer = self.declaring.replace(place);
-        self.without_semicolon = None;
         let value = self.value("a value");
         self.declaring = outer;
         let Some(value) = value? else {

@@ -47,6 +47,16 @@ impl Kept {
 impl Reader<'_> {
     /// `#declare Name = value` and `#local Name = value`, and the same for an item of an array.
     pub(super) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
+        // It may stand where another declaration should have ended.
+        let outer = self.without_semicolon.take();
+        let end = self.declare(is_local);
+        if outer.is_some() {
+            self.without_semicolon = outer;
+        }
+        end
+    }
+
+    fn declare(&mut self, is_local: bool) -> Parse<()> {
         let deprecation = self.deprecation()?;
         let symbol = self.identifier("a name to declare")?;
         let name = self.start_taken();
@@ -79,7 +89,6 @@ impl Reader<'_> {
         };
         let known = known.map(Kept::of);
         let mut start = name;
-        self.without_semicolon = None;
         let value = self.replayed(Level::Value, |reader| {
             // Directives before the value run before it and may enter a file or a macro where it is then read:
             // `#declare N = #declare A = 1; N + A;`.
@@ -365,7 +374,7 @@ impl Reader<'_> {
     }
 
     /// Tells that a `;` is missing behind the number that ends there.
-    fn miss_semicolon(&mut self, last: crate::source::Span) {
+    pub(super) fn miss_semicolon(&mut self, last: crate::source::Span) {
         let behind = crate::source::Span::new(last.file, last.end.saturating_sub(1), last.end);
         let message = "a declared number, vector or colour must end with `;`";
         if self.version >= 3.5 {

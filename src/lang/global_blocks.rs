@@ -121,6 +121,7 @@ impl Reader<'_> {
     /// `photons { ... }` of the whole scene. By itself it shoots none: objects ask for photons.
     pub(super) fn photons(&mut self) -> Parse<()> {
         self.pass();
+        let at = self.taken_span();
         self.open_block()?;
         let mut settings = self.globals.photons.take().unwrap_or_default();
         while !self.take_close()? {
@@ -129,6 +130,7 @@ impl Reader<'_> {
             };
             self.photons_setting(word, &mut settings)?;
         }
+        self.photons_at = (settings.gather[1] > 0).then_some(at);
         self.globals.photons = Some(settings);
         Ok(())
     }

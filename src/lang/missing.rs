@@ -2,7 +2,6 @@
 
 use super::reader::Reader;
 use crate::args::Word;
-use crate::interior::Interior;
 use crate::scene::{Kind, Object};
 use crate::source::{Diagnostic, Span};
 use crate::texture::{NormalKind, Patterned, Texture};
@@ -13,18 +12,12 @@ impl Reader<'_> {
     /// Tells what the objects and the air of the whole scene ask for and do not get. Each thing is told once.
     pub(super) fn note_missing(&mut self) {
         let mut found = Vec::new();
-        found.extend(
-            self.atmosphere
-                .media
-                .iter()
-                .map(|media| (media.at, Word::Media)),
-        );
         let has_subsurface = self.globals.subsurface.is_some();
         let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
-        let mut open: Vec<(&Arc<Object>, bool)> =
-            self.objects.whole().map(|object| (object, false)).collect();
+        let mut open: Vec<&Arc<Object>> = self.objects.whole().collect();
+        let (mut lights, mut targets) = (Vec::new(), Vec::new());
         let mut last = None;
         for texture in self.objects.textures_of_plain() {
             if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
@@ -45,15 +38,12 @@ impl Reader<'_> {
                 }
             }
         }
-        while let Some((object, is_hollow)) = open.pop() {
-            let is_hollow = object.flags.hollow.unwrap_or(is_hollow);
+        while let Some(object) = open.pop() {
             let is_shared = Arc::strong_count(object) > 1;
-            if is_shared && !seen.insert((Arc::as_ptr(object).addr(), is_hollow)) {
+            if is_shared && !seen.insert(Arc::as_ptr(object).addr()) {
                 continue;
             }
-            if let Some(interior) = &object.interior {
-                found.extend(media_of(interior, is_hollow));
-            }
+            targets.extend(object.photons.iter().filter(|own| own.target.is_some()));
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
                 for texture in all_textures(&texture.what) {
@@ -65,14 +55,24 @@ impl Reader<'_> {
             }
             match &object.kind {
                 Kind::Shape(_) => {}
-                Kind::Light { looks_like, .. } => {
-                    open.extend(looks_like.iter().map(|look| (look, is_hollow)));
+                Kind::Light {
+                    light, looks_like, ..
+                } => {
+                    lights.push(light);
+                    open.extend(looks_like);
                 }
-                Kind::Csg { children, .. } => {
-                    open.extend(children.iter().map(|child| (child, is_hollow)));
-                }
+                Kind::Csg { children, .. } => open.extend(&**children),
             }
         }
+        let are_shot = lights.iter().any(|light| {
+            let mut targets = targets.iter();
+            !light.is_shadowless() && targets.any(|target| target.is_sent_to(&light.photons))
+        });
+        found.extend(
+            self.photons_at
+                .filter(|_| are_shot)
+                .map(|at| (at, Word::Photons)),
+        );
         for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }
@@ -108,12 +108,6 @@ fn normals_without_pattern(texture: &Texture) -> impl Iterator<Item = (Span, ())
     let normals = texture.layers().iter().flat_map(|layer| &layer.normal);
     let normals = normals.filter(|normal| matches!(normal.kind, NormalKind::None));
     normals.map(|normal| (normal.at, ()))
-}
-
-/// The media of an interior, which are seen in hollow objects alone.
-fn media_of(interior: &Interior, is_hollow: bool) -> impl Iterator<Item = (Span, Word)> {
-    let media = interior.media.iter().filter(move |_| is_hollow);
-    media.map(|media| (media.at, Word::Media))
 }
 
 fn subsurface_of(texture: &Texture) -> Option<(Span, Word)> {

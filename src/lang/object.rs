@@ -221,7 +221,8 @@ impl Reader<'_> {
             }
             Word::Interior => {
                 self.pass();
-                object.interior = Some(Arc::new(Interior::read(self)?));
+                let interior = Interior::read(self)?;
+                object.interior = Some(Arc::new(interior.after(&object.steps)));
             }
             Word::Material => self.material(object)?,
             Word::Radiosity => self.importance()?,
@@ -320,7 +321,7 @@ impl Reader<'_> {
             object.interior_texture = Some(object.attach(Arc::new(texture)));
         }
         if let Some(interior) = material.interior {
-            object.interior = Some(Arc::new(interior));
+            object.interior = Some(Arc::new(interior.after(&object.steps)));
         }
         Ok(())
     }

@@ -127,7 +127,8 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
             }
             Word::Interior => {
                 args.accept(word)?;
-                object.interior = Some(Arc::new(Interior::read(args)?));
+                let interior = Interior::read(args)?;
+                object.interior = Some(Arc::new(interior.after(&object.steps)));
             }
             Word::NoShadow => {
                 args.accept(word)?;

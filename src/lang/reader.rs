@@ -92,6 +92,8 @@ pub(super) struct Reader<'a> {
     pub(super) objects: Objects,
     /// Words of data.
     pub(super) memory: Memory,
+    /// Where the scene asks for photons.
+    pub(super) photons_at: Option<Span>,
     /// What drawing cannot do yet.
     pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
@@ -199,6 +201,7 @@ impl<'a> Reader<'a> {
             objects: Objects::default(),
             memory: Memory::default(),
             messages: String::new(),
+            photons_at: None,
             undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,
@@ -278,6 +281,12 @@ impl<'a> Reader<'a> {
     pub(super) fn record(&mut self, finding: Diagnostic) {
         if finding.severity == Severity::Error {
             self.errors += 1;
+        }
+        if finding.message.is_empty()
+            && let Some((last, ..)) = self.without_semicolon.take()
+        {
+            // What was asked for would be there if the declaration had ended.
+            self.miss_semicolon(last);
         }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
             self.keep(finding);

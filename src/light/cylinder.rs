@@ -2,6 +2,7 @@
 
 use super::edge;
 use crate::args::Word;
+use crate::math::Ray;
 use glam::DVec3;
 
 /// A round beam.
@@ -54,6 +55,25 @@ impl Cylinder {
         } else {
             middle
         }
+    }
+}
+
+impl Cylinder {
+    /// The stretch of a ray within the beam, without regard to where it begins.
+    pub(super) fn crossed_by(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
+        let aside = |v: DVec3| v - v.dot(axis) * axis;
+        let (from, dir) = (aside(ray.origin - centre), aside(ray.dir));
+        let a = dir.length_squared();
+        let b = from.dot(dir);
+        let c = from.length_squared() - self.falloff * self.falloff;
+        if a == 0.0 {
+            return (c < 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
+        }
+        let discriminant = b * b - a * c;
+        (discriminant > 0.0).then(|| {
+            let root = discriminant.sqrt();
+            ((-b - root) / a, (-b + root) / a)
+        })
     }
 }
 

@@ -18,8 +18,8 @@ pub use spotlight::Spotlight;
 
 use crate::args::{Args, Parse, Word};
 use crate::color::Rgb;
-use crate::math::Step;
 use crate::math::noise::smooth;
+use crate::math::{Ray, Step};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::Class;
 use glam::DVec3;
@@ -272,6 +272,18 @@ impl Light {
             Beam::Cylinder(cylinder) => cylinder.share(point - self.middle, self.axis),
         };
         in_beam * self.fade.share(arrival.distance)
+    }
+}
+
+impl Light {
+    /// The stretch of a ray that lies in its beam, by the parameter of the ray; `None` where none does.
+    #[must_use]
+    pub fn crossed_by(&self, ray: &Ray) -> Option<(f64, f64)> {
+        match &self.beam {
+            Beam::Point | Beam::Shadowless => Some((f64::NEG_INFINITY, f64::INFINITY)),
+            Beam::Spotlight(spotlight) => spotlight.crossed_by(ray, self.middle, self.axis),
+            Beam::Cylinder(cylinder) => cylinder.crossed_by(ray, self.middle, self.axis),
+        }
     }
 }
 

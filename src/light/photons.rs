@@ -1,5 +1,5 @@
 //! `photons` in lights and objects, kept as data: without `photons` in `global_settings` they change no picture, and
-//! those are not built yet.
+//! with them a scene in which some would be shot is refused.
 
 use crate::args::{Args, Parse, Word};
 
@@ -66,6 +66,15 @@ impl Photons {
 }
 
 impl ObjectPhotons {
+    /// Whether a light sends photons to the object, if that is a target: one of the two asks for it and neither forbids it.
+    #[must_use]
+    pub fn is_sent_to(&self, light: &Photons) -> bool {
+        let asks = |one: Option<bool>, other: Option<bool>| {
+            [one, other].contains(&Some(true)) && ![one, other].contains(&Some(false))
+        };
+        asks(self.refraction, light.refraction) || asks(self.reflection, light.reflection)
+    }
+
     /// The block behind `photons` in an object.
     ///
     /// # Errors

@@ -2,6 +2,8 @@
 
 use super::edge;
 use crate::args::Word;
+use crate::math::Ray;
+use glam::DVec3;
 
 /// The half-angles that a spotlight has unless it gives others.
 const RADIUS_DEG: f64 = 30.0;
@@ -57,6 +59,57 @@ impl Spotlight {
         } else {
             middle * edge(cosine, self.cos_falloff, self.cos_radius)
         }
+    }
+}
+
+impl Spotlight {
+    /// The stretch of a ray within the cone of all light, which stands on `centre` about the unit `axis`.
+    pub(super) fn crossed_by(&self, ray: &Ray, centre: DVec3, axis: DVec3) -> Option<(f64, f64)> {
+        let from = ray.origin - centre;
+        let cos_sq = self.cos_falloff * self.cos_falloff;
+        let (rise, height) = (ray.dir.dot(axis), from.dot(axis));
+        let a = rise * rise - cos_sq * ray.dir.length_squared();
+        let b = rise * height - cos_sq * ray.dir.dot(from);
+        let c = height * height - cos_sq * from.length_squared();
+        let mut ends = [
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+            f64::INFINITY,
+            f64::INFINITY,
+        ];
+        let discriminant = b * b - a * c;
+        let mut count = 1;
+        if a == 0.0 {
+            if b != 0.0 {
+                ends[count] = -0.5 * c / b;
+                count += 1;
+            }
+        } else if discriminant > 0.0 {
+            let root = discriminant.sqrt();
+            let (one, other) = ((-b - root) / a, (-b + root) / a);
+            ends[1] = one.min(other);
+            ends[2] = one.max(other);
+            count = 3;
+        }
+        // Between two ends the ray is in the cone or not all along.
+        let is_in = |t: f64| {
+            let height = height + t * rise;
+            height > 0.0 && a * t * t + 2.0 * b * t + c > 0.0
+        };
+        let mut found: Option<(f64, f64)> = None;
+        for place in 0..count {
+            let (from, to) = (ends[place], ends[place + 1]);
+            let middle = match (from.is_finite(), to.is_finite()) {
+                (true, true) => 0.5 * (from + to),
+                (true, false) => from + from.abs() + 1.0,
+                (false, true) => to - to.abs() - 1.0,
+                (false, false) => 0.0,
+            };
+            if is_in(middle) {
+                found = Some((found.map_or(from, |found| found.0), to));
+            }
+        }
+        found
     }
 }
 
@@ -119,5 +172,19 @@ mod tests {
             [(7.0, 0.75257), (5.0, 0.84800), (3.0, 0.93632)],
         );
         assert_eq!(share(100.0, 120.0, 0.0, 91.0), 0.0);
+    }
+
+    #[test]
+    fn a_ray_is_in_the_cone_where_light_arrives() {
+        let mut spotlight = Spotlight::default();
+        spotlight.set(Word::Falloff, 45.0);
+        let crossed = |origin: DVec3, dir: DVec3| {
+            spotlight.crossed_by(&Ray::new(origin, dir), DVec3::ZERO, DVec3::Z)
+        };
+        let across = crossed(DVec3::new(-9.0, 0.0, 2.0), DVec3::X).expect("it crosses");
+        assert!((across.0 - 7.0).abs() < 1e-9 && (across.1 - 11.0).abs() < 1e-9);
+        assert_eq!(crossed(DVec3::new(-9.0, 0.0, -2.0), DVec3::X), None);
+        let along = crossed(DVec3::new(1.0, 0.0, -5.0), DVec3::Z).expect("it goes in");
+        assert!((along.0 - 6.0).abs() < 1e-9 && along.1 == f64::INFINITY);
     }
 }

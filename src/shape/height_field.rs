@@ -64,10 +64,10 @@ impl HeightField {
     /// # Errors
     /// A picture that is missing, damaged, too large or of an unknown kind; a malformed or non-finite parameter.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
-        if args.word()? == Some(Word::Function) {
-            return Err(crate::args::not_built(args, Word::Function));
-        }
-        let heights = read_picture(args)?;
+        let heights = match args.sampled()? {
+            Some(sampled) => image::Heights::of_function(&sampled),
+            None => read_picture(args)?,
+        };
         let mut is_smooth = false;
         let mut water = 0.0;
         loop {

@@ -1,41 +1,50 @@
-//! What rays cross on their way: rainbows, and fog, where nothing solid is around them.
+//! What rays cross on their way: media, rainbows and fog, where nothing solid is around them.
 
-use super::{Inside, Sample, Tracer};
+use super::{Inside, Path, Sample, Tracer};
 use crate::atmosphere::{Tint, mean_of, sum_of};
+use crate::compile::{LightList, Scratch};
 use crate::math::Ray;
-use crate::math::mersenne::Stream;
 
 /// What the air does to light, the rainbows first.
 #[derive(Clone, Copy)]
 pub(super) struct Air {
+    /// The media of the interiors that the ray is in.
+    inside: Option<Tint>,
     rainbow: Option<Tint>,
+    /// The media of the atmosphere.
+    media: Option<Tint>,
     fog: Option<Tint>,
 }
 
 impl Tracer<'_> {
     /// Whether air does anything anywhere.
     pub(super) fn has_air(&self) -> bool {
-        !(self.world.fogs.is_empty() && self.world.rainbows.is_empty())
+        self.has_media || !(self.world.fogs.is_empty() && self.world.rainbows.is_empty())
     }
 
-    /// What the air does to light along a ray from its start over `length`; `None` where it does nothing.
+    /// What the air does to light along a ray from its start over `length`; `None` where it does nothing. `lights` are those
+    /// that media scatter.
     ///
     /// An object that is not `hollow` keeps the air out, also where it is only the half-space of a plane.
     pub(super) fn air(
         &self,
-        ray: &Ray,
+        path: &Path,
         length: f64,
-        inside: &Inside,
-        stream: &mut Stream,
+        lights: LightList,
+        scratch: &mut Scratch,
     ) -> Option<Air> {
-        if !self.has_air() || !self.is_in_air(inside) {
+        if !self.has_air() || !self.is_in_air(&path.inside) {
             return None;
         }
-        let rainbows = self.world.rainbows.iter();
-        let arcs = rainbows.filter_map(|rainbow| rainbow.tint(ray.dir, length, stream));
+        let inside = self.media_inside(path, length, lights, scratch);
+        let (rainbows, dir) = (self.world.rainbows.iter(), path.ray.dir);
+        let stream = &mut scratch.stream;
+        let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
         Some(Air {
+            inside,
             rainbow: mean_of(arcs),
-            fog: self.fog(ray, length),
+            media: self.media_of_air(path, length, lights, scratch),
+            fog: self.fog(&path.ray, length),
         })
     }
 
@@ -57,8 +66,8 @@ impl Sample {
     /// The same behind air.
     pub(super) fn through(self, air: Option<Air>) -> Sample {
         let Some(air) = air else { return self };
-        let tints = air.rainbow.into_iter().chain(air.fog);
-        tints.fold(self, |seen, tint| Sample {
+        let tints = [air.inside, air.rainbow, air.media, air.fog];
+        tints.into_iter().flatten().fold(self, |seen, tint| Sample {
             rgb: tint.of(seen.rgb),
             transmit: seen.transmit * tint.factor.grey(),
         })

@@ -43,7 +43,8 @@ impl Viewed {
 /// A point of a surface, as light finds it.
 pub(super) struct Lit<'p> {
     pub(super) at: Viewed,
-    pub(super) departure: &'p Departure,
+    /// The root that rays from here leave; none in the middle of space.
+    pub(super) departure: Option<&'p Departure>,
     pub(super) path: &'p Path,
     /// By light, what of it is known.
     pub(super) known: &'p [Known],
@@ -81,7 +82,7 @@ impl Known {
     #[inline]
     pub(super) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
         let ray = Ray::new(hit.point, self.arrival.to_light);
-        shadow_query(world, &hit.departure, ray, self.arrival.distance)
+        shadow_query(world, Some(&hit.departure), ray, self.arrival.distance)
     }
 }
 
@@ -198,7 +199,7 @@ impl Tracer<'_> {
     }
 
     /// What is left of light after all that stands between a point and the lamps of its source.
-    fn after_shadows(
+    pub(super) fn after_shadows(
         &self,
         arriving: Rgb,
         number: u32,
@@ -239,7 +240,11 @@ impl Tracer<'_> {
         if source.is_shadowless() {
             return arriving;
         }
-        let minds_air = source.media_attenuation && !self.world.fogs.is_empty();
+        let by_air = self.has_media
+            && !self.world.media.is_empty()
+            && source.media_attenuation
+            && source.media_interaction;
+        let minds_air = source.media_attenuation && !self.world.fogs.is_empty() || by_air;
         let known = lit.known.get(light as usize).and_then(|known| known.way);
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
@@ -254,15 +259,22 @@ impl Tracer<'_> {
             let hit = self.world.nearest_among(&query, scratch);
             if minds_air {
                 let length = hit.map_or(left, |hit| hit.t);
-                if let Some(fog) = self.fog(&query.ray, length)
+                if source.media_attenuation
+                    && let Some(fog) = self.fog(&query.ray, length)
                     && self.is_in_air(&inside)
                 {
                     arriving *= fog.factor;
                 }
             }
+            if by_air {
+                let length = hit.map_or(left, |hit| hit.t);
+                arriving *= self.dimmed_by_air(&query.ray, length, &inside, scratch);
+            }
             let Some(hit) = hit else {
+                // As in POV-Ray interiors take no light from where nothing ends them.
                 return arriving;
             };
+            arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
             left -= hit.t;
             arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, &hit);
             if is_nothing(arriving) {
@@ -333,10 +345,15 @@ fn grain(scratch: &mut Scratch) -> f64 {
 
 /// The question what lies between a point and a light.
 #[inline]
-pub(super) fn shadow_query(world: &World, from: &Departure, ray: Ray, distance: f64) -> Query {
+pub(super) fn shadow_query(
+    world: &World,
+    from: Option<&Departure>,
+    ray: Ray,
+    distance: f64,
+) -> Query {
     Query {
         ray,
-        from: Some(*from),
+        from: from.copied(),
         far: world.reach(ray.at(distance), distance),
         seen: Seen::Shadow,
     }

@@ -10,6 +10,7 @@ mod block;
 mod film;
 mod lens;
 mod light;
+mod media;
 mod passage;
 mod plain;
 mod spectrum;
@@ -20,7 +21,7 @@ mod through;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, Surface, World};
+use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen, Surface, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
@@ -113,6 +114,8 @@ pub struct Tracer<'w> {
     quality: Quality,
     /// Whether it matters in which interiors a ray is.
     minds_interiors: bool,
+    /// Whether rays meet media.
+    has_media: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
     /// The interiors around the camera, if all rays start in one point.
@@ -128,8 +131,11 @@ impl<'w> Tracer<'w> {
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.is_opaque();
         let has_fresnel = world.surfaces.iter().any(Surface::has_fresnel);
-        let minds_interiors =
-            !is_all_opaque || has_fresnel || !(world.fogs.is_empty() && world.rainbows.is_empty());
+        let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
+        let minds_interiors = !is_all_opaque
+            || has_fresnel
+            || has_media
+            || !(world.fogs.is_empty() && world.rainbows.is_empty());
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -147,7 +153,8 @@ impl<'w> Tracer<'w> {
         Tracer {
             world,
             quality,
-            takes_plain: plain::suits(world, quality),
+            has_media,
+            takes_plain: !has_media && plain::suits(world, quality),
             minds_interiors,
             around_camera,
             background,
@@ -230,13 +237,14 @@ impl<'w> Tracer<'w> {
             });
             let Some(hit) = hit else {
                 let way = self.world.globals.unit * WAY_TO_NOTHING;
-                let air = self.air(&path.ray, way, &path.inside, &mut scratch.stream);
+                let air = self.air(&path, way, LightList::default(), scratch);
                 break self.behind_everything(path.ray.dir, path.seen).through(air);
             };
             if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
                 break plain;
             }
-            let air = self.air(&path.ray, hit.t, &path.inside, &mut scratch.stream);
+            let lights = self.world.surfaces[hit.surface as usize].lights;
+            let air = self.air(&path, hit.t, lights, scratch);
             let view = self.shade(&path, &hit, known, scratch);
             let Some(passage) = view.straight_on else {
                 break Sample {

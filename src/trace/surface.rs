@@ -144,7 +144,7 @@ impl Tracer<'_> {
         }
         let mut lit = Lit {
             at: Viewed::new(hit, path.ray.dir),
-            departure: &hit.departure,
+            departure: Some(&hit.departure),
             path,
             known,
             is_double_illuminated: surface.flags.double_illuminate,

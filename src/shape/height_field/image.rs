@@ -6,7 +6,8 @@
 //! * a palette: the number of the colour times 256;
 //! * colours of 8 bits: red times 256 plus green; of 16 bits: their grey.
 
-use crate::args::Word;
+use crate::args::{Sampled, Word};
+use crate::color::Color;
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::tga::TgaDecoder;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
@@ -81,6 +82,25 @@ impl Kind {
 pub(super) struct Heights {
     pub(super) width: usize,
     pub(super) rows: Vec<u16>,
+}
+
+impl Heights {
+    /// The heights of a picture that a function has made: 16 bits of its grey.
+    pub(super) fn of_function(picture: &Sampled) -> Self {
+        let height = |color: &Color| {
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "the cast saturates"
+            )]
+            let height = (f64::from(color.rgb.grey()) * 65535.0).round() as u16;
+            height
+        };
+        Heights {
+            width: picture.width,
+            rows: picture.colors.iter().map(height).collect(),
+        }
+    }
 }
 
 /// Why a picture cannot be read.

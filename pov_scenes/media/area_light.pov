@@ -1,0 +1,10 @@
+// Media: an area light, and finer steps where samples differ.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 angle 40 }
+light_source { <5, 8, -10>, 1 }
+background { rgb <0.2, 0.3, 0.4> }
+plane { y, -1.07 hollow pigment { checker rgb 0.8 rgb 0.5 } }
+light_source { <-2, 3, -1> rgb 1 area_light x, z, 3, 3 }
+sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { scattering { 1, 0.3 } aa_level 4 samples 4 } } }
+box { <-0.2, -0.2, -2>, <0.2, 0.2, -1.5> pigment { rgb y } }

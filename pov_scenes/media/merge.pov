@@ -1,0 +1,8 @@
+// Media: one body of two.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 angle 40 }
+light_source { <5, 8, -10>, 1 }
+background { rgb <0.2, 0.3, 0.4> }
+plane { y, -1.07 hollow pigment { checker rgb 0.8 rgb 0.5 } }
+merge { sphere { 0, 1 } sphere { <0.8, 0.2, 0>, 0.6 } hollow pigment { rgbt 1 } interior { media { emission <0.2, 0.5, 0.1> absorption 0.3 } } }

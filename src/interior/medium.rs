@@ -1,0 +1,136 @@
+//! `media` as rays need it: what it does to light at a point.
+
+use super::{Media, Phase, Sampling, Scattering};
+use crate::color::Rgb;
+use crate::math::Step;
+use crate::pattern::{Settings, Spot};
+use crate::texture::PreparedPigment;
+use glam::DVec3;
+
+/// A medium ready for rays.
+#[derive(Debug)]
+pub struct PreparedMedia {
+    absorption: Rgb,
+    emission: Rgb,
+    scattering: Scattering,
+    densities: Vec<PreparedPigment>,
+    /// How a ray is sampled.
+    pub sampling: Sampling,
+}
+
+/// What media do to light over a unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effect {
+    /// The share that is taken away.
+    pub extinction: Rgb,
+    /// What is given.
+    pub emission: Rgb,
+    /// The share of light from elsewhere that is scattered, into all directions together.
+    pub scattering: Rgb,
+}
+
+impl Effect {
+    /// None.
+    pub const NONE: Effect = Effect {
+        extinction: Rgb::BLACK,
+        emission: Rgb::BLACK,
+        scattering: Rgb::BLACK,
+    };
+}
+
+impl Media {
+    /// The form for drawing, with the transforms of what holds the medium.
+    #[must_use]
+    pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedMedia {
+        let densities = self.densities.iter();
+        PreparedMedia {
+            absorption: self.absorption,
+            emission: self.emission,
+            scattering: self.scattering,
+            densities: densities
+                .map(|density| PreparedPigment::new(&density.0, after, settings))
+                .collect(),
+            sampling: self.sampling,
+        }
+    }
+}
+
+impl PreparedMedia {
+    /// Whether the scene gives it a density.
+    #[must_use]
+    pub fn has_density(&self) -> bool {
+        !self.densities.is_empty()
+    }
+
+    /// Whether it is the same everywhere.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        let mut densities = self.densities.iter();
+        densities.all(|density| matches!(density, PreparedPigment::Plain(_)))
+    }
+
+    /// Adds what it does at a point.
+    pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
+        let spot = Spot::at(point);
+        let densities = self.densities.iter();
+        let density = densities.fold(Rgb::WHITE, |product, density| {
+            product * density.color(&spot).rgb
+        });
+        let scattering = self.scattering.color;
+        sum.extinction += density * (self.absorption + scattering * self.scattering.extinction);
+        sum.emission += density * self.emission;
+        sum.scattering += density * scattering;
+    }
+
+    /// How much more light it scatters towards a viewer than into all directions on average; `cosine` is that between the
+    /// directions from the viewer to the point and from there to the light.
+    #[must_use]
+    pub fn phase(&self, cosine: f64) -> f64 {
+        match self.scattering.phase {
+            Phase::Isotropic => 1.0,
+            Phase::MieHazy => 0.576_655_375 * (1.0 + 9.0 * (0.5 * (1.0 + cosine)).powi(8)),
+            Phase::MieMurky => 0.495_714_547 * (1.0 + 50.0 * (0.5 * (1.0 + cosine)).powi(32)),
+            Phase::Rayleigh => 0.799_372_013 * (1.0 + cosine * cosine),
+            Phase::HenyeyGreenstein => {
+                let g = self.scattering.eccentricity;
+                (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::text::TextArgs;
+
+    fn prepare(text: &str) -> PreparedMedia {
+        let media = Media::read(&mut TextArgs::new(text)).unwrap();
+        media.prepare(&[], &Settings::default())
+    }
+
+    #[test]
+    fn densities_multiply_and_extinction_is_what_is_absorbed_and_scattered() {
+        let media = prepare(
+            "{ absorption 0.5 emission 2 scattering { 1, 0.25 extinction 2 }
+               density { rgb 0.5 } density { gradient <1,0,0> } }",
+        );
+        let mut effect = Effect::NONE;
+        media.add_effect(DVec3::new(0.5, 0.0, 0.0), &mut effect);
+        assert_eq!(effect.extinction, Rgb::splat(0.25));
+        assert_eq!(effect.emission, Rgb::splat(0.5));
+        assert_eq!(effect.scattering, Rgb::splat(0.0625));
+        assert!(media.has_density() && !media.is_even());
+    }
+
+    #[test]
+    fn types_1_and_5_scatter_as_much_as_they_take() {
+        for text in ["1, 1", "5, 1 eccentricity 0.6", "5, 1 eccentricity -0.3"] {
+            let media = prepare(&format!("{{ scattering {{ {text} }} }}"));
+            let steps = 2000;
+            let cosine = |i: i32| (f64::from(i) + 0.5) / f64::from(steps) * 2.0 - 1.0;
+            let sum: f64 = (0..steps).map(|i| media.phase(cosine(i))).sum();
+            assert!((sum / f64::from(steps) - 1.0).abs() < 1e-3, "{text}");
+        }
+    }
+}

@@ -1,0 +1,616 @@
+//! Media on the way of a ray: light is given, swallowed and scattered along each stretch between two surfaces.
+//!
+//! A stretch is divided where beams of light begin and end, each part into intervals, and these are sampled by one of
+//! three methods (facts 2, section 1): at random, evenly, or evenly with halving where neighbours differ.
+
+use super::light::{Lit, Viewed, is_nothing};
+use super::{Inside, Path, Tracer};
+use crate::atmosphere::Tint;
+use crate::color::Rgb;
+use crate::compile::{LightList, Scratch};
+use crate::interior::{Effect, PreparedMedia, Sampling};
+use crate::math::Ray;
+use crate::math::chi_square::chi_square;
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// The media of a stretch, which add up.
+type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
+
+/// A light with the stretch of the ray that lies in its beam.
+struct Beam {
+    number: u32,
+    from: f64,
+    to: f64,
+}
+
+/// A part of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part {
+    from: f64,
+    to: f64,
+    is_lit: bool,
+}
+
+/// A stretch of a ray in media.
+struct Stretch<'a> {
+    media: &'a [&'a PreparedMedia],
+    ray: Ray,
+    path: &'a Path,
+    beams: &'a [Beam],
+    sampling: Sampling,
+}
+
+/// What media give along an interval and how much light they swallow, both as sums over samples.
+#[derive(Clone, Copy)]
+struct Sums {
+    given: Rgb,
+    /// The squares of what each sample gave.
+    squares: Rgb,
+    swallowed: Rgb,
+    count: u32,
+}
+
+/// What media do at a point of an interval, over all its length.
+#[derive(Clone, Copy)]
+struct Sampled {
+    given: Rgb,
+    swallowed: Rgb,
+}
+
+impl Tracer<'_> {
+    /// What the interiors that a ray is in do to light over `length` of it.
+    pub(super) fn media_inside(
+        &self,
+        path: &Path,
+        length: f64,
+        lights: LightList,
+        scratch: &mut Scratch,
+    ) -> Option<Tint> {
+        if !self.has_media || path.inside.is_empty() || !self.is_in_air(&path.inside) {
+            return None;
+        }
+        let media = self.media_of(&path.inside);
+        self.stretch(&media, path, length, lights, scratch)
+    }
+
+    /// What the media of the atmosphere do to light over `length` of a ray that is in the air.
+    pub(super) fn media_of_air(
+        &self,
+        path: &Path,
+        length: f64,
+        lights: LightList,
+        scratch: &mut Scratch,
+    ) -> Option<Tint> {
+        if !self.has_media {
+            return None;
+        }
+        let media: Mixture = self.world.media.iter().collect();
+        self.stretch(&media, path, length, lights, scratch)
+    }
+
+    /// What the interiors around it leave of light over a part of its way to a point.
+    pub(super) fn dimmed_inside(
+        &self,
+        ray: &Ray,
+        length: f64,
+        inside: &Inside,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        if !self.has_media || inside.is_empty() || !self.is_in_air(inside) {
+            return Rgb::WHITE;
+        }
+        self.extinction(&self.media_of(inside), ray, length, scratch)
+    }
+
+    /// What the media of the atmosphere leave of it.
+    pub(super) fn dimmed_by_air(
+        &self,
+        ray: &Ray,
+        length: f64,
+        inside: &Inside,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        if !self.is_in_air(inside) {
+            return Rgb::WHITE;
+        }
+        let media: Mixture = self.world.media.iter().collect();
+        self.extinction(&media, ray, length, scratch)
+    }
+
+    fn media_of(&self, inside: &Inside) -> Mixture<'_> {
+        let media = inside.iter().map(|&id| self.world.interiors.media(id));
+        media.flatten().collect()
+    }
+
+    fn stretch(
+        &self,
+        media: &[&PreparedMedia],
+        path: &Path,
+        length: f64,
+        lights: LightList,
+        scratch: &mut Scratch,
+    ) -> Option<Tint> {
+        let sampling = common_sampling(media)?;
+        let beams = self.beams(lights, &path.ray, length);
+        let stretch = Stretch {
+            media,
+            ray: path.ray,
+            path,
+            beams: &beams,
+            sampling,
+        };
+        let parts = parts_of(&beams, length);
+        let has_density = media
+            .iter()
+            .any(|media| media.sampling.intervals == sampling.intervals && media.has_density());
+        let intervals = match parts.as_slice() {
+            [only] if !only.is_lit && !has_density => vec![*only],
+            parts => divided(parts, &sampling),
+        };
+        Some(self.sum_up(&stretch, &intervals, scratch))
+    }
+
+    /// The lights that media scatter, and where their beams cross a ray.
+    fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
+        let lights = self.world.lights.of(lights).iter();
+        let beam = |&number: &u32| {
+            let light = self.world.lights.get(number);
+            if !light.media_interaction {
+                return None;
+            }
+            let (from, to) = light.crossed_by(ray)?;
+            let (from, to) = (from.max(0.0), to.min(length));
+            (from < to).then_some(Beam { number, from, to })
+        };
+        lights.filter_map(beam).collect()
+    }
+
+    /// What the intervals of a stretch do to light, the nearest first.
+    fn sum_up(&self, stretch: &Stretch, intervals: &[Part], scratch: &mut Scratch) -> Tint {
+        let mut sums: Vec<Sums> = intervals
+            .iter()
+            .map(|interval| self.sampled(stretch, interval, scratch))
+            .collect();
+        self.sample_more(stretch, intervals, &mut sums, scratch);
+        let (mut given, mut swallowed) = (Rgb::BLACK, Rgb::BLACK);
+        for sum in &sums {
+            let share = 1.0 / f64::from(sum.count.max(1));
+            given += sum.given * share * vanishing(swallowed);
+            swallowed += sum.swallowed * share;
+        }
+        Tint {
+            factor: vanishing(swallowed),
+            added: given,
+        }
+    }
+
+    fn sampled(&self, stretch: &Stretch, interval: &Part, scratch: &mut Scratch) -> Sums {
+        let sampling = &stretch.sampling;
+        let mut sums = Sums::NOTHING;
+        match sampling.method {
+            3 => self.sample_by_halving(stretch, interval, &mut sums, scratch),
+            method => {
+                let count = sampling.samples[0];
+                for number in 0..count {
+                    let random = scratch.stream.next_number();
+                    let at = if method == 1 {
+                        random
+                    } else {
+                        (f64::from(number) + 0.5 + sampling.jitter * random) / f64::from(count)
+                    };
+                    self.add_sample(stretch, interval, at, &mut sums, scratch);
+                }
+            }
+        }
+        sums
+    }
+
+    /// Samples on until the variance is small enough, for the methods that do so.
+    fn sample_more(
+        &self,
+        stretch: &Stretch,
+        intervals: &[Part],
+        sums: &mut [Sums],
+        scratch: &mut Scratch,
+    ) {
+        let sampling = &stretch.sampling;
+        let [least, most] = sampling.samples;
+        if sampling.method == 3 || most <= least {
+            return;
+        }
+        let confidence = sampling.confidence;
+        let scale = sampling.variance / chi_square(most.saturating_sub(1).max(1), confidence);
+        for (interval, sum) in intervals.iter().zip(sums) {
+            while sum.count <= most
+                && sum.variance() >= scale * chi_square(sum.count.max(1), confidence)
+            {
+                let at = scratch.stream.next_number();
+                self.add_sample(stretch, interval, at, sum, scratch);
+            }
+        }
+    }
+
+    fn add_sample(
+        &self,
+        stretch: &Stretch,
+        interval: &Part,
+        at: f64,
+        sums: &mut Sums,
+        scratch: &mut Scratch,
+    ) {
+        let sampled = self.at(stretch, interval, at, scratch);
+        let given = sampled.given * vanishing(sampled.swallowed * at);
+        sums.given += given;
+        sums.squares += given * given;
+        sums.swallowed += sampled.swallowed;
+        sums.count += 1;
+    }
+
+    /// Method 3: even steps, halved where neighbours differ. The last step of an interval is counted and not sampled.
+    fn sample_by_halving(
+        &self,
+        stretch: &Stretch,
+        interval: &Part,
+        sums: &mut Sums,
+        scratch: &mut Scratch,
+    ) {
+        let sampling = &stretch.sampling;
+        let steps = sampling.samples[0] / 2 + 1;
+        let width = 1.0 / (f64::from(steps) + 1.0);
+        let jitter = width * sampling.jitter;
+        let shifted =
+            |at: f64, scratch: &mut Scratch| at + jitter * (scratch.stream.next_number() - 0.5);
+        let mut from = shifted(0.0, scratch);
+        let mut first = self.at(stretch, interval, from, scratch);
+        for step in 1..=steps {
+            let to = shifted(f64::from(step) * width, scratch);
+            let second = self.at(stretch, interval, to, scratch);
+            let ends = [(from, first), (to, second)];
+            let depth = sampling.aa_level.saturating_sub(1);
+            let mean = self.halved(stretch, interval, ends, depth, scratch);
+            sums.given += mean.given * vanishing(sums.swallowed * (1.0 / f64::from(steps)));
+            sums.swallowed += mean.swallowed;
+            (from, first) = (to, second);
+        }
+        sums.count = steps;
+    }
+
+    /// The mean between two samples, with one in the middle and more where they differ.
+    fn halved(
+        &self,
+        stretch: &Stretch,
+        interval: &Part,
+        [(from, first), (to, last)]: [(f64, Sampled); 2],
+        depth: u32,
+        scratch: &mut Scratch,
+    ) -> Sampled {
+        let sampling = &stretch.sampling;
+        let random = scratch.stream.next_number() - 0.5;
+        let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
+        let middle = self.at(stretch, interval, at, scratch);
+        if depth == 0 {
+            return first.plus(&middle).plus(&last).times(1.0 / 3.0);
+        }
+        let mut half = |end: (f64, Sampled), ends: [(f64, Sampled); 2]| {
+            if end.1.differs(&middle, sampling.aa_threshold) {
+                let mean = self.halved(stretch, interval, ends, depth - 1, scratch);
+                mean.times(0.5)
+            } else {
+                end.1.times(1.0 / 3.0).plus(&middle.times(1.0 / 6.0))
+            }
+        };
+        let before = half((from, first), [(from, first), (at, middle)]);
+        before.plus(&half((to, last), [(at, middle), (to, last)]))
+    }
+
+    /// What media do at a share of an interval.
+    fn at(&self, stretch: &Stretch, interval: &Part, at: f64, scratch: &mut Scratch) -> Sampled {
+        let length = interval.to - interval.from;
+        let way = interval.from + at * length;
+        let point = stretch.ray.at(way);
+        let mut effect = Effect::NONE;
+        for media in stretch.media {
+            media.add_effect(point, &mut effect);
+        }
+        let mut given = effect.emission;
+        if interval.is_lit && !is_nothing(effect.scattering) {
+            for beam in stretch.beams {
+                if beam.from <= way && way <= beam.to {
+                    let scattered = self.scattered(stretch, beam.number, way, scratch);
+                    given += scattered * effect.scattering;
+                }
+            }
+        }
+        Sampled {
+            given: given * length,
+            swallowed: effect.extinction * length,
+        }
+    }
+
+    /// The light of a lamp that media scatter so far along a ray into it, as a factor on how much they scatter.
+    fn scattered(&self, stretch: &Stretch, number: u32, way: f64, scratch: &mut Scratch) -> Rgb {
+        let point = stretch.ray.at(way);
+        // The first sample lies in the surface that the ray has left.
+        let departure = stretch.path.from.as_ref().filter(|_| way == 0.0);
+        let light = self.world.lights.get(number);
+        let arrival = light.arrival(point);
+        let mut arriving = light.color * light.share(point, &arrival);
+        if is_nothing(arriving) {
+            return Rgb::BLACK;
+        }
+        let lit = Lit {
+            at: Viewed {
+                point,
+                normal: DVec3::ZERO,
+                view: stretch.ray.dir,
+            },
+            departure,
+            path: stretch.path,
+            known: &[],
+            is_double_illuminated: false,
+            lights: &[],
+        };
+        if self.quality.has_shadows {
+            arriving = self.after_shadows(arriving, number, &lit, &arrival, scratch);
+        }
+        let cosine = arrival.to_light.dot(stretch.ray.dir);
+        let phases = stretch.media.iter().map(|media| media.phase(cosine));
+        arriving * (phases.sum::<f64>() / stretch.media.len() as f64)
+    }
+
+    /// The share of light that passes media along a ray.
+    fn extinction(
+        &self,
+        media: &[&PreparedMedia],
+        ray: &Ray,
+        length: f64,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let Some(sampling) = common_sampling(media) else {
+            return Rgb::WHITE;
+        };
+        let taken = |at: f64| {
+            let mut effect = Effect::NONE;
+            for media in media {
+                media.add_effect(ray.at(at), &mut effect);
+            }
+            effect.extinction
+        };
+        let has_density = media.iter().any(|media| media.has_density());
+        let is_even = media.iter().all(|media| media.is_even());
+        let intervals = if has_density { sampling.intervals } else { 1 };
+        let long = length / f64::from(intervals);
+        let mut swallowed = Rgb::BLACK;
+        for interval in 0..intervals {
+            let from = f64::from(interval) * long;
+            let mean = if is_even {
+                scratch.stream.next_number();
+                taken(from)
+            } else {
+                mean_of(&sampling, |at| taken(from + at * long), scratch)
+            };
+            swallowed += mean * long;
+        }
+        vanishing(swallowed)
+    }
+}
+
+/// The mean of a quantity over an interval, sampled as the method has it where nothing is given.
+fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) -> Rgb {
+    let least = sampling.samples[0];
+    let mut sum = Rgb::BLACK;
+    if sampling.method != 3 {
+        for number in 0..least {
+            let random = scratch.stream.next_number();
+            sum += of(if sampling.method == 1 {
+                random
+            } else {
+                (f64::from(number) + 0.5 + sampling.jitter * random) / f64::from(least)
+            });
+        }
+        return sum * (1.0 / f64::from(least));
+    }
+    let steps = least / 2 + 1;
+    let width = 1.0 / (f64::from(steps) + 1.0);
+    let mut shifted =
+        |at: f64, by: f64| at + by * sampling.jitter * (scratch.stream.next_number() - 0.5);
+    let mut from = shifted(0.0, width);
+    for step in 1..=steps {
+        let to = shifted(f64::from(step) * width, width);
+        let middle = shifted(0.5 * (from + to), to - from);
+        // Of the two thirds in the middle each half takes one.
+        sum += (of(from) + of(to)) * (1.0 / 3.0) + of(middle) * (1.0 / 3.0);
+        from = to;
+    }
+    sum * (1.0 / f64::from(steps))
+}
+
+/// How media are sampled together: as that of the most intervals, at the least threshold of all.
+fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
+    let mut common = media.first()?.sampling;
+    for media in media {
+        let own = media.sampling;
+        let threshold = common.aa_threshold.min(own.aa_threshold);
+        if own.intervals > common.intervals {
+            common = own;
+        }
+        common.aa_threshold = threshold;
+    }
+    Some(common)
+}
+
+/// Where a ray is in some beam and where in none, in order.
+fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
+    let mut lit: Vec<(f64, f64)> = beams.iter().map(|beam| (beam.from, beam.to)).collect();
+    lit.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut parts: Vec<Part> = Vec::new();
+    let mut end = 0.0;
+    for (from, to) in lit {
+        if from > end {
+            parts.push(Part {
+                from: end,
+                to: from,
+                is_lit: false,
+            });
+        }
+        match parts.last_mut() {
+            Some(last) if last.is_lit && from <= last.to => last.to = last.to.max(to),
+            _ => parts.push(Part {
+                from,
+                to,
+                is_lit: true,
+            }),
+        }
+        end = end.max(to);
+    }
+    if end < length {
+        parts.push(Part {
+            from: end,
+            to: length,
+            is_lit: false,
+        });
+    }
+    parts
+}
+
+/// The intervals of some parts: lit ones have their share of them.
+fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
+    let wanted = sampling.intervals as usize;
+    let all = wanted.max(parts.len());
+    let weight = |part: &Part| {
+        if part.is_lit {
+            sampling.ratio
+        } else {
+            1.0 - sampling.ratio
+        }
+    };
+    let total: f64 = parts.iter().map(weight).sum();
+    let mut remaining = all;
+    let mut intervals = Vec::with_capacity(all);
+    for (number, part) in parts.iter().enumerate() {
+        let count = if parts.len() == 1 {
+            wanted
+        } else {
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "the cast saturates"
+            )]
+            let share = (weight(part) / total * all as f64) as usize + 1;
+            share
+                .min((remaining + number + 1).saturating_sub(parts.len()))
+                .max(1)
+        };
+        remaining = remaining.saturating_sub(count);
+        let length = (part.to - part.from) / count as f64;
+        intervals.extend((0..count).map(|place| Part {
+            from: part.from + place as f64 * length,
+            to: part.from + (place + 1) as f64 * length,
+            is_lit: part.is_lit,
+        }));
+    }
+    intervals
+}
+
+/// What is left of light.
+fn vanishing(swallowed: Rgb) -> Rgb {
+    swallowed.map(|c| (-c).exp())
+}
+
+impl Sums {
+    const NOTHING: Sums = Sums {
+        given: Rgb::BLACK,
+        squares: Rgb::BLACK,
+        swallowed: Rgb::BLACK,
+        count: 0,
+    };
+
+    /// The largest variance of the mean among the channels.
+    fn variance(&self) -> f64 {
+        let share = 1.0 / f64::from(self.count.max(1));
+        let mean = self.given * share;
+        let variance = (self.squares * share - mean * mean) * share;
+        f64::from(variance.max())
+    }
+}
+
+impl Sampled {
+    fn plus(&self, other: &Sampled) -> Sampled {
+        Sampled {
+            given: self.given + other.given,
+            swallowed: self.swallowed + other.swallowed,
+        }
+    }
+
+    fn times(&self, factor: f64) -> Sampled {
+        Sampled {
+            given: self.given * factor,
+            swallowed: self.swallowed * factor,
+        }
+    }
+
+    fn differs(&self, other: &Sampled, threshold: f64) -> bool {
+        let difference = (self.given - other.given).map(f32::abs);
+        f64::from(difference.r + difference.g + difference.b) > threshold
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beam(from: f64, to: f64) -> Beam {
+        Beam {
+            number: 0,
+            from,
+            to,
+        }
+    }
+
+    fn part(from: f64, to: f64, is_lit: bool) -> Part {
+        Part { from, to, is_lit }
+    }
+
+    #[test]
+    fn beams_that_overlap_are_one_lit_part() {
+        let beams = [beam(5.0, 7.0), beam(1.0, 3.0), beam(2.0, 4.0)];
+        let expected = [
+            part(0.0, 1.0, false),
+            part(1.0, 4.0, true),
+            part(4.0, 5.0, false),
+            part(5.0, 7.0, true),
+            part(7.0, 10.0, false),
+        ];
+        assert_eq!(parts_of(&beams, 10.0), expected);
+        assert_eq!(parts_of(&[], 2.0), [part(0.0, 2.0, false)]);
+    }
+
+    #[test]
+    fn intervals_fill_the_stretch_without_gaps() {
+        let sampling = Sampling {
+            method: 3,
+            intervals: 7,
+            samples: [1, 1],
+            confidence: 0.9,
+            variance: 0.01,
+            ratio: 0.9,
+            jitter: 0.0,
+            aa_level: 3,
+            aa_threshold: 0.1,
+        };
+        let parts = parts_of(&[beam(1.0, 3.0), beam(6.0, 7.0)], 9.0);
+        let intervals = divided(&parts, &sampling);
+        assert!(
+            intervals
+                .windows(2)
+                .all(|pair| (pair[0].to - pair[1].from).abs() < 1e-12)
+        );
+        assert_eq!(
+            (intervals[0].from, intervals[intervals.len() - 1].to),
+            (0.0, 9.0)
+        );
+        let lit = intervals.iter().filter(|interval| interval.is_lit).count();
+        assert!(2 * lit > intervals.len(), "{lit} of {}", intervals.len());
+    }
+}
