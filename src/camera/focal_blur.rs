@@ -105,6 +105,11 @@ impl FocalBlur {
         Ok(true)
     }
 
+    /// Whether the lens blurs anything.
+    pub(super) fn exists(&self) -> bool {
+        self.aperture != 0.0 && self.samples[1] != 0
+    }
+
     /// Makes its lengths larger by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         self.aperture *= factor;
@@ -228,7 +233,7 @@ impl Lens {
     pub fn new(camera: &Camera, settings: &Settings) -> Option<Lens> {
         let blur = &camera.blur;
         let count = blur.samples[1];
-        if blur.aperture == 0.0 || count == 0 {
+        if !blur.exists() {
             return None;
         }
         let points = match &blur.bokeh {

@@ -1,8 +1,9 @@
 //! `camera`: which ray each point of the picture sends into the scene.
 //!
 //! The kinds of camera have one file each; all stand in the same frame of vectors, which `read` sets up. A lens
-//! ([`FocalBlur`]) may blur what a camera shows. Missing: `normal` and `mesh_camera`.
+//! ([`FocalBlur`]) may blur what a camera shows, and bumps bend it. Missing: `mesh_camera`.
 
+mod bumps;
 mod cylinder;
 mod fisheye;
 mod focal_blur;
@@ -22,6 +23,8 @@ pub use focal_blur::{FocalBlur, Lens, LensRay, Spread};
 use crate::args::Word;
 use crate::math::conditioning::unit;
 use crate::math::{Ray, Transform};
+use crate::pattern::Settings;
+use bumps::Bumps;
 use glam::DVec3;
 
 /// The projection of a camera.
@@ -71,6 +74,8 @@ pub struct Camera {
     sky: DVec3,
     /// The lens, if it has any width.
     blur: FocalBlur,
+    /// What bends its rays.
+    bumps: Option<Bumps>,
 }
 
 /// The vectors of a camera.
@@ -107,6 +112,7 @@ impl Default for Camera {
             look_at: DVec3::Z,
             sky: DVec3::Y,
             blur: FocalBlur::default(),
+            bumps: None,
         }
     }
 }
@@ -119,15 +125,15 @@ impl Camera {
     #[must_use]
     pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
         let (origin, dir) = self.start(x, y, width, height)?;
-        ray(origin, dir)
+        let mut ray = ray(origin, dir)?;
+        if let Some(bumps) = &self.bumps {
+            ray.dir = bumps.bent(Screen::new(x, y, width, height), ray.dir);
+        }
+        Some(ray)
     }
 
     fn start(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Start> {
-        let screen = Screen {
-            u: (x + 0.5) / f64::from(width) - 0.5,
-            // In this order of operations a ray through an edge that lies on a pixel's centre goes to POV-Ray's side.
-            v: (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5,
-        };
+        let screen = Screen::new(x, y, width, height);
         let frame = &self.frame;
         match self.projection {
             Projection::Perspective => Some(perspective::start(frame, screen)),
@@ -169,7 +175,28 @@ impl Camera {
     }
 }
 
+impl Screen {
+    #[inline]
+    fn new(x: f64, y: f64, width: u32, height: u32) -> Self {
+        Screen {
+            u: (x + 0.5) / f64::from(width) - 0.5,
+            // In this order of operations a ray through an edge that lies on a pixel's centre goes to POV-Ray's side.
+            v: (f64::from(height) - 1.0 - (y - 0.5)) / f64::from(height) - 0.5,
+        }
+    }
+}
+
 impl Camera {
+    /// The same ready for rays; `settings` are what patterns take from the whole scene.
+    #[must_use]
+    pub fn prepared(&self, settings: &Settings) -> Camera {
+        let mut camera = self.clone();
+        if let Some(bumps) = &mut camera.bumps {
+            bumps.prepare(settings);
+        }
+        camera
+    }
+
     /// The same with every length times a factor.
     #[must_use]
     pub(crate) fn scaled(mut self, factor: f64) -> Camera {

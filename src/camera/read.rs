@@ -3,10 +3,11 @@
 //! From version 3.5 on the order of the words does not matter: vectors first, then `angle`, `look_at`, the scale of
 //! an orthographic view, and all transforms together at the end. Before, each word acts where it stands.
 
-use super::{Camera, KINDS, Projection, cylinder::Roll};
+use super::{Camera, KINDS, Projection, bumps::Bumps, cylinder::Roll};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::math::Transform;
 use crate::source::{Diagnostic, Span};
+use crate::texture::Normal;
 use glam::DVec3;
 
 /// The first language version in which the order of the words does not matter.
@@ -43,6 +44,7 @@ impl Camera {
         if args.version() < FIRST_WITHOUT_ORDER {
             camera.read_in_order(args)?;
             camera.blur.focus(&camera.frame);
+            camera.check_bumps(args)?;
             return Ok(camera);
         }
         let mut pending = Pending::default();
@@ -64,6 +66,7 @@ impl Camera {
         if !is_named {
             camera.finish(args, &pending)?;
             camera.blur.focus(&camera.frame);
+            camera.check_bumps(args)?;
         }
         if let Some(transform) = &pending.transform {
             camera.transform(transform);
@@ -90,7 +93,7 @@ impl Camera {
                 ));
             }
             _ if self.read_vector(word, args)? => {}
-            _ if self.blur.read_item(word, args)? => {}
+            _ if self.blur.read_item(word, args)? || self.read_bumps(word, args)? => {}
             _ => return Err(unknown(word, args)),
         }
         Ok(())
@@ -109,6 +112,23 @@ impl Camera {
         args.accept(word)?;
         *slot = args.vector()?;
         Ok(true)
+    }
+
+    /// `normal`; how it acts on other cameras, and behind a lens, is not known.
+    fn read_bumps(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        if word != Word::Normal || self.projection != Projection::Perspective {
+            return Ok(false);
+        }
+        args.accept(word)?;
+        self.bumps = Some(Bumps::new(Normal::read(args, None)?));
+        Ok(true)
+    }
+
+    fn check_bumps(&self, args: &mut dyn Args) -> Parse<()> {
+        if self.bumps.is_some() && self.blur.exists() {
+            return Err(not_built(args, Word::Normal));
+        }
+        Ok(())
     }
 
     fn read_projection(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
@@ -208,7 +228,8 @@ impl Camera {
                 }
                 _ if self.read_vector(word, args)?
                     || self.read_projection(word, args)?
-                    || self.blur.read_item(word, args)? => {}
+                    || self.blur.read_item(word, args)?
+                    || self.read_bumps(word, args)? => {}
                 _ => return Err(unknown(word, args)),
             }
         }

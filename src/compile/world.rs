@@ -98,7 +98,7 @@ impl World {
             ..Color::default()
         };
         let mut world = World {
-            camera: scene.camera.clone(),
+            camera: scene.camera.prepared(&scene.pattern_settings()),
             lens: Lens::new(&scene.camera, &scene.pattern_settings()),
             background: scene.background.color.unwrap_or(transparent),
             sky: scene

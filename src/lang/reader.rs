@@ -282,12 +282,6 @@ impl<'a> Reader<'a> {
         if finding.severity == Severity::Error {
             self.errors += 1;
         }
-        if finding.message.is_empty()
-            && let Some((last, ..)) = self.without_semicolon.take()
-        {
-            // What was asked for would be there if the declaration had ended.
-            self.miss_semicolon(last);
-        }
         if !finding.message.is_empty() && !self.findings.contains(&finding) {
             self.keep(finding);
         }

@@ -48,6 +48,11 @@ impl Reader<'_> {
     }
 
     fn tell(&mut self, error: Diagnostic) {
+        let unended = self.without_semicolon.take();
+        if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
+            // What was asked for would be there if the declaration had ended.
+            self.miss_semicolon(last);
+        }
         let error = self.with_trace(error);
         self.record(*error);
     }

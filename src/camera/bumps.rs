@@ -1,0 +1,44 @@
+//! `normal` in a camera: every ray is bent as the normal of a bumpy surface would be, at its point of the picture.
+
+use super::Screen;
+use crate::pattern::{Settings, Spot};
+use crate::texture::{Normal, PreparedNormal};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Bumps before a camera.
+#[derive(Clone, Debug)]
+pub(super) struct Bumps {
+    normal: Arc<Normal>,
+    prepared: Option<Arc<PreparedNormal>>,
+}
+
+/// Bumps are the same if they come from the same text.
+impl PartialEq for Bumps {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.normal, &other.normal)
+    }
+}
+
+impl Bumps {
+    pub(super) fn new(normal: Arc<Normal>) -> Self {
+        Bumps {
+            normal,
+            prepared: None,
+        }
+    }
+
+    /// Makes them ready for rays.
+    pub(super) fn prepare(&mut self, settings: &Settings) {
+        self.prepared = PreparedNormal::new(&self.normal, &[], settings).map(Arc::new);
+    }
+
+    /// The unit direction of a ray that starts in a unit direction.
+    pub(super) fn bent(&self, screen: Screen, dir: DVec3) -> DVec3 {
+        let point = DVec3::new(screen.u, screen.v, 0.0);
+        match &self.prepared {
+            Some(bumps) => bumps.tilted(point, dir, &Spot::at(point)),
+            None => dir,
+        }
+    }
+}
