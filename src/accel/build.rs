@@ -36,12 +36,20 @@ struct Split {
 
 /// The nodes for a range of items, the root first.
 pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
-    let mut nodes = Vec::new();
+    let mut nodes = Vec::with_capacity(expected(entries.len()));
     if !entries.is_empty() {
         subtree(entries, 0, &mut nodes);
     }
-    nodes.shrink_to_fit();
+    // Shrinking copies all of them; where they are many, what is not used is no memory.
+    if nodes.capacity() - nodes.len() > nodes.len() / 2 {
+        nodes.shrink_to_fit();
+    }
     nodes
+}
+
+/// How many nodes so many items mostly have; hardly ever more.
+fn expected(items: usize) -> usize {
+    items / 4
 }
 
 /// Appends the node of a range and all below it.
@@ -51,19 +59,29 @@ fn subtree(entries: &mut [Entry], depth: u32, nodes: &mut Vec<Node>) {
     let root = nodes.len();
     nodes.push(Node::empty());
     if is_large {
-        let parts = build_parts(&mut ranges, depth);
-        for (place, (range, mut part)) in ranges.iter().zip(parts).enumerate() {
-            let first = index(nodes.len());
-            for node in &mut part {
-                node.shift(first);
+        // The parts of a very large range are built one after the other, so that they need not all be kept twice.
+        let together = if ranges[0].len() > PARALLEL && depth == 0 {
+            1
+        } else {
+            WIDTH
+        };
+        let mut place = 0;
+        for some in ranges.chunks_mut(together) {
+            let parts = build_parts(some, depth);
+            for (range, mut part) in some.iter().zip(parts) {
+                let first = index(nodes.len());
+                for node in &mut part {
+                    node.shift(first);
+                }
+                let child = if part.is_empty() {
+                    Child::of_item(range[0].item)
+                } else {
+                    Child::of_node(first)
+                };
+                nodes.append(&mut part);
+                nodes[root].set(place, &whole(range), child);
+                place += 1;
             }
-            let child = if part.is_empty() {
-                Child::of_item(range[0].item)
-            } else {
-                Child::of_node(first)
-            };
-            nodes.append(&mut part);
-            nodes[root].set(place, &whole(range), child);
         }
         return;
     }
@@ -88,6 +106,7 @@ fn build_parts(ranges: &mut [&mut [Entry]], depth: u32) -> Vec<Vec<Node>> {
         .map(|range| {
             let mut nodes = Vec::new();
             if range.len() > 1 {
+                nodes.reserve_exact(expected(range.len()));
                 subtree(range, depth + 1, &mut nodes);
             }
             nodes

@@ -18,6 +18,7 @@ use build::Entry;
 use bundle::Ball;
 use glam::DVec3;
 use node::{Cell, Child, Frame, Node, WIDTH};
+use rayon::prelude::*;
 
 /// A tree over items, which it knows by their position in the list it was built from.
 #[derive(Clone, Debug)]
@@ -42,6 +43,9 @@ struct Stack<T> {
     /// What lies below them.
     deeper: Vec<T>,
 }
+
+/// Items whose boxes are worked out at a time.
+const PIECE: usize = 1 << 14;
 
 /// Room for the pending places of a tree of eight levels and more.
 const ROOM: usize = 64;
@@ -108,20 +112,30 @@ impl Bvh {
     /// For 2³¹ − 1 boxes or more.
     #[must_use]
     pub fn build(bounds: &[Bounds]) -> Self {
-        assert!(bounds.len() < (1 << 31) - 1, "items are counted in 31 bits");
-        let whole = bounds
-            .iter()
-            .filter(|bounds| !bounds.is_empty() && bounds.is_finite())
-            .fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
+        Bvh::build_of(bounds.len(), |item| bounds[item])
+    }
+
+    /// The same over so many items, of which `bounds` gives the boxes, each more than once: nobody need keep them.
+    ///
+    /// # Panics
+    /// For 2³¹ − 1 boxes or more.
+    #[must_use]
+    pub fn build_of(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
+        assert!(count < (1 << 31) - 1, "items are counted in 31 bits");
+        let mut whole = Bounds::EMPTY;
+        each(count, &bounds, |_, bounds| {
+            if !bounds.is_empty() && bounds.is_finite() {
+                whole = whole.union(&bounds);
+            }
+        });
         let frame = Frame::new(&whole);
-        let mut entries: Vec<Entry> = (0..)
-            .zip(bounds)
-            .filter(|(_, bounds)| !bounds.is_empty())
-            .map(|(item, bounds)| Entry {
-                cell: frame.cell(bounds),
-                item,
-            })
-            .collect();
+        let mut entries = Vec::with_capacity(count);
+        each(count, &bounds, |item, bounds| {
+            if !bounds.is_empty() {
+                let cell = frame.cell(&bounds);
+                entries.push(Entry { cell, item });
+            }
+        });
         Bvh {
             nodes: build::build(&mut entries),
             frame,
@@ -129,7 +143,7 @@ impl Bvh {
         }
     }
 
-    /// The tree over these boxes, and the items in the order of the tree. That order is what it then knows them by, so that
+    /// The tree over so many boxes, and the items in the order of the tree. That order is what it then knows them by, so that
     /// neighbours can be kept together. `radius` gives the radius of an item that is a ball about the middle of its box,
     /// which helps bundles of rays.
     ///
@@ -137,18 +151,19 @@ impl Bvh {
     /// For 2³¹ − 1 boxes or more.
     #[must_use]
     pub fn build_in_order(
-        bounds: &[Bounds],
+        count: usize,
+        bounds: impl Fn(usize) -> Bounds + Sync,
         radius: impl Fn(usize) -> Option<f64>,
     ) -> (Self, Vec<u32>) {
-        let mut tree = Bvh::build(bounds);
-        let mut order = Vec::with_capacity(bounds.len());
+        let mut tree = Bvh::build_of(count, &bounds);
+        let mut order = Vec::with_capacity(count);
         for node in &mut tree.nodes {
             node.renumber(&mut order);
         }
         let balls = || {
             order.iter().map(|&item| {
                 let radius = radius(item as usize)?;
-                Some(Ball::new(&tree.frame, &bounds[item as usize], radius))
+                Some(Ball::new(&tree.frame, &bounds(item as usize), radius))
             })
         };
         if balls().any(|ball| ball.is_some()) {
@@ -274,6 +289,27 @@ impl Bvh {
             next = pending.pop();
         }
         false
+    }
+}
+
+/// Calls `take` with each of so many items and its box. Boxes are worked out side by side, a piece of the items at a time.
+fn each(
+    count: usize,
+    bounds: &(impl Fn(usize) -> Bounds + Sync),
+    mut take: impl FnMut(u32, Bounds),
+) {
+    let mut number = 0;
+    let mut piece = Vec::new();
+    for first in (0..count).step_by(PIECE) {
+        let items = first..count.min(first + PIECE);
+        items
+            .into_par_iter()
+            .map(bounds)
+            .collect_into_vec(&mut piece);
+        for bounds in &piece {
+            take(number, *bounds);
+            number += 1;
+        }
     }
 }
 

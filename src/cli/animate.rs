@@ -15,6 +15,7 @@ use super::frames::Frames;
 use super::progress::Progress;
 use super::report::{Reporter, say};
 use super::settings::Settings;
+use super::streams::Files;
 use crate::Series;
 use crate::batch::{Told, in_order};
 use crate::options::{Event, Failure, Input, Listen, Picture, Sampling, Statistics};
@@ -78,12 +79,14 @@ enum End {
 fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let numbers = frames.numbers();
     let total = pixels(&settings.render) * numbers.len() as u64;
+    let mut reporter = reporter(settings);
+    reporter.files = Files::create(&settings.streams)?;
     let run = Run {
         settings,
         frames,
         input: settings.scene.input()?,
         draw,
-        reporter: reporter(settings),
+        reporter,
         progress: Progress::new(progress_kind(settings.talk), total),
     };
     let done = run.all(&numbers);
@@ -101,6 +104,7 @@ impl Run<'_> {
         while at < numbers.len() {
             if at == 0 || is_alone {
                 let writes = AtomicBool::new(false);
+                self.begin(at);
                 let done = self.draw(numbers[at], Writing::Allowed, &|event| {
                     if let Event::Read { wrote_files, .. } = event {
                         writes.fetch_or(wrote_files, Ordering::Relaxed);
@@ -125,6 +129,7 @@ impl Run<'_> {
                 if done.as_ref().is_err_and(writes_files) {
                     return ControlFlow::Break(End::WritesFiles(at + number));
                 }
+                self.begin(at + number);
                 told.tell(|event| self.reporter.hear(event));
                 let Ok(drawn) = done else {
                     return ControlFlow::Break(End::Failed);
@@ -142,6 +147,14 @@ impl Run<'_> {
             }
         }
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// Writes to the files for what is said that a frame begins, counted from the first.
+    fn begin(&self, at: usize) {
+        if at > 0 {
+            self.reporter.files.next_frame();
+        }
+        self.reporter.files.begin(self.settings);
     }
 
     /// How many frames are drawn side by side. One, where times are measured.

@@ -11,6 +11,7 @@ use super::modern::{self, Modern};
 use super::progress::{Progress, ProgressKind};
 use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
+use super::streams::{self, Files};
 use super::surroundings::Surroundings;
 use super::unfinished;
 use super::words;
@@ -95,7 +96,9 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
 pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let talk = settings.talk;
     let input = settings.scene.input()?;
-    let reporter = reporter(settings);
+    let mut reporter = reporter(settings);
+    reporter.files = Files::create(&settings.streams)?;
+    reporter.files.begin(settings);
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
     let drawn = draw(
         &input,
@@ -152,6 +155,9 @@ pub(super) fn refused(refused: output::OutputError) -> CliError {
 
 /// What `--stats` and `--json` ask for.
 pub(super) fn tell_statistics(statistics: &Statistics, talk: Talk, reporter: &Reporter) {
+    reporter
+        .files
+        .write(streams::Stream::Statistics, &statistics.to_string());
     if talk.stats {
         say(statistics.to_string().trim_end());
     }

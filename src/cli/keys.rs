@@ -4,6 +4,7 @@
 //! what the program of 3.7.0.10 accepts.
 
 use super::error::CliError;
+use super::streams::Stream;
 use super::typed::{Output, Typed, Unbuilt};
 use super::values::{
     duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
@@ -39,7 +40,7 @@ const SCREEN: Set = |_, _, _| Ok(());
 #[rustfmt::skip]
 const KEYS: &[(&str, Set)] = &[
     ("All_Console", |t, v, s| { t.quiet = !flag(t, v, s); Ok(()) }),
-    ("All_File", IDLE),
+    ("All_File", |t, v, _| { t.stream(Stream::All, v); Ok(()) }),
     ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
     ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
     ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
@@ -64,7 +65,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Create_Ini", IDLE),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
     ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),
-    ("Debug_File", IDLE),
+    ("Debug_File", |t, v, _| { t.stream(Stream::Debug, v); Ok(()) }),
     ("Declare", declare),
     ("Display", SCREEN),
     ("Display_Gamma", SCREEN),
@@ -76,7 +77,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Fatal_Console", IDLE),
     ("Fatal_Error_Command", IDLE),
     ("Fatal_Error_Return", IDLE),
-    ("Fatal_File", IDLE),
+    ("Fatal_File", |t, v, _| { t.stream(Stream::Fatal, v); Ok(()) }),
     ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Fields, on, s); Ok(()) }),
     ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
     ("Final_Clock", |t, v, s| { t.frames.final_clock = single(v, s)?; Ok(()) }),
@@ -121,14 +122,14 @@ const KEYS: &[(&str, Set)] = &[
     ("Render_Block_Size", IDLE),
     ("Render_Block_Step", IDLE),
     ("Render_Console", IDLE),
-    ("Render_File", IDLE),
+    ("Render_File", |t, v, _| { t.stream(Stream::Render, v); Ok(()) }),
     ("Render_Pattern", IDLE),
     ("Sampling_Method", method),
     ("Split_Unions", IDLE),
     ("Start_Column", |t, v, s| { t.start_column = Some(single(v, s)?); Ok(()) }),
     ("Start_Row", |t, v, s| { t.start_row = Some(single(v, s)?); Ok(()) }),
     ("Statistic_Console", IDLE),
-    ("Statistic_File", IDLE),
+    ("Statistic_File", |t, v, _| { t.stream(Stream::Statistics, v); Ok(()) }),
     ("Subset_End_Frame", |t, v, s| { t.frames.subset_end = Some(single(v, s)?); Ok(()) }),
     ("Subset_Start_Frame", |t, v, s| { t.frames.subset_start = Some(single(v, s)?); Ok(()) }),
     ("Test_Abort", SCREEN),
@@ -140,7 +141,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Video_Mode", SCREEN),
     ("Vista_Buffer", IDLE),
     ("Warning_Console", |t, v, s| { t.warnings = flag(t, v, s); Ok(()) }),
-    ("Warning_File", IDLE),
+    ("Warning_File", |t, v, _| { t.stream(Stream::Warning, v); Ok(()) }),
     ("Warning_Level", |t, v, s| { t.warnings = number(v, s)? > 0.0; Ok(()) }),
     ("Width", |t, v, s| { t.width = size(v, s)?; Ok(()) }),
     ("Work_Threads", |t, v, s| { t.threads = Some(whole(v, s)? as usize).filter(|&n| n > 0); Ok(()) }),

@@ -22,6 +22,7 @@ mod progress;
 mod report;
 mod settings;
 mod sheet;
+mod streams;
 mod surroundings;
 mod switches;
 mod typed;

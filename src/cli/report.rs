@@ -20,6 +20,7 @@ use std::sync::Mutex;
 use clap::ValueEnum;
 use serde::Serialize;
 
+use super::streams::{self, Files};
 use crate::options::{Event, Statistics};
 use crate::source::{Message, Severity};
 
@@ -56,6 +57,8 @@ pub(super) struct Reporter {
     pub(super) warns: bool,
     /// Whether the scene's own words are written.
     pub(super) debugs: bool,
+    /// Files for the same.
+    pub(super) files: Files,
     counts: Mutex<Counts>,
 }
 
@@ -96,12 +99,18 @@ impl Reporter {
             stream,
             warns: true,
             debugs: true,
+            files: Files::default(),
             counts: Mutex::new(Counts::default()),
         }
     }
 
     /// Writes what is to be written of an event.
     pub(super) fn hear(&self, event: Event<'_>) {
+        match &event {
+            Event::Said(text) => self.files.write(streams::Stream::Debug, text),
+            Event::Found(message) => self.files.found(message),
+            _ => {}
+        }
         match event {
             Event::Said(text) if self.debugs => self.said(text),
             Event::Found(message) => self.found(message),

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::error::CliError;
 use super::frames::Frames;
 use super::report::MessageFormat;
+use super::streams::Stream;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
 use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling, Stop};
@@ -32,6 +33,8 @@ pub struct Settings {
     pub output: Option<(Target, EncodeOptions)>,
     /// What is said on the way.
     pub talk: Talk,
+    /// Files for what is said, one for each stream.
+    pub streams: Vec<(Stream, PathBuf)>,
     /// Doubts about the command line, each ready to print.
     pub warnings: Vec<String>,
     /// Options without effect, each ready to print in verbose mode.
@@ -111,6 +114,7 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             stats: typed.stats,
             json: typed.json,
         },
+        streams: typed.streams.clone(),
         warnings: warnings
             .iter()
             .map(|doubt| format!("povr: warning: {doubt}"))
@@ -156,7 +160,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
-        statistics: typed.stats || typed.json,
+        statistics: typed.stats || typed.json || typed.keeps_statistics(),
         sampling: sampling(typed),
         keep: None,
         stop: Stop::default(),

@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::draw::{Draw, carry_out};
+use super::streams::Stream;
 use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
@@ -219,10 +220,11 @@ fn an_ini_file_of_blender_is_read() {
     assert_eq!(settings.read.version, Some(3.7));
     assert_eq!(
         settings.notes,
-        [
-            "povr: note: `All_File=1` has no effect here",
-            "povr: note: `Bounding_Method=2` has no effect here"
-        ]
+        ["povr: note: `Bounding_Method=2` has no effect here"]
+    );
+    assert_eq!(
+        settings.streams,
+        [(Stream::All, PathBuf::from("alltext.out"))]
     );
 }
 

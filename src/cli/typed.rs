@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::frames::Wanted;
 use super::report::MessageFormat;
+use super::streams::Stream;
 use crate::color::Gamma;
 use crate::output::Format;
 
@@ -40,6 +41,8 @@ pub(super) struct Typed {
     pub(super) quiet: bool,
     pub(super) warnings: bool,
     pub(super) debugs: bool,
+    /// Files for what is said.
+    pub(super) streams: Vec<(Stream, PathBuf)>,
     pub(super) message_format: MessageFormat,
     pub(super) stats: bool,
     pub(super) json: bool,
@@ -114,6 +117,7 @@ impl Default for Typed {
             quiet: false,
             warnings: true,
             debugs: true,
+            streams: Vec::new(),
             message_format: MessageFormat::Povray,
             stats: false,
             json: false,
@@ -133,6 +137,23 @@ impl Default for Typed {
 }
 
 impl Typed {
+    /// Names the file of a stream; an empty name means none, and a mere "yes" POV-Ray's own name for it.
+    pub(super) fn stream(&mut self, stream: Stream, name: &str) {
+        const YES: [&str; 4] = ["on", "true", "yes", "1"];
+        self.streams.retain(|(other, _)| *other != stream);
+        let is_yes = YES.iter().any(|yes| name.eq_ignore_ascii_case(yes));
+        let name = if is_yes { stream.file() } else { name };
+        if !name.is_empty() {
+            self.streams.push((stream, PathBuf::from(name)));
+        }
+    }
+
+    /// Whether statistics go to a file.
+    pub(super) fn keeps_statistics(&self) -> bool {
+        let mut streams = self.streams.iter();
+        streams.any(|(stream, _)| matches!(stream, Stream::Statistics | Stream::All))
+    }
+
     /// Chooses the method that converges.
     pub(super) fn converge(&mut self) {
         self.is_antialiased = true;

@@ -189,7 +189,8 @@ impl World {
     }
 
     fn may_meet(&self, bundle: &Bundle, item: Numbered) -> bool {
-        bundle.may_meet(&self.finder().tree, &self.boxes[item.number as usize])
+        let bounds = self.boxes[item.number as usize].bounds();
+        bundle.may_meet(&self.finder().tree, &bounds)
     }
 }
 

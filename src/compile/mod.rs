@@ -52,7 +52,7 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
         ..scene.pattern_settings()
     });
     // What has been taken in is needed no more; in large scenes the room is.
-    for object in std::mem::take(&mut scene.objects) {
+    for object in std::mem::take(&mut scene.objects).one_by_one() {
         flat.add(&object);
     }
     flat.lights.finish();

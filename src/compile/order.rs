@@ -35,16 +35,12 @@ impl Finder {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
             .take(parts.items.len())
             .partition(|&number| parts.bounds[number as usize].is_finite());
-        let boxes: Vec<_> = bounded
-            .iter()
-            .map(|&number| parts.bounds[number as usize])
-            .collect();
         let radius = |place: usize| match parts.items[bounded[place] as usize] {
             Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_radius(),
             Item::Program(_) | Item::Instance(_) => None,
         };
-        let (tree, order) = Bvh::build_in_order(&boxes, radius);
-        drop(boxes);
+        let bounds = |place: usize| parts.bounds[bounded[place] as usize];
+        let (tree, order) = Bvh::build_in_order(bounded.len(), bounds, radius);
         let bounded: Vec<u32> = order
             .into_iter()
             .map(|place| bounded[place as usize])

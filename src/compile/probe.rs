@@ -8,7 +8,7 @@ use crate::camera::Camera;
 use crate::math::Ray;
 use crate::options::{LeastDistance, RenderOptions};
 use crate::pattern::Solid;
-use crate::scene::{Background, Globals, Object, Scene};
+use crate::scene::{Background, Globals, Object, Objects, Scene};
 use crate::shape::Shape;
 use glam::DVec3;
 use std::any::Any;
@@ -109,7 +109,7 @@ fn compiled(object: &Arc<Object>) -> World {
     }
     let scene = Scene {
         camera: Camera::default(),
-        objects: Vec::new(),
+        objects: Objects::default(),
         background: Background { color: None },
         atmosphere: Atmosphere::default(),
         globals: Globals::default(),

@@ -179,7 +179,7 @@ impl World {
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
             let entry = |item: u32| {
-                let bounds = &self.boxes[item as usize];
+                let bounds = &self.boxes[item as usize].bounds();
                 if bounds.is_finite() {
                     slab_entry(bounds, ray)
                 } else {

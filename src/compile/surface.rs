@@ -40,7 +40,7 @@ pub struct Surface {
     /// The texture seen from inside, if the scene gives one.
     pub inside_texture: Option<Arc<PreparedTexture>>,
     /// The textures that pieces of the shape have of their own, moved like the layers.
-    pub skins: Vec<Arc<PreparedTexture>>,
+    pub skins: Box<[Arc<PreparedTexture>]>,
     /// The interior of the object.
     pub interior: InteriorId,
     /// The lights that shine on it.
@@ -66,7 +66,7 @@ impl Surface {
     pub(super) fn new(
         texture: Arc<PreparedTexture>,
         inside_texture: Option<Arc<PreparedTexture>>,
-        skins: Vec<Arc<PreparedTexture>>,
+        skins: Box<[Arc<PreparedTexture>]>,
         interior: InteriorId,
         (lights, flags): (LightList, Flags),
     ) -> Self {

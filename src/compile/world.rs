@@ -77,7 +77,7 @@ pub struct World {
     /// The large meshes, if there are few.
     pub(super) meshes: Vec<Numbered>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
-    pub(super) boxes: Vec<Bounds>,
+    pub(super) boxes: Vec<SingleBox>,
     pub(super) ties_by_box: bool,
     pub(super) is_opaque: bool,
     /// For each surface, whether nothing can be seen through it.
@@ -90,7 +90,7 @@ pub struct World {
 impl World {
     pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
-        let boxes = flat.parts.bounds.iter().map(single_precision).collect();
+        let boxes = flat.parts.bounds.iter().map(SingleBox::new).collect();
         let parts = std::mem::take(&mut flat.parts);
         let (model, items) = Model::new(parts, flat.lights.projectors_mut());
         let transparent = Color {
@@ -173,7 +173,8 @@ impl World {
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
         let mut items = self.model.finder.around(point);
-        let is_bounded = |number: u32| self.ties_by_box && self.boxes[number as usize].is_finite();
+        let is_bounded =
+            |number: u32| self.ties_by_box && self.boxes[number as usize].bounds().is_finite();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
         let mut surfaces = Vec::new();
         for item in items {
@@ -221,8 +222,8 @@ impl World {
 
     /// The boxes of all objects, in single precision: they may be smaller than the objects by a rounding.
     #[must_use]
-    pub fn boxes(&self) -> &[Bounds] {
-        &self.boxes
+    pub fn boxes(&self) -> impl Iterator<Item = Bounds> {
+        self.boxes.iter().map(SingleBox::bounds)
     }
 
     /// How many primitives there are to be seen, those of instances included.
@@ -237,20 +238,22 @@ impl World {
     }
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "POV-Ray keeps boxes in single precision"
-)]
-fn single_precision(bounds: &Bounds) -> Bounds {
-    let round = |v: DVec3| {
-        DVec3::new(
-            f64::from(v.x as f32),
-            f64::from(v.y as f32),
-            f64::from(v.z as f32),
-        )
-    };
-    Bounds {
-        min: round(bounds.min),
-        max: round(bounds.max),
+/// A box in single precision, rounded to the nearest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SingleBox([[f32; 3]; 2]);
+
+impl SingleBox {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "POV-Ray keeps boxes in single precision"
+    )]
+    fn new(bounds: &Bounds) -> Self {
+        SingleBox([bounds.min, bounds.max].map(|end| end.to_array().map(|part| part as f32)))
+    }
+
+    /// The box.
+    pub(super) fn bounds(&self) -> Bounds {
+        let [min, max] = self.0.map(|end| DVec3::from(end.map(f64::from)));
+        Bounds { min, max }
     }
 }

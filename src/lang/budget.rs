@@ -215,8 +215,19 @@ impl Reader<'_> {
     pub(super) fn count_leaves(&mut self, object: &Object) -> Parse<()> {
         self.count_object()?;
         let leaves = self.budget.shared.stored(object);
+        self.count_shapes(leaves, u64::from(object.size().leaves))
+    }
+
+    /// The same for an object that is one shape.
+    pub(super) fn count_leaf(&mut self) -> Parse<()> {
+        self.count_object()?;
+        self.count_shapes(1, 1)
+    }
+
+    /// Counts shapes that are to be prepared, and such that are shown.
+    fn count_shapes(&mut self, leaves: u64, shown: u64) -> Parse<()> {
         self.budget.leaves += leaves;
-        self.budget.shown += u64::from(object.size().leaves);
+        self.budget.shown += shown;
         let many = if self.budget.leaves > limits::LEAVES {
             format!("a scene has at most {} shapes", limits::LEAVES)
         } else if self.budget.shown > limits::SHOWN {

@@ -160,9 +160,10 @@ fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; M
 mod tests {
     use crate::lang::evaluate;
     use crate::options::ReadOptions;
-    use crate::scene::{Kind, Scene};
+    use crate::scene::{Kind, Object, Scene};
     use crate::shape::Shape;
     use crate::source::Sources;
+    use std::sync::Arc;
 
     fn scene(text: &str) -> Scene {
         let mut sources = Sources::new(Vec::new());
@@ -173,11 +174,15 @@ mod tests {
             .unwrap_or_else(|| panic!("{:?}", reading.findings))
     }
 
+    fn first(scene: &Scene) -> Arc<Object> {
+        scene.objects.iter().next().expect("an object")
+    }
+
     fn mesh(vectors: &str) -> Shape {
         let text = format!(
             "mesh2 {{ vertex_vectors {{ 3, {vectors} }} face_indices {{ 1, <0, 1, 2> }} }}"
         );
-        match &scene(&text).objects[0].kind {
+        match &first(&scene(&text)).kind {
             Kind::Shape(shape) => (**shape).clone(),
             other => panic!("{other:?}"),
         }
@@ -206,7 +211,7 @@ mod tests {
             mesh { triangle { <0, 0, 0>, <1, 0, 0> Twice(), <0, 1, 0> Twice() } }";
         let plain = "mesh { triangle { <0, 0, 0>, <2, 0, 0>, <0, 2, 0> } }";
         let (one, other) = (scene(text), scene(plain));
-        match (&one.objects[0].kind, &other.objects[0].kind) {
+        match (&first(&one).kind, &first(&other).kind) {
             (Kind::Shape(one), Kind::Shape(other)) => assert_eq!(one, other),
             kinds => panic!("{kinds:?}"),
         }

@@ -28,8 +28,33 @@ pub(super) struct Literal<'a> {
     version: f64,
     /// The reserved word looked up last, with its first byte and the byte behind it.
     known: Option<(usize, Word, usize)>,
+    memory: &'a Memory,
     /// Whether something was found that only the tokens can tell.
     is_doubtful: Cell<bool>,
+}
+
+/// For each first letter the reserved word that was met last. Data say the same few words again and again.
+#[derive(Debug, Default)]
+pub(super) struct Memory([Cell<Option<Word>>; 32]);
+
+impl Memory {
+    /// The reserved word that begins at a byte, with its length.
+    #[inline]
+    fn word(&self, text: &str, at: usize) -> Option<(Word, usize)> {
+        let bytes = &text.as_bytes()[at..];
+        let last = &self.0[usize::from(*bytes.first()?) % 32];
+        if let Some(word) = last.get() {
+            let spelling = word.spelling().as_bytes();
+            let behind = bytes.get(spelling.len()).copied().unwrap_or(b' ');
+            if !(is_letter(behind) || behind.is_ascii_digit()) && bytes.starts_with(spelling) {
+                return Some((word, spelling.len()));
+            }
+        }
+        let spelling = &text[at..word_end(text.as_bytes(), at)];
+        let word = Word::from_spelling(spelling)?;
+        last.set(Some(word));
+        Some((word, spelling.len()))
+    }
 }
 
 /// The place and the surroundings of a literal.
@@ -38,6 +63,7 @@ pub(super) struct Ground<'a> {
     pub(super) names: &'a Names,
     pub(super) scopes: &'a Scopes,
     pub(super) version: f64,
+    pub(super) memory: &'a Memory,
 }
 
 fn give_up<T>() -> Parse<T> {
@@ -58,6 +84,7 @@ impl<'a> Literal<'a> {
             names: ground.names,
             scopes: ground.scopes,
             version: ground.version,
+            memory: ground.memory,
             known: None,
             is_doubtful: Cell::new(false),
         }
@@ -110,9 +137,8 @@ impl<'a> Literal<'a> {
         {
             return Some(word);
         }
-        let spelling = self.spelling();
-        let word = Word::from_spelling(spelling)?;
-        self.known = Some((self.at, word, self.at + spelling.len()));
+        let (word, len) = self.memory.word(self.text, self.at)?;
+        self.known = Some((self.at, word, self.at + len));
         Some(word)
     }
 

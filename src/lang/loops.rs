@@ -6,7 +6,7 @@ use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse};
 use crate::source::{Diagnostic, Span};
-use crate::syntax::Symbol;
+use crate::syntax::{Symbol, Tokens};
 use std::rc::Rc;
 
 /// Whether a loop may draw from more streams of random numbers than this is not asked at each round.
@@ -61,21 +61,20 @@ impl Reader<'_> {
         let home = Rc::clone(&self.here.tokens);
         let (_, end) = self.group(index);
         self.count_round(index, end, Start::of(&home, index))?;
-        let span = home.span(index);
-        self.look_for_change(span)?;
+        self.look_for_change(&home, index)?;
         if self.condition()? {
             return Ok(());
         }
-        self.stay_in(&home, span)?;
+        self.stay_in(&home, home.span(index))?;
         self.frames.pop();
         let (_, end) = self.group(index);
-        self.jump(end, span)?;
+        self.jump(end, home.span(index))?;
         self.pass();
         Ok(())
     }
 
     /// At the condition of a `#while`: an error if the round behind it has changed nothing that the next one could read.
-    fn look_for_change(&mut self, at: Span) -> Parse<()> {
+    fn look_for_change(&mut self, home: &Tokens, index: usize) -> Parse<()> {
         if self.streams.len() > FEW_STREAMS {
             self.changes += 1;
         }
@@ -95,7 +94,7 @@ impl Reader<'_> {
             return Ok(());
         }
         let error = Diagnostic::error(
-            at,
+            home.span(index),
             "this loop does not end: no round of it changes anything",
         );
         let hint = "Change what its condition asks for, or leave it by `#break`.";

@@ -128,7 +128,7 @@ impl Reader<'_> {
         };
         self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
         self.scopes.enter();
-        for (&parameter, argument) in called.parameters.iter().zip(arguments.values) {
+        for (&parameter, argument) in called.parameters.iter().zip(arguments.values.drain(..)) {
             match argument {
                 Argument::Reference(target) => self.scopes.alias(parameter, target),
                 Argument::Value(value) => self.scopes.local(parameter, value),

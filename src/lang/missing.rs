@@ -16,8 +16,28 @@ impl Reader<'_> {
         let mut parts = Vec::new();
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
-        let mut open: Vec<&Arc<Object>> = self.objects.iter().collect();
+        let mut open: Vec<&Arc<Object>> = self.objects.whole().collect();
         let (mut lights, mut targets) = (Vec::new(), Vec::new());
+        let mut last = None;
+        for texture in self.objects.textures_of_plain() {
+            if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
+                for texture in all_textures(texture) {
+                    if has_subsurface {
+                        found.extend(subsurface_of(texture));
+                    }
+                    parts.extend(normals_without_pattern(texture));
+                }
+            }
+        }
+        if has_subsurface {
+            let mut last = None;
+            for finish in self.objects.finishes_of_plain() {
+                if last.replace(Arc::as_ptr(finish)) != Some(Arc::as_ptr(finish)) {
+                    let subsurface = finish.subsurface.iter();
+                    found.extend(subsurface.map(|it| (it.at, Word::Subsurface)));
+                }
+            }
+        }
         while let Some(object) = open.pop() {
             let is_shared = Arc::strong_count(object) > 1;
             if is_shared && !seen.insert(Arc::as_ptr(object).addr()) {

@@ -19,11 +19,14 @@ impl Reader<'_> {
         let Some(word) = token.word() else {
             return Ok(None);
         };
-        if matches!(word.class(), Class::Shape | Class::Csg)
-            && let Some(object) = self.replay_object()?
-        {
-            return Ok(Some(Arc::new(object)));
+        if let Some(read) = self.replay_object()? {
+            return Ok(Some(Arc::new(read.into_object(&self.default_layer))));
         }
+        self.object_of_tokens(word)
+    }
+
+    /// The object of a word at hand, read token by token.
+    pub(super) fn object_of_tokens(&mut self, word: Word) -> Parse<Option<Arc<Object>>> {
         let object = match word {
             Word::Union => self.csg(Operation::Union)?,
             Word::Merge => self.csg(Operation::Merge)?,
@@ -139,8 +142,8 @@ impl Reader<'_> {
         }
         let mut children = Vec::new();
         loop {
-            self.take_literal_objects(|reader, object| {
-                children.push(Arc::new(object));
+            self.take_literal_objects(|reader, read| {
+                children.push(Arc::new(read.into_object(&reader.default_layer)));
                 reader.count_object()
             })?;
             let Some(child) = self.object()? else { break };

@@ -4,41 +4,105 @@
 
 use super::object::{baked, fold_steps};
 use crate::args::{Args, Parse, Word, transform_step};
+use crate::color::Color;
 use crate::interior::Interior;
 use crate::scene::{Kind, Object};
 use crate::shape::Shape;
 use crate::syntax::Class;
-use crate::texture::{Layer, Texture};
+use crate::texture::{Family, Layer, Pigment, Texture};
 use std::sync::Arc;
 
+/// What is written without anything unusual.
+pub(super) enum Read {
+    /// A shape and nothing else, of one colour or with the default texture.
+    Shape {
+        /// The shape.
+        shape: Shape,
+        /// Its colour, if it says one.
+        color: Option<Color>,
+    },
+    /// An object with more to it.
+    Object(Object),
+}
+
+impl Read {
+    /// It as an object; an object without a texture gets none.
+    pub(super) fn into_object(self, default: &Layer) -> Object {
+        let (shape, color) = match self {
+            Read::Object(object) => return object,
+            Read::Shape { shape, color } => (shape, color),
+        };
+        let mut object = Object::new(Kind::Shape(Arc::new(shape)));
+        if let Some(color) = color {
+            let layer = colored(color, default);
+            object.texture = Some(object.attach(Arc::new(Texture::from(layer))));
+        }
+        object
+    }
+}
+
+/// The default with one colour in place of what it has.
+fn colored(color: Color, default: &Layer) -> Layer {
+    Layer {
+        pigment: Pigment::plain(color),
+        ..default.clone()
+    }
+}
+
 /// An object with its modifiers: a shape, or a copy of an object with a name. `None` if something else stands here.
-pub(super) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Option<Object>> {
+pub(super) fn plain_object<A: Args>(args: &mut A, default: &Layer) -> Parse<Option<Read>> {
     let Some(word) = args.word()? else {
         return Ok(None);
     };
-    let object = match word {
-        Word::Object => {
-            args.accept(word)?;
-            args.open()?;
-            let known = args.object_any()?.downcast::<Object>();
-            known.ok().map(|known| (*known).clone())
-        }
-        _ if word.class() == Class::Shape => {
-            args.accept(word)?;
-            args.open()?;
-            let shape = Shape::read(word, args).transpose()?;
-            shape.map(|shape| Object::new(Kind::Shape(Arc::new(shape))))
-        }
-        _ => None,
+    if word == Word::Object {
+        args.accept(word)?;
+        args.open()?;
+        return match args.object_any()?.downcast::<Object>() {
+            Ok(known) => modified((*known).clone(), args, default),
+            Err(_) => Ok(None),
+        };
+    }
+    if word.class() != Class::Shape {
+        return Ok(None);
+    }
+    args.accept(word)?;
+    args.open()?;
+    let Some(shape) = Shape::read(word, args).transpose()? else {
+        return Ok(None);
     };
-    match object {
-        Some(object) => modified(object, args, default),
-        None => Ok(None),
+    let mut color = None;
+    loop {
+        if args.accept_close()? {
+            return Ok(Some(Read::Shape { shape, color }));
+        }
+        if color.is_some() || !default.is_bare() || !args.accept(Word::Pigment)? {
+            let object = Read::Shape { shape, color }.into_object(default);
+            return modified(object, args, default);
+        }
+        args.open()?;
+        let is_color = |word: Word| word.class() == Class::Color;
+        if args.word()?.is_some_and(is_color) {
+            color = args.color_if_any()?;
+        }
+        if color.is_some() && args.accept_close()? {
+            continue;
+        }
+        let pigment = match color {
+            Some(color) => Pigment::plain(color).read_on(args, Family::Pigment)?,
+            None => Pigment::read_inside(args, &default.pigment)?,
+        };
+        let layer = Layer {
+            pigment,
+            ..default.clone()
+        };
+        let mut object = Object::new(Kind::Shape(Arc::new(shape)));
+        object.texture = Some(object.attach(Arc::new(Texture::from(layer))));
+        return modified(object, args, default);
     }
 }
 
 /// An object with what stands behind its parameters.
-fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse<Option<Object>> {
+fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse<Option<Read>> {
     while !args.accept_close()? {
         let Some(word) = args.word()? else {
             return Ok(None);
@@ -83,5 +147,5 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
             _ => return Ok(None),
         }
     }
-    Ok(Some(object))
+    Ok(Some(Read::Object(object)))
 }

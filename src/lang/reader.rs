@@ -7,6 +7,7 @@ use super::declare::Deprecation;
 use super::files::Files;
 use super::lexicon::Lexicon;
 use super::limits;
+use super::literal::Memory;
 use super::probe::Probe;
 use super::replay::{Recording, Replays};
 use super::scope::Scopes;
@@ -17,7 +18,7 @@ use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::options::ReadOptions;
-use crate::scene::{Background, Globals, Object, Scene};
+use crate::scene::{Background, Globals, Objects, Scene};
 use crate::source::{Code, Dependency, Diagnostic, FileId, Severity, Sources, Span};
 use crate::syntax::{Names, Symbol, Tokens, tokenize_around_data};
 use crate::texture::{Layer, Texture};
@@ -88,7 +89,9 @@ pub(super) struct Reader<'a> {
     pub(super) background: Option<Color>,
     pub(super) atmosphere: Atmosphere,
     pub(super) globals: Globals,
-    pub(super) objects: Vec<Arc<Object>>,
+    pub(super) objects: Objects,
+    /// Words of data.
+    pub(super) memory: Memory,
     /// Where the scene asks for photons.
     pub(super) photons_at: Option<Span>,
     /// What drawing cannot do yet.
@@ -195,7 +198,8 @@ impl<'a> Reader<'a> {
             background: None,
             atmosphere: Atmosphere::default(),
             globals: Globals::default(),
-            objects: Vec::new(),
+            objects: Objects::default(),
+            memory: Memory::default(),
             messages: String::new(),
             photons_at: None,
             undrawn: Vec::new(),

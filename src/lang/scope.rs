@@ -56,7 +56,7 @@ impl Scopes {
         for symbol in self.bound.drain(start..) {
             let stack = &mut self.stacks[symbol.0 as usize];
             if stack.last().is_some_and(|last| last.depth == depth) {
-                stack.pop();
+                stack.truncate(stack.len() - 1);
             } else if let Some(at) = stack.iter().rposition(|binding| binding.depth == depth) {
                 stack.remove(at);
             }
@@ -171,7 +171,35 @@ impl Scopes {
     }
 
     /// `#local`: assigns to the innermost scope's binding, or makes one there.
+    #[inline]
     pub(super) fn local(&mut self, symbol: Symbol, value: Value) {
+        let depth = self.depth();
+        if depth > 0
+            && let Some(stack) = self.stacks.get_mut(symbol.0 as usize)
+        {
+            // Nearly always the name is new in the scope, or holds a value of its own there.
+            match stack.last_mut() {
+                Some(Binding {
+                    depth: known,
+                    held: Held::Value(old),
+                }) if *known == depth => {
+                    *old = value;
+                    return;
+                }
+                Some(last) if last.depth >= depth => {}
+                _ => {
+                    let held = Held::Value(value);
+                    stack.push(Binding { depth, held });
+                    self.bound.push(symbol);
+                    return;
+                }
+            }
+        }
+        self.local_among_others(symbol, value);
+    }
+
+    #[inline(never)]
+    fn local_among_others(&mut self, symbol: Symbol, value: Value) {
         let depth = self.depth();
         let is_ours =
             |stack: &Vec<Binding>| stack.last().is_some_and(|binding| binding.depth == depth);

@@ -2,6 +2,7 @@
 
 use super::cursor::Entered;
 use super::limits;
+use super::plain::Read;
 use super::reader::Reader;
 use super::recover::is_part;
 use super::settings::is_old_setting;
@@ -9,7 +10,7 @@ use crate::args::{Args, Parse, Word};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::interior::Media;
-use crate::scene::Object;
+use crate::scene::{Look, Object, Plain};
 use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind};
 use crate::texture::{Layer, Texture};
@@ -61,7 +62,7 @@ impl Reader<'_> {
         self.blocks.clear();
         self.depth = 0;
         self.has_faulty_directive = false;
-        self.take_literal_objects(|reader, object| reader.add_object(Arc::new(object)))?;
+        self.take_literal_objects(Self::add_read)?;
         let token = self.peek()?;
         self.statement_start = self.start_here();
         if token.kind == Kind::End {
@@ -127,8 +128,11 @@ impl Reader<'_> {
     }
 
     fn object_statement(&mut self) -> Parse<()> {
-        let object = match self.object()? {
-            Some(object) => Some(object),
+        if let Some(read) = self.replay_object()? {
+            return self.add_read(read);
+        }
+        let object = match self.raw().word() {
+            Some(word) => self.object_of_tokens(word)?,
             None => self.object_of_name()?,
         };
         if let Some(object) = object {
@@ -148,6 +152,20 @@ impl Reader<'_> {
             )),
             _ => Err(self.expected_here("an object or a statement")),
         }
+    }
+
+    fn add_read(&mut self, read: Read) -> Parse<()> {
+        let (shape, color) = match read {
+            Read::Object(object) => return self.add_object(Arc::new(object)),
+            Read::Shape { shape, color } => (shape, color),
+        };
+        let look = match color {
+            Some(color) => Look::Color(color, Arc::clone(&self.default_layer.finish)),
+            None => Look::Texture(Arc::clone(&self.default_texture)),
+        };
+        self.count_leaf()?;
+        self.objects.push_plain(Plain { shape, look });
+        Ok(())
     }
 
     fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {

@@ -5,10 +5,9 @@
 
 use super::cursor::Place;
 use super::literal::{Ground, Literal};
-use super::plain::plain_object;
+use super::plain::{Read, plain_object};
 use super::reader::Reader;
 use crate::args::{Args, Parse};
-use crate::scene::Object;
 use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
 use std::sync::Arc;
 
@@ -59,7 +58,7 @@ impl Reader<'_> {
     /// Takes the objects at hand, as long as they are written as plain literals, and gives them to `take`.
     pub(super) fn take_literal_objects(
         &mut self,
-        mut take: impl FnMut(&mut Self, Object) -> Parse<()>,
+        mut take: impl FnMut(&mut Self, Read) -> Parse<()>,
     ) -> Parse<()> {
         if !self.is_at_data() {
             return Ok(());
@@ -84,40 +83,65 @@ impl Reader<'_> {
     }
 
     /// The object that begins at a byte, and its end, if it is a shape that is written as plain literals.
-    fn literal_object(&self, text: &str, at: usize) -> Option<(Object, usize)> {
+    fn literal_object(&self, text: &str, at: usize) -> Option<(Read, usize)> {
         let ground = Ground {
             file: self.here.tokens.file,
             names: &self.names,
             scopes: &self.scopes,
             version: self.version,
+            memory: &self.memory,
         };
         let mut args = Literal::new(text, at, &ground);
         let object = plain_object(&mut args, &self.default_layer).ok()??;
         args.reached().map(|end| (object, end))
     }
 
-    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does.
+    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does, if the data go on here, or behind the comma
+    /// at hand.
     pub(super) fn take_vectors_of_data(
         &mut self,
         len: usize,
         take: &mut dyn FnMut(&[f64]) -> bool,
     ) {
+        let has_comma = self.raw().is_mark(',') && self.raw_ahead(1).kind == Kind::More;
+        self.here.at += usize::from(has_comma);
+        let begins = if has_comma { "<" } else { "" };
+        if !self.take_vectors_here(len, begins, take) {
+            self.here.at -= usize::from(has_comma);
+        }
+    }
+
+    /// Takes the vectors of the data at hand, if these begin so; says whether there were any.
+    fn take_vectors_here(
+        &mut self,
+        len: usize,
+        begins: &str,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> bool {
         if !self.is_at_data() {
-            return;
+            return false;
         }
         let Some((text, range)) = self.data() else {
-            return;
+            return false;
         };
+        if !text[range.clone()].trim_ascii_start().starts_with(begins) {
+            return false;
+        }
         let ground = Ground {
             file: self.here.tokens.file,
             names: &self.names,
             scopes: &self.scopes,
             version: self.version,
+            memory: &self.memory,
         };
         let mut args = Literal::new(&text[..range.end], range.start, &ground);
         args.literal_vectors(len, take);
-        if let Some(end) = args.reached().filter(|end| *end > range.start) {
-            self.go_to(end);
+        match args.reached().filter(|end| *end > range.start) {
+            Some(end) => {
+                self.go_to(end);
+                true
+            }
+            None => false,
         }
     }
 }
@@ -125,6 +149,7 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lang::literal::Memory;
     use crate::lang::scope::Scopes;
     use crate::source::FileId;
     use crate::syntax::Names;
@@ -138,6 +163,7 @@ mod tests {
             names: &names,
             scopes: &scopes,
             version: 3.7,
+            memory: &Memory::default(),
         };
         let mut args = Literal::new(text, 0, &ground);
         plain_object(&mut args, &Layer::default()).ok()??;

@@ -5,17 +5,18 @@ mod extent;
 mod globals;
 mod moved;
 mod object;
+mod objects;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::Settings;
-use std::sync::Arc;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -23,7 +24,7 @@ pub struct Scene {
     /// The camera; the default one where the file has none.
     pub camera: Camera,
     /// The objects and lights in the order of the file.
-    pub objects: Vec<Arc<Object>>,
+    pub objects: Objects,
     /// The colour behind everything.
     pub background: Background,
     /// What fills the space between the objects, and the sky before the background.

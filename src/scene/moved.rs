@@ -35,11 +35,12 @@ impl Scene {
             return self;
         }
         let by = -self.camera.location();
-        for object in &mut self.objects {
-            let mut own = (**object).clone();
+        let moved = |object: Arc<Object>| {
+            let mut own = Arc::unwrap_or_clone(object);
             own.move_by(by);
-            *object = Arc::new(own);
-        }
+            Arc::new(own)
+        };
+        self.objects = self.objects.one_by_one().map(moved).collect();
         self.camera = self.camera.moved(by);
         self
     }
@@ -60,6 +61,7 @@ impl Scene {
             && self
                 .objects
                 .iter()
+                .take(LOOKED_AT as usize)
                 .any(|object| object.holds_near(&Transform::IDENTITY, &mut left, &mut is_near))
     }
 }

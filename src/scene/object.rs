@@ -175,6 +175,33 @@ impl Object {
         }
     }
 
+    /// The texture of an object that has one from its start, and nothing else.
+    pub(super) fn plain_texture(&self) -> Option<&Arc<Texture>> {
+        let Object {
+            kind: _,
+            steps,
+            texture: Some(texture),
+            interior_texture: None,
+            interior: None,
+            flags,
+            light_group: None,
+            photons: None,
+            is_inverse: false,
+            clipped_by,
+            bounded_by,
+            size: _,
+        } = self
+        else {
+            return None;
+        };
+        let is_plain = steps.is_empty()
+            && texture.after == 0
+            && *flags == Flags::default()
+            && clipped_by.is_empty()
+            && bounded_by.is_empty();
+        is_plain.then_some(&texture.what)
+    }
+
     /// Whether it has an inside: no part of it is a patch or a light.
     #[must_use]
     pub fn is_solid(&self) -> bool {

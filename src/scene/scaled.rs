@@ -32,12 +32,15 @@ impl Scene {
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Scene {
         let mut known = Known::default();
-        for object in &mut self.objects {
-            let mut own = (**object).clone();
-            own.scale_own_lengths(factor, &mut known);
-            own.steps.push(Step::Scale(DVec3::splat(factor)));
-            *object = Arc::new(own);
-        }
+        let objects = std::mem::take(&mut self.objects).one_by_one();
+        self.objects = objects
+            .map(|object| {
+                let mut own = (*object).clone();
+                own.scale_own_lengths(factor, &mut known);
+                own.steps.push(Step::Scale(DVec3::splat(factor)));
+                Arc::new(own)
+            })
+            .collect();
         self.camera = self.camera.scaled(factor);
         for fog in &mut self.atmosphere.fogs {
             fog.distance *= factor;
@@ -66,7 +69,7 @@ impl Scene {
     /// About how far the camera and the lights are from the origin.
     fn size(&self) -> f64 {
         let place = self.camera.location().abs().max_element();
-        let places = self.objects.iter().map(|object| match &object.kind {
+        let places = self.objects.whole().map(|object| match &object.kind {
             Kind::Light { light, .. } => {
                 let to_world = Transform::from_steps(&object.steps).world_from_object;
                 let place = to_world.transform_point3(light.centre);

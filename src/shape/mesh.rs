@@ -23,7 +23,6 @@ use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use crate::texture::Texture;
 use glam::{DVec3, Vec2, Vec3};
-use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 
 /// Triangles that share corners. Copies share all of it.
@@ -270,9 +269,9 @@ impl Triangles {
         if let Some(tree) = self.tree.get() {
             return tree;
         }
-        let corners = self.corners.par_iter();
-        let boxes: Vec<Bounds> = corners.map(|corners| self.bounds_of(corners)).collect();
-        let tree = Bvh::build(&boxes);
+        let tree = Bvh::build_of(self.corners.len(), |face| {
+            self.bounds_of(&self.corners[face])
+        });
         self.tree.get_or_init(|| tree)
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, transform_step};
+use crate::color::Color;
 use crate::math::Step;
 use crate::pattern::Settings;
 use smallvec::SmallVec;
@@ -61,6 +62,12 @@ impl Layer {
             _ => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// Whether it is a pigment without modifiers, and a finish.
+    #[must_use]
+    pub(crate) fn is_bare(&self) -> bool {
+        self.normal.is_none() && self.pigment.is_bare()
     }
 
     /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
@@ -134,6 +141,18 @@ impl Texture {
         &self.layers
     }
 
+    /// The colour and the finish of a texture that is no more than that.
+    #[must_use]
+    pub(crate) fn bare(&self) -> Option<(Color, &Arc<Finish>)> {
+        match (&*self.layers, &self.pattern) {
+            ([layer], None) if layer.is_bare() => match layer.pigment.kind {
+                PigmentKind::Plain(color) => Some((color, &layer.finish)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// The layer that loose parts change: the one declared last.
     pub fn top_mut(&mut self) -> &mut Layer {
         self.layers.last_mut().expect("a texture has a layer")
@@ -179,8 +198,7 @@ impl Texture {
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
-    use crate::color::{Color, Rgb};
-    use crate::texture::PigmentKind;
+    use crate::color::Rgb;
     use glam::DVec3;
 
     fn read_with(args: &mut TextArgs) -> Parse<Texture> {

@@ -103,12 +103,25 @@ impl Pigment {
         }
     }
 
+    /// Whether it is no more than where its colour comes from.
+    pub(super) fn is_bare(&self) -> bool {
+        self.quick_color.is_none() && self.modifiers.get().is_none()
+    }
+
     /// The pigment of a block; what the block does not say is as in `base`.
     ///
     /// # Errors
     /// A malformed value, or a word that is not built yet.
     pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         args.open()?;
+        Pigment::read_inside(args, base)
+    }
+
+    /// The same behind the `{`.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_inside(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
         Pigment::read_known(args, base)?.read_on(args, Family::Pigment)
     }
 

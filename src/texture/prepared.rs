@@ -27,33 +27,33 @@ pub struct PreparedLayer {
     /// The colour.
     pub pigment: PreparedPigment,
     /// The colour in previews of quality 5 and less: `quick_color`, if the scene gives one.
-    pub quick_color: Option<Color>,
+    pub quick_color: Option<Box<Color>>,
     /// The answer to light.
     pub finish: Arc<Finish>,
     /// Bumps.
     pub normal: Option<Box<PreparedNormal>>,
 }
 
-/// A pigment ready for rays.
+/// A pigment ready for rays. There may be a million of them, most of them plain.
 #[derive(Debug)]
 pub enum PreparedPigment {
     /// The same colour everywhere.
     Plain(Color),
     /// A pattern whose value is looked up among colours.
-    Colors(Box<PreparedPattern>, Map<Color>),
+    Colors(Box<(PreparedPattern, Map<Color>)>),
     /// A pattern whose value is looked up among pigments.
-    Pigments(Box<PreparedPattern>, Map<PreparedPigment>),
+    Pigments(Box<(PreparedPattern, Map<PreparedPigment>)>),
     /// The mean of pigments by weight.
-    Average(PreparedChain, Map<PreparedPigment>),
+    Average(Box<(PreparedChain, Map<PreparedPigment>)>),
     /// The colours of a picture.
-    Image(PreparedChain, bitmap::Source),
+    Image(Box<(PreparedChain, bitmap::Source)>),
 }
 
 impl PreparedTexture {
     pub(super) fn new(texture: &Texture, after: &[Step], settings: &Settings) -> Self {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
-            quick_color: layer.pigment.quick_color.as_deref().copied(),
+            quick_color: layer.pigment.quick_color.clone(),
             finish: Arc::clone(&layer.finish),
             normal: layer
                 .normal
@@ -174,19 +174,19 @@ impl PreparedPigment {
             PigmentKind::Plain(color) => PreparedPigment::Plain(*color),
             PigmentKind::Colors(mapped) => {
                 let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
-                PreparedPigment::Colors(Box::new(pattern), mapped.map.clone())
+                PreparedPigment::Colors(Box::new((pattern, mapped.map.clone())))
             }
             PigmentKind::Pigments(mapped) => {
                 let pattern = modifiers.prepare(&*mapped.pattern, after, settings);
-                PreparedPigment::Pigments(Box::new(pattern), entries(&mapped.map))
+                PreparedPigment::Pigments(Box::new((pattern, entries(&mapped.map))))
             }
             PigmentKind::Average(Some(map)) => {
                 let chain = modifiers.prepare_chain(after, settings);
-                PreparedPigment::Average(chain, entries(map))
+                PreparedPigment::Average(Box::new((chain, entries(map))))
             }
             PigmentKind::Image(source) => {
                 let chain = modifiers.prepare_chain(after, settings);
-                PreparedPigment::Image(chain, (**source).clone())
+                PreparedPigment::Image(Box::new((chain, (**source).clone())))
             }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
@@ -207,10 +207,12 @@ impl PreparedPigment {
     pub fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
-            PreparedPigment::Colors(pattern, map) => {
+            PreparedPigment::Colors(both) => {
+                let (pattern, map) = &**both;
                 map.color(pattern.value(pattern.moved(point), spot))
             }
-            PreparedPigment::Pigments(pattern, map) => {
+            PreparedPigment::Pigments(both) => {
+                let (pattern, map) = &**both;
                 let moved = pattern.moved(point);
                 match map.between(pattern.value(moved, spot)) {
                     Between::One(entry) => entry.patterned(moved, spot),
@@ -220,29 +222,32 @@ impl PreparedPigment {
                     }
                 }
             }
-            PreparedPigment::Average(chain, map) => {
+            PreparedPigment::Average(both) => {
+                let (chain, map) = &**both;
                 let moved = chain.moved(point);
                 let weighted = |(weight, entry): &(f32, PreparedPigment)| {
                     (*weight, entry.patterned(moved, spot))
                 };
                 Color::average(map.entries().iter().map(weighted))
             }
-            PreparedPigment::Image(chain, source) => source.color(chain.moved(point)),
+            PreparedPigment::Image(both) => both.1.color(both.0.moved(point)),
         }
     }
 
     fn can_be_transparent(&self) -> bool {
+        let any = |map: &Map<PreparedPigment>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.can_be_transparent())
+        };
         match self {
             PreparedPigment::Plain(color) => color.is_transparent(),
-            PreparedPigment::Colors(_, map) => {
-                let mut entries = map.entries().iter();
+            PreparedPigment::Colors(both) => {
+                let mut entries = both.1.entries().iter();
                 entries.any(|(_, color)| color.is_transparent())
             }
-            PreparedPigment::Pigments(_, map) | PreparedPigment::Average(_, map) => {
-                let mut entries = map.entries().iter();
-                entries.any(|(_, entry)| entry.can_be_transparent())
-            }
-            PreparedPigment::Image(_, source) => source.can_be_transparent(),
+            PreparedPigment::Pigments(both) => any(&both.1),
+            PreparedPigment::Average(both) => any(&both.1),
+            PreparedPigment::Image(both) => both.1.can_be_transparent(),
         }
     }
 }

@@ -296,8 +296,8 @@ impl Tracer<'_> {
     /// The colour of a layer, in previews its quick colour.
     #[inline]
     fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
-        match layer.quick_color {
-            Some(quick) if !self.quality.has_transparency => quick,
+        match &layer.quick_color {
+            Some(quick) if !self.quality.has_transparency => **quick,
             _ => layer.pigment.patterned(point, spot),
         }
     }

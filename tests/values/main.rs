@@ -5,6 +5,7 @@
 //! start-up time. A scene may bring files along: `@@@ name` begins one.
 
 mod arrays;
+mod bytes;
 mod directives;
 mod expressions;
 mod extents;
@@ -80,10 +81,10 @@ fn answer(program: &str, topic: &str, scene: &str) -> Answer {
         Some(main) => main.to_owned(),
         None => format!("{BEFORE}{main}"),
     };
-    fs::write(folder.join("scene.pov"), main + "\n").expect("test files can be written");
+    fs::write(folder.join("scene.pov"), bytes(&(main + "\n"))).expect("test files can be written");
     for part in parts {
         let (name, text) = part.split_once('\n').unwrap_or((part, ""));
-        fs::write(folder.join(name), text).expect("test files can be written");
+        fs::write(folder.join(name), bytes(text)).expect("test files can be written");
     }
     let path = match program {
         "povr" => env!("CARGO_BIN_EXE_povr"),
@@ -104,6 +105,18 @@ fn answer(program: &str, topic: &str, scene: &str) -> Answer {
         lines: lines.map(|line| unsigned_zeros(line.trim_end())).collect(),
         written: fs::read_to_string(folder.join(WRITTEN)).ok(),
     }
+}
+
+/// A text as it stands in a file: in UTF-8, but for letters from U+F780 to U+F7FF, which stand for single bytes.
+fn bytes(text: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for letter in text.chars() {
+        match u32::from(letter).to_be_bytes() {
+            [0, 0, 0xf7, byte] if byte >= 0x80 => bytes.push(byte),
+            _ => bytes.extend(letter.encode_utf8(&mut [0; 4]).bytes()),
+        }
+    }
+    bytes
 }
 
 /// The sign of a zero is that of rounding, which may differ.

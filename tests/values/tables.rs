@@ -60,6 +60,19 @@ fn a_lone_hash_is_passed_over() {
 }
 
 #[test]
+fn words_of_functions_stand_without_parentheses() {
+    agree(
+        "tables/words",
+        &[
+            r#"#declare A = text { internal 1 "P" 0.25, 0 }
+#debug concat("= ", str(max_extent(A).z, 0, 3), "\n")"#,
+            r#"#declare A = julia_fractal { <-0.08, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 15 }
+#debug concat("= ", vstr(3, max_extent(A), ",", 0, 3), "\n")"#,
+        ],
+    );
+}
+
+#[test]
 fn two_dots_are_no_size() {
     refused("tables/dots", &["#declare A = array[..];"]);
 }

@@ -13,7 +13,7 @@ fn told(reading: &Reading) -> String {
         undrawn,
         ..
     } = reading;
-    let objects = scene.iter().flat_map(|scene| &scene.objects);
+    let objects = scene.iter().flat_map(|scene| scene.objects.iter());
     let first: Vec<_> = objects.clone().take(300).collect();
     let count = objects.count();
     format!("{messages}\n{findings:#?}\n{undrawn:?}\n{count}\n{first:?}")
@@ -68,6 +68,57 @@ fn objects_of_macros_and_loops() {
         #end",
     );
     assert_eq!(reading.scene.unwrap().objects.len(), 20 * 4 + 12);
+}
+
+#[test]
+fn spheres_of_one_colour() {
+    let reading = agree(
+        "#macro Ball(P, R, C) sphere { P, R pigment { rgb C } } #end
+        #declare Stream = seed(3);
+        #for (I, 1, 30)
+          Ball(I*x, 0.5, <I/30, 0.5, 0>)
+          Ball(I*x, -I, 1)
+          sphere { 0, rand(Stream) }
+          sphere { <rand(Stream), I, 0> rand(Stream) pigment { color rgbt <rand(Stream), 0, 0, 0.5> } }
+          sphere { 1, I pigment { rgbft 0.5 } }
+          sphere { I, 1 pigment { rgb 1 } scale I }
+          union { sphere { 0, I pigment { rgb I } } sphere { 0, 1 } }
+          #if (I = 10) #default { pigment { rgb x } finish { phong 1 } } #end
+          #if (I = 15) #default { pigment { checker scale 2 } } #end
+          #if (I = 20) #default { pigment { rgb z quick_color rgb 1 } } #end
+        #end",
+    );
+    assert_eq!(reading.scene.unwrap().objects.len(), 30 * 7);
+}
+
+#[test]
+fn numbers_of_spheres_that_change() {
+    for change in [
+        "#declare C = <1, 2, 3>;",
+        "#declare C = rgbt <1, 0, 0, 1>;",
+        "#declare R = <1, 2, 3>;",
+        "#declare R = 1e400;",
+        "#declare C = 1e60;",
+        "#declare P = 2;",
+        "#declare P = <1, 2>;",
+        "#declare P = <1, 2, 3, 4>;",
+        "#undef P",
+        "#undef R #macro R() 2 #end",
+        "#undef C #macro C() 0.5 filter 0.5 #end",
+        "#undef P #declare P = sphere { 0, 1 }",
+        "#declare deprecated R = 2;",
+        "#version 3.1;",
+        "#declare N = sphere { 0, 1 }",
+    ] {
+        agree(&format!(
+            "#declare R = 0.5; #declare C = 0.2; #declare P = <1, 2, 3>; #declare N = 1;
+            #for (I, 1, 12)
+              sphere {{ P + I*x, R + N pigment {{ rgb C }} }}
+              sphere {{ P, R pigment {{ rgbf C }} }}
+              #if (I > 3 & I < 8) {change} #end
+            #end"
+        ));
+    }
 }
 
 #[test]

@@ -13,8 +13,10 @@
 //! and the functions that [`Op::of_call`] does not know. What their parts hold is recorded alone.
 //!
 //! Statements are replayed as far as they are made of recorded expressions: the directives of loops and the arguments of
-//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`quiet`]).
+//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`quiet`]) or,
+//! of spheres, from the recorded expressions alone ([`ball`]).
 
+mod ball;
 #[cfg(test)]
 mod both_ways;
 mod directives;
@@ -34,6 +36,7 @@ use super::value::{Number, Value};
 use crate::args::Parse;
 use crate::source::FileId;
 use crate::syntax::{Kind, Symbol};
+use ball::Ball;
 use stack::Stack;
 use std::rc::Rc;
 
@@ -120,6 +123,10 @@ enum Known {
     Program(u32),
     /// An object that was read so many times since it was last replayed.
     Read(u8),
+    /// An object that was replayed, and is no [`Ball`].
+    Replayed,
+    /// The index of its [`Ball`].
+    Ball(u32),
 }
 
 /// What is known of the tokens of a page.
@@ -131,6 +138,7 @@ pub(super) struct Replays {
     /// For each file its pages, made when something in them is recorded.
     files: Vec<Vec<Option<Box<Page>>>>,
     programs: Vec<Program>,
+    balls: Vec<Rc<Ball>>,
     stack: Stack,
     /// Tokens of macros that were run through since it was last begun.
     again: usize,
@@ -256,7 +264,7 @@ impl Reader<'_> {
             .replays
             .known(self.here.tokens.file, self.here.at, level)
         {
-            Known::Never | Known::Read(_) => return read(self),
+            Known::Never | Known::Read(_) | Known::Replayed | Known::Ball(_) => return read(self),
             Known::Nothing if !self.is_repeated() => return read(self),
             Known::Nothing => None,
             Known::Program(index) => match self.replay(index)? {

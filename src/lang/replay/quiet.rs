@@ -4,26 +4,30 @@
 //! directive, a macro, a string, and at all that is an error or a warning. Up to there nothing has happened, and the
 //! object is read by the cursor.
 
+use super::ball::Ball;
 use super::{Known, Level, Replays};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Gamma};
 use crate::lang::bulk::literal_at;
 use crate::lang::cursor::is_bare_directive;
-use crate::lang::plain::plain_object;
+use crate::lang::plain::{Read, plain_object};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::value::{Number, Value};
-use crate::scene::Object;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Class, Kind, Symbol, Token, Tokens};
 use crate::texture::{Layer, Pigment};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::cell::Cell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// After so many readings in a row that could not be replayed, an object is always read.
 const MOST_READINGS: u8 = 20;
+
+/// So many spheres are kept; a scene may let them be made anew again and again.
+const MOST_BALLS: usize = 1 << 16;
 
 /// A cursor over the tokens of one file in which nothing runs.
 struct Quiet<'a> {
@@ -40,20 +44,45 @@ struct Quiet<'a> {
 }
 
 impl Reader<'_> {
+    /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
+    fn replay_ball(&mut self, index: u32) -> Parse<Option<Read>> {
+        let ball = Rc::clone(&self.replays.balls[index as usize]);
+        self.replays.begin();
+        let (scopes, streams) = (&self.scopes, &mut self.streams);
+        let read = ball.read(&mut self.replays, &self.default_layer, scopes, streams);
+        if read.is_none() {
+            self.replays.give_up(&mut self.streams);
+            return Ok(None);
+        }
+        self.count_replayed()?;
+        self.here.at = ball.after - 1;
+        self.pass();
+        Ok(read)
+    }
+
     /// The object at hand if it can be replayed.
-    pub(in crate::lang) fn replay_object(&mut self) -> Parse<Option<Object>> {
+    pub(in crate::lang) fn replay_object(&mut self) -> Parse<Option<Read>> {
         if !self.is_repeated() || !self.may_replay() {
             return Ok(None);
         }
         let (file, start) = (self.here.tokens.file, self.here.at);
         let readings = match self.replays.known(file, start, Level::Object) {
+            Known::Ball(index) => {
+                if let Some(read) = self.replay_ball(index)? {
+                    return Ok(Some(read));
+                }
+                0
+            }
+            Known::Replayed => 0,
             Known::Read(readings) => readings,
             // What it holds is recorded now.
             Known::Nothing => {
-                self.replays.set(file, start, Level::Object, Known::Read(0));
+                if matches!(self.raw().word(), Some(word) if begins_object(word)) {
+                    self.replays.set(file, start, Level::Object, Known::Read(0));
+                }
                 return Ok(None);
             }
-            _ => return Ok(None),
+            Known::Never | Known::Program(_) => return Ok(None),
         };
         let gamma = Args::working_gamma(self);
         self.replays.begin();
@@ -72,8 +101,10 @@ impl Reader<'_> {
         let (end, is_doubtful) = (quiet.at, quiet.is_doubtful.get());
         match object {
             Ok(Some(object)) if !is_doubtful => {
-                if readings > 0 {
-                    self.replays.set(file, start, Level::Object, Known::Read(0));
+                let known = self.replays.known(file, start, Level::Object);
+                if matches!(known, Known::Read(_)) {
+                    let known = self.replays.ball(&self.here.tokens, start, end);
+                    self.replays.set(file, start, Level::Object, known);
                 }
                 self.count_replayed()?;
                 self.here.at = end - 1;
@@ -91,6 +122,24 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+impl Replays {
+    /// What is known of an object that was replayed, up to the token at `end`.
+    fn ball(&mut self, tokens: &Tokens, start: usize, end: usize) -> Known {
+        let ball = Ball::at(tokens, start, self).filter(|ball| ball.after == end);
+        match (ball, u32::try_from(self.balls.len())) {
+            (Some(ball), Ok(index)) if self.balls.len() < MOST_BALLS => {
+                self.balls.push(Rc::new(ball));
+                Known::Ball(index)
+            }
+            _ => Known::Replayed,
+        }
+    }
+}
+
+fn begins_object(word: Word) -> bool {
+    matches!(word.class(), Class::Shape | Class::Csg)
 }
 
 fn give_up<T>() -> Parse<T> {
@@ -162,35 +211,41 @@ impl Quiet<'_> {
             self.at += 1;
             word = color_word(self.peek()?);
         }
-        let mut parts = match word {
-            Some(Word::Rgb) => self.color_vector(3)?,
-            Some(Word::Rgbf | Word::Rgbt) => self.color_vector(4)?,
-            Some(Word::Rgbft) => self.color_vector(5)?,
-            Some(_) => return give_up(),
-            None => self.sum()?.promoted(5).v,
+        let color = match word {
+            Some(word) => {
+                self.at += 1;
+                color_of(word, self.sum()?)
+            }
+            None => color_of(Word::Rgbft, self.sum()?),
         };
-        if word == Some(Word::Rgbt) {
-            parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
+        match color {
+            Some(color) if color_word(self.peek()?).is_none() => Ok(color),
+            _ => give_up(),
         }
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "colours are single precision"
-        )]
-        let is_finite = parts.iter().all(|&part| (part as f32).is_finite());
-        if !is_finite || color_word(self.peek()?).is_some() {
-            return give_up();
-        }
-        Ok(Color::from_components(parts))
     }
+}
 
-    fn color_vector(&mut self, wanted: u8) -> Parse<[f64; 5]> {
-        self.at += 1;
-        let number = self.sum()?;
-        if number.len > wanted {
-            return give_up();
-        }
-        Ok(number.promoted(wanted).v)
+/// The colour of the numbers behind `rgb` and its kin; `None` if that is not for here.
+pub(super) fn color_of(word: Word, number: Number) -> Option<Color> {
+    let wanted = match word {
+        Word::Rgb => 3,
+        Word::Rgbf | Word::Rgbt => 4,
+        Word::Rgbft => 5,
+        _ => return None,
+    };
+    if number.len > wanted {
+        return None;
     }
+    let mut parts = number.promoted(wanted).v;
+    if word == Word::Rgbt {
+        parts = [parts[0], parts[1], parts[2], 0.0, parts[3]];
+    }
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "colours are single precision"
+    )]
+    let is_finite = parts.iter().all(|&part| (part as f32).is_finite());
+    is_finite.then(|| Color::from_components(parts))
 }
 
 fn color_word(token: Token) -> Option<Word> {

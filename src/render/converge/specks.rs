@@ -107,7 +107,7 @@ impl Specks {
             return specks;
         }
         for bounds in world.boxes() {
-            if let Some(seen) = seen(&world.camera, bounds, size) {
+            if let Some(seen) = seen(&world.camera, &bounds, size) {
                 specks.note(&seen, size, error);
             }
         }
