@@ -221,7 +221,6 @@ impl World {
     }
 
     /// The boxes of all objects, in single precision: they may be smaller than the objects by a rounding.
-    #[must_use]
     pub fn boxes(&self) -> impl Iterator<Item = Bounds> {
         self.boxes.iter().map(SingleBox::bounds)
     }
