@@ -29,6 +29,10 @@ const EXCEPT: &[(&str, &str)] = &[
         "a scale behind a matrix makes unit vectors of the normals, as in POV-Ray",
     ),
     (
+        "normal/no_bump_scale",
+        "bumps that do not keep their slope are flatter where they are larger, as in POV-Ray",
+    ),
+    (
         "finish/irid_turbulence",
         "the film's turbulence is that of the place in the world, as in POV-Ray",
     ),

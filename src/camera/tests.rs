@@ -144,7 +144,12 @@ fn faults_are_told() {
         error("{ cylinder 5 }"),
         "`cylinder` cameras have the types 1 to 4, not 5"
     );
-    assert_eq!(error("{ normal { } }"), "`normal` is not built yet");
+    for text in [
+        "{ fisheye normal { bumps } }",
+        "{ normal { bumps } aperture 1 blur_samples 5 }",
+    ] {
+        assert_eq!(error(text), "`normal` is not built yet");
+    }
     assert_eq!(
         error("{ location 0 orthographic }"),
         "`orthographic` must come first in `camera`"

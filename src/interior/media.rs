@@ -202,6 +202,17 @@ impl Media {
 }
 
 impl Media {
+    /// The same in a unit of length in which all lengths are larger by a factor: what it does is less over each unit.
+    pub(crate) fn change_unit(&mut self, factor: f64) {
+        for color in [
+            &mut self.absorption,
+            &mut self.emission,
+            &mut self.scattering.color,
+        ] {
+            *color = *color * (1.0 / factor);
+        }
+    }
+
     /// Moves its densities.
     pub fn transform(&mut self, step: &Step) {
         for density in &mut self.densities {

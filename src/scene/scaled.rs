@@ -51,6 +51,10 @@ impl Scene {
         for rainbow in &mut self.atmosphere.rainbows {
             rainbow.distance *= factor;
         }
+        for media in &mut self.atmosphere.media {
+            media.change_unit(factor);
+            media.transform(&Step::Scale(DVec3::splat(factor)));
+        }
         self.globals.unit *= factor;
         self
     }
@@ -146,6 +150,10 @@ fn scale_interior(interior: &mut Arc<Interior>, factor: f64) {
     if interior.fade_distance != 0.0 {
         let distance = f64::from(interior.fade_distance) * factor;
         Arc::make_mut(interior).fade_distance = single(distance);
+    }
+    if !interior.media.is_empty() {
+        let media = Arc::make_mut(interior).media.iter_mut();
+        media.for_each(|media| media.change_unit(factor));
     }
 }
 

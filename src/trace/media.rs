@@ -314,7 +314,7 @@ impl Tracer<'_> {
             media.add_effect(point, &mut effect);
         }
         let mut given = effect.emission;
-        if interval.is_lit && !is_nothing(effect.scattering) {
+        if interval.is_lit && !is_nothing(effect.scattering * length) {
             for beam in stretch.beams {
                 if beam.from <= way && way <= beam.to {
                     let scattered = self.scattered(stretch, beam.number, way, scratch);
