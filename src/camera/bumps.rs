@@ -1,6 +1,7 @@
 //! `normal` in a camera: every ray is bent as the normal of a bumpy surface would be, at its point of the picture.
 
 use super::Screen;
+use crate::math::Ray;
 use crate::pattern::{Settings, Spot};
 use crate::texture::{Normal, PreparedNormal};
 use glam::DVec3;
@@ -33,12 +34,14 @@ impl Bumps {
         self.prepared = PreparedNormal::new(&self.normal, &[], settings).map(Arc::new);
     }
 
-    /// The unit direction of a ray that starts in a unit direction.
-    pub(super) fn bent(&self, screen: Screen, dir: DVec3) -> DVec3 {
+    /// A ray of unit direction behind them.
+    #[cold]
+    pub(super) fn bent(&self, screen: Screen, ray: Ray) -> Ray {
         let point = DVec3::new(screen.u, screen.v, 0.0);
-        match &self.prepared {
-            Some(bumps) => bumps.tilted(point, dir, &Spot::at(point)),
-            None => dir,
-        }
+        let dir = match &self.prepared {
+            Some(bumps) => bumps.tilted(point, ray.dir, &Spot::at(point)),
+            None => ray.dir,
+        };
+        Ray { dir, ..ray }
     }
 }

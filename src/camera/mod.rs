@@ -123,13 +123,14 @@ impl Camera {
     /// Whole `x` (to the right) and `y` (down) are the centres of pixels. `None` where the camera sees nothing: its
     /// vectors leave no direction, or the point lies outside of a round picture.
     #[must_use]
+    #[inline]
     pub fn primary_ray(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Ray> {
         let (origin, dir) = self.start(x, y, width, height)?;
-        let mut ray = ray(origin, dir)?;
-        if let Some(bumps) = &self.bumps {
-            ray.dir = bumps.bent(Screen::new(x, y, width, height), ray.dir);
-        }
-        Some(ray)
+        let ray = ray(origin, dir)?;
+        Some(match &self.bumps {
+            None => ray,
+            Some(bumps) => bumps.bent(Screen::new(x, y, width, height), ray),
+        })
     }
 
     /// Where in a picture of `width` by `height` pixels a point is seen, in the measure of [`Camera::primary_ray`]. `None`

@@ -82,7 +82,7 @@ impl Known {
     #[inline]
     pub(super) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
         let ray = Ray::new(hit.point, self.arrival.to_light);
-        shadow_query(world, Some(&hit.departure), ray, self.arrival.distance)
+        shadow_query(world, Some(hit.departure), ray, self.arrival.distance)
     }
 }
 
@@ -152,8 +152,9 @@ impl Tracer<'_> {
         let light = lights.get(number);
         let arrival = light.arrival(hit.point);
         let cosine = normal.dot(arrival.to_light);
-        let faces = faces(surface, cosine) || (surface.is_bumpy() && cosine > MOST_TILTED);
-        if !faces || !lights.of(surface.lights).contains(&number) {
+        if !(faces(surface, cosine) || surface.is_bumpy() && cosine > MOST_TILTED)
+            || !lights.of(surface.lights).contains(&number)
+        {
             return Known::NOTHING;
         }
         Known {
@@ -231,7 +232,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
-        let mut query = shadow_query(self.world, lit.departure, ray, distance);
+        let mut query = shadow_query(self.world, lit.departure.copied(), ray, distance);
         let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
             return Rgb::BLACK;
         };
@@ -347,13 +348,13 @@ fn grain(scratch: &mut Scratch) -> f64 {
 #[inline]
 pub(super) fn shadow_query(
     world: &World,
-    from: Option<&Departure>,
+    from: Option<Departure>,
     ray: Ray,
     distance: f64,
 ) -> Query {
     Query {
         ray,
-        from: from.copied(),
+        from,
         far: world.reach(ray.at(distance), distance),
         seen: Seen::Shadow,
     }
