@@ -140,7 +140,7 @@ impl World {
         &self,
         lanes: Lanes,
         (lot, ways): (&mut Lot, &mut [Way]),
-        queries: &[Query],
+        query: impl Fn(usize) -> Query,
         (bundle, centre): (&mut Bundle, DVec3),
         scratch: &mut Scratch,
     ) -> bool {
@@ -149,9 +149,8 @@ impl World {
                 return true;
             };
             let mut own = std::mem::take(&mut scratch.mesh);
-            let query = |ray: usize| queries[ray];
-            let count = queries.len();
-            let is_done = asked.enter(&mut own, (centre, -1.0), count, lot, query)
+            let count = ways.len();
+            let is_done = asked.enter(&mut own, (centre, -1.0), count, lot, &query)
                 && asked.mesh.tree().together(
                     lanes,
                     &mut own.bundle,
@@ -162,7 +161,8 @@ impl World {
                             if ways[ray] == Way::Blocked {
                                 return;
                             }
-                            let is_left = queries[ray]
+                            let query = query(ray);
+                            let is_left = query
                                 .from
                                 .is_some_and(|left| left.leaf == asked.number && left.face == face);
                             if is_left {
@@ -171,11 +171,9 @@ impl World {
                             let Some(t) = asked.mesh.meet(&own.frames[ray], face) else {
                                 return;
                             };
-                            let is_between = lot.from(ray) < t && t < queries[ray].far;
+                            let is_between = lot.from(ray) < t && t < query.far;
                             let found = asked.found(t, face);
-                            if is_between
-                                && self.blocks_light(&found, &queries[ray], &mut ways[ray])
-                            {
+                            if is_between && self.blocks_light(&found, &query, &mut ways[ray]) {
                                 ways[ray] = Way::Blocked;
                                 bundle.shorten(ray, f64::NEG_INFINITY);
                                 ended.note(lane, f64::NEG_INFINITY);
@@ -212,16 +210,24 @@ impl Asked<'_> {
             let ray = self.leaf.to_object(&query(ray).ray);
             own.frames.push(RayFrame::new(&ray));
         }
-        let rays = own.frames.iter().enumerate();
-        own.bundle.fill(
+        let (frames, bundle) = (&own.frames, &mut own.bundle);
+        bundle.fill(
             self.mesh.tree(),
             origin,
-            rays.map(|(ray, frame)| {
-                (
-                    sign * frame.unit_dir(),
-                    self.end(lot, ray, frame, sign, origin),
-                )
-            }),
+            count,
+            #[inline(always)]
+            |four| {
+                let (mut dirs, mut ends) = ([[0.0; 4]; 3], [0.0; 4]);
+                for lane in 0..4 {
+                    let ray = (4 * four + lane).min(count - 1);
+                    let dir = sign * frames[ray].unit_dir();
+                    for axis in 0..3 {
+                        dirs[axis][lane] = dir[axis];
+                    }
+                    ends[lane] = self.end(lot, ray, &frames[ray], sign, origin);
+                }
+                (dirs, ends)
+            },
         )
     }
 

@@ -4,10 +4,9 @@ use super::Shape;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::math::lanes::Four;
-use glam::{DAffine3, DVec3};
-
-/// Vectors of four rays.
-pub(crate) type Three<F> = [F; 3];
+pub(crate) use crate::math::lanes::three::Three;
+pub(super) use crate::math::lanes::three::{dot, minus, plus, same, scaled};
+use glam::DAffine3;
 
 /// Four rays.
 #[derive(Clone, Copy)]
@@ -227,35 +226,6 @@ impl Shape {
     }
 }
 
-/// The sums stand in the order of those of `glam`.
-#[inline(always)]
-pub(super) fn dot<F: Four>(a: Three<F>, b: Three<F>) -> F {
-    a[0].times(b[0])
-        .plus(a[1].times(b[1]))
-        .plus(a[2].times(b[2]))
-}
-
-/// The same vector four times.
-#[inline(always)]
-pub(super) fn same<F: Four>(v: DVec3) -> Three<F> {
-    [F::all(v.x), F::all(v.y), F::all(v.z)]
-}
-
-#[inline(always)]
-pub(super) fn plus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
-    [a[0].plus(b[0]), a[1].plus(b[1]), a[2].plus(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn minus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
-    [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn scaled<F: Four>(v: Three<F>, by: F) -> Three<F> {
-    [v[0].times(by), v[1].times(by), v[2].times(by)]
-}
-
 /// Whether four rays can be worked on without rescaling, besides the size of the body.
 #[inline(always)]
 pub(super) fn is_comfortable<F: Four>(dir_sq: F, origin_sq: F) -> F::Mask {
@@ -304,6 +274,7 @@ mod tests {
     use crate::math::random::Random;
     use crate::math::{Bounds, Ray};
     use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
+    use glam::DVec3;
 
     /// What is known of the roots of four rays, as single rays know it.
     struct Asked<'a> {

@@ -4,7 +4,7 @@ use super::area::Lamps;
 use super::surface::facing_normal;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
+use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Seen, Surface, Way, World};
 use crate::light::Arrival;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
@@ -12,7 +12,7 @@ use glam::DVec3;
 use std::f64::consts::FRAC_2_PI;
 
 /// Below this a colour counts as no light, and the cosine of light as grazing; POV-Ray's value.
-const NOTHING: f64 = 1e-10;
+pub(super) const NOTHING: f64 = 1e-10;
 /// From this `phong_size` on, small highlights are cut off.
 const SMALL_PHONG: f32 = 60.0;
 /// The cosine at which they are cut off.
@@ -77,6 +77,22 @@ impl Known {
         share: 0.0,
         way: None,
     };
+
+    /// What is known of one of four ways.
+    pub(super) fn of(ways: &FourWays, lane: usize) -> Known {
+        if ways.ways[lane].is_none() {
+            return Known::NOTHING;
+        }
+        Known {
+            arrival: Arrival {
+                to_light: ways.to_light(lane),
+                distance: ways.distance[lane],
+            },
+            cosine: ways.cosine[lane],
+            share: ways.share[lane],
+            way: ways.ways[lane],
+        }
+    }
 
     /// The question what is in the way.
     #[inline]
@@ -361,7 +377,7 @@ pub(super) fn shadow_query(
 }
 
 /// Bumps hardly ever let a surface face a light that is farther behind it.
-const MOST_TILTED: f64 = -0.5;
+pub(super) const MOST_TILTED: f64 = -0.5;
 
 /// Whether light at this cosine to the normal can matter to a surface.
 #[inline]

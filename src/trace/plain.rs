@@ -4,12 +4,24 @@
 //! It is the way of all others ([`Tracer::trace`]) without what cannot happen here: the sums are the same, in the same
 //! order. Where light is on its way through something transparent, all turn to that.
 
-use super::light::{Known, Shining, Viewed, is_nothing};
+use super::block::BlockScratch;
+use super::light::{Coat, Known, Shining, Viewed, is_nothing};
 use super::surface::spot;
 use super::{Quality, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch, Seen, Way, World};
+use crate::compile::{Hit, Scratch, Seen, Surface, Way, World};
+use crate::pattern::Spot;
 use glam::DVec3;
+
+/// Light of a lamp that arrives.
+struct Lit {
+    number: u32,
+    to_light: DVec3,
+    /// The cosine between its direction and the normal on the side of the viewer.
+    cosine: f64,
+    /// The share of the light that arrives.
+    share: f64,
+}
 
 /// Whether plain surfaces of a world may be coloured the short way.
 pub(super) fn suits(world: &World, quality: Quality) -> bool {
@@ -29,23 +41,79 @@ pub(super) fn suits(world: &World, quality: Quality) -> bool {
 }
 
 impl Tracer<'_> {
-    /// What a ray of the camera in this direction sees, if that is plain. It is known what it meets, and what can be known
-    /// of the lights there.
+    /// What the camera sees at a place of a block, if that is plain.
     #[inline]
-    pub(super) fn plain_view(
-        &self,
-        hit: Option<&Hit>,
-        dir: DVec3,
-        known: &[Known],
-        scratch: &mut Scratch,
-    ) -> Option<Sample> {
+    pub(super) fn plain_at(&self, place: usize, scratch: &mut BlockScratch) -> Option<Sample> {
         if !self.takes_plain || self.stop.is_asked() {
             return None;
         }
-        match hit {
-            Some(hit) => self.plain(hit, dir, known, scratch),
-            None => Some(self.behind_everything(dir, Seen::Image)),
+        let lane = place % 4;
+        let hits = &scratch.hits[place / 4];
+        if !hits.is_met(lane) {
+            return Some(self.behind_everything(hits.dir(lane), Seen::Image));
         }
+        let surface = &self.world.surfaces[hits.surface[lane] as usize];
+        if !surface.is_plain() {
+            return None;
+        }
+        let at = Viewed {
+            point: hits.point(lane),
+            normal: hits.facing(lane),
+            view: hits.dir(lane),
+        };
+        let layer = surface.texture.layers().first()?;
+        let color = layer.pigment.color(&Spot {
+            point: at.point,
+            normal: at.normal,
+            dir: at.view,
+        });
+        let (own, coat) = self.coat(layer, color);
+        let mut sum = Rgb::BLACK;
+        for &number in self.world.lights.of(surface.lights) {
+            let ways = &scratch.ways[number as usize * scratch.hits.len() + place / 4];
+            match ways.ways[lane] {
+                Some(Way::Free) => {}
+                Some(Way::Filtered) => return None,
+                Some(Way::Blocked) | None => continue,
+            }
+            let lit = Lit {
+                number,
+                to_light: ways.to_light(lane),
+                cosine: ways.cosine[lane],
+                share: ways.share[lane],
+            };
+            sum += self.plain_light(&lit, surface, &at, &coat, &mut scratch.single);
+        }
+        Some(Sample {
+            rgb: Rgb::BLACK + (own + sum),
+            transmit: 0.0,
+        })
+    }
+
+    /// What light that nothing stops gives to a layer.
+    #[inline(always)]
+    fn plain_light(
+        &self,
+        lit: &Lit,
+        surface: &Surface,
+        at: &Viewed,
+        coat: &Coat,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let Some(side) = coat.side(lit.cosine, surface.flags.double_illuminate) else {
+            return Rgb::BLACK;
+        };
+        let arriving = self.world.lights.get(lit.number).color * lit.share;
+        if is_nothing(arriving) {
+            return Rgb::BLACK;
+        }
+        let shining = Shining {
+            to_light: lit.to_light,
+            side,
+            arriving,
+            has_highlights: side.is_in_front,
+        };
+        self.shine(&shining, at, coat, scratch)
     }
 
     /// What a ray in this direction sees at a hit, if that is plain. Of each light either what can be known is known, or
@@ -82,20 +150,13 @@ impl Tracer<'_> {
                 Some(Way::Filtered) => return None,
                 Some(Way::Blocked) | None => continue,
             }
-            let Some(side) = coat.side(known.cosine, surface.flags.double_illuminate) else {
-                continue;
-            };
-            let arriving = self.world.lights.get(number).color * known.share;
-            if is_nothing(arriving) {
-                continue;
-            }
-            let shining = Shining {
+            let lit = Lit {
+                number,
                 to_light: known.arrival.to_light,
-                side,
-                arriving,
-                has_highlights: side.is_in_front,
+                cosine: known.cosine,
+                share: known.share,
             };
-            sum += self.shine(&shining, &at, &coat, scratch);
+            sum += self.plain_light(&lit, surface, &at, &coat, scratch);
         }
         Some(Sample {
             rgb: Rgb::BLACK + (own + sum),
