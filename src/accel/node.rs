@@ -89,28 +89,6 @@ impl Child {
     }
 }
 
-impl Cell {
-    pub(super) const EMPTY: Cell = Cell {
-        low: [f32::INFINITY; 3],
-        high: [f32::NEG_INFINITY; 3],
-    };
-
-    pub(super) fn union(&self, other: &Cell) -> Cell {
-        let mut both = *self;
-        for axis in 0..3 {
-            both.low[axis] = smaller(both.low[axis], other.low[axis]);
-            both.high[axis] = larger(both.high[axis], other.high[axis]);
-        }
-        both
-    }
-
-    /// Half the surface, zero for an empty box.
-    pub(super) fn area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|axis| (self.high[axis] - self.low[axis]).max(0.0));
-        x * y + y * z + z * x
-    }
-}
-
 /// The second where one is not a number; one instruction, unlike `f32::min`, which asks whether both are.
 #[inline(always)]
 pub(super) fn smaller(a: f32, b: f32) -> f32 {
