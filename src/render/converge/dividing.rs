@@ -15,6 +15,18 @@ const MOST_AT_STRIPS: usize = 16;
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
 
+/// A sample and its place in pixels.
+pub(super) type Placed = ([f64; 2], Look);
+
+/// Which error is to be reached.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aim {
+    /// What is aimed at.
+    pub(super) best: f64,
+    /// What will do where the parts of the pixel are not of one colour each, so that many more samples would be needed.
+    pub(super) most: f64,
+}
+
 /// Buffers for the beginning of a division.
 #[derive(Default)]
 pub(super) struct Buffers {
@@ -55,50 +67,46 @@ pub(super) enum Next {
 
 impl Dividing {
     /// Finds lines between the samples; false if there are none. `needs_test` if what is found is to be tested.
-    pub(super) fn begin<'a>(
+    pub(super) fn begin(
         &mut self,
-        placed: impl Iterator<Item = ([f64; 2], &'a Look)> + Clone,
+        placed: &[Placed],
         (own, channels): (usize, usize),
         needs_test: bool,
         buffers: &mut Buffers,
     ) -> bool {
-        let looks = placed.clone().map(|(_, look)| look);
-        let Some(kinds) = Kinds::of(looks, channels) else {
+        let Some(kinds) = Kinds::of(placed.iter().map(|(_, look)| look), channels) else {
             return false;
         };
         self.kinds = Some(kinds);
         self.needs_test = needs_test;
         self.taken = 0;
-        buffers.told.clear();
-        let told = placed.clone();
-        buffers
-            .told
-            .extend(told.map(|(place, look)| (place, kinds.is_bright(look).unwrap_or(false))));
+        let Buffers { told, groups } = buffers;
+        told.clear();
+        told.extend(
+            placed
+                .iter()
+                .map(|(place, look)| (*place, kinds.is_bright(look).unwrap_or(false))),
+        );
         self.strip_is_bright = None;
-        let told = &buffers.told;
-        buffers.groups.clear();
-        buffers
-            .groups
-            .extend(told.iter().map(|told| u8::from(told.1)));
-        if !self.separate(told, &buffers.groups) {
+        groups.clear();
+        groups.extend(told.iter().map(|told| u8::from(told.1)));
+        if !self.separate(told, groups) {
             if own > MOST_AT_STRIPS {
                 return false;
             }
             let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
                 return false;
             };
-            buffers.groups.clear();
-            buffers
-                .groups
-                .extend(told.iter().map(|told| strip.group(told)));
+            groups.clear();
+            groups.extend(told.iter().map(|told| strip.group(told)));
             self.strip_is_bright = Some(strip.is_bright);
-            if !self.separate(told, &buffers.groups) {
+            if !self.separate(told, groups) {
                 return false;
             }
         }
         self.sums = [Sums::default(); 3];
-        for ((place, look), &group) in placed.zip(&buffers.groups) {
-            self.sums[usize::from(group)].add(place, &look.channels);
+        for ((place, look), &group) in placed.iter().zip(&*groups) {
+            self.sums[usize::from(group)].add(*place, &look.channels);
         }
         true
     }
@@ -125,8 +133,8 @@ impl Dividing {
         true
     }
 
-    /// What comes next: samples, or what was found for an error of `target`.
-    pub(super) fn next(&mut self, channels: usize, target: f64) -> Next {
+    /// What comes next: samples, or what was found.
+    pub(super) fn next(&mut self, channels: usize, aim: Aim) -> Next {
         let lines = self.lines();
         let division = |line: usize| {
             let (before, behind) = self.groups.split_at(line + 1);
@@ -149,19 +157,24 @@ impl Dividing {
             whole = f64::max(whole, of_parts + of_lines);
         }
         self.first = Some(first);
-        if rest > target * target {
+        let (best, most) = (aim.best * aim.best, aim.most * aim.most);
+        if rest > most / 2.0 {
             return Next::Nothing;
         }
-        if whole <= target * target {
-            if std::mem::take(&mut self.needs_test) {
-                return Next::Test;
-            }
+        // Lines need not be known much better than colours.
+        let aimed = best.max(2.0 * rest).min(most);
+        let is_last = self.taken >= MOST_ON_AN_EDGE << (lines - 1);
+        let is_enough = whole <= if is_last { most } else { aimed };
+        if (is_enough || rest > best) && std::mem::take(&mut self.needs_test) {
+            return Next::Test;
+        }
+        if is_enough {
             return Next::Found(Estimate {
                 mean: parts.mean(),
                 error: whole.sqrt(),
             });
         }
-        if self.taken >= MOST_ON_AN_EDGE << (lines - 1) {
+        if is_last {
             return Next::Nothing;
         }
         // The line that is known worse.
