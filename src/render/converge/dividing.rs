@@ -6,6 +6,7 @@ use super::estimate::Estimate;
 use super::kinds::Kinds;
 use super::look::Look;
 use super::parts::Parts;
+use super::sides::Sides;
 use super::slope::Sums;
 use super::strip::Strip;
 
@@ -37,6 +38,8 @@ pub(super) struct Buffers {
 /// A pixel and the lines that divide it.
 #[derive(Default)]
 pub(super) struct Dividing {
+    /// The sides of surfaces in the parts, if these are three and tell them apart; otherwise there are two kinds.
+    sides: Option<Sides>,
     kinds: Option<Kinds>,
     /// If two lines bound a strip, whether that is the brighter kind.
     strip_is_bright: Option<bool>,
@@ -74,13 +77,51 @@ impl Dividing {
         needs_test: bool,
         buffers: &mut Buffers,
     ) -> bool {
+        self.needs_test = needs_test;
+        self.taken = 0;
+        if !self.tell_by_sides(placed, &mut buffers.groups)
+            && !self.tell_by_kinds(placed, (own, channels), buffers)
+        {
+            return false;
+        }
+        self.sums = [Sums::default(); 3];
+        for ((place, look), &group) in placed.iter().zip(&buffers.groups) {
+            self.sums[usize::from(group)].add(*place, &look.channels);
+        }
+        true
+    }
+
+    /// Finds two lines between three sides of surfaces.
+    fn tell_by_sides(&mut self, placed: &[Placed], groups: &mut Vec<u8>) -> bool {
+        self.sides = None;
+        let Some(sides) = Sides::of(placed) else {
+            return false;
+        };
+        groups.clear();
+        for (_, look) in placed {
+            // Each was counted among the three.
+            let number = sides.number(look).unwrap_or(0);
+            groups.push(u8::try_from(number).unwrap_or(0));
+        }
+        self.strip_is_bright = None;
+        self.sides = Some(sides);
+        if !self.separate(placed, groups) {
+            self.sides = None;
+        }
+        self.sides.is_some()
+    }
+
+    /// Finds a line between two kinds of samples, or two that bound a strip of one of them.
+    fn tell_by_kinds(
+        &mut self,
+        placed: &[Placed],
+        (own, channels): (usize, usize),
+        Buffers { told, groups }: &mut Buffers,
+    ) -> bool {
         let Some(kinds) = Kinds::of(placed.iter().map(|(_, look)| look), channels) else {
             return false;
         };
         self.kinds = Some(kinds);
-        self.needs_test = needs_test;
-        self.taken = 0;
-        let Buffers { told, groups } = buffers;
         told.clear();
         told.extend(
             placed
@@ -90,37 +131,31 @@ impl Dividing {
         self.strip_is_bright = None;
         groups.clear();
         groups.extend(told.iter().map(|told| u8::from(told.1)));
-        if !self.separate(told, groups) {
-            if own > MOST_AT_STRIPS {
-                return false;
-            }
-            let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
-                return false;
-            };
-            groups.clear();
-            groups.extend(told.iter().map(|told| strip.group(told)));
-            self.strip_is_bright = Some(strip.is_bright);
-            if !self.separate(told, groups) {
-                return false;
-            }
+        if self.separate(placed, groups) {
+            return true;
         }
-        self.sums = [Sums::default(); 3];
-        for ((place, look), &group) in placed.iter().zip(&*groups) {
-            self.sums[usize::from(group)].add(*place, &look.channels);
+        if own > MOST_AT_STRIPS {
+            return false;
         }
-        true
+        let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
+            return false;
+        };
+        groups.clear();
+        groups.extend(told.iter().map(|told| strip.group(told)));
+        self.strip_is_bright = Some(strip.is_bright);
+        self.separate(placed, groups)
     }
 
     fn lines(&self) -> usize {
-        1 + usize::from(self.strip_is_bright.is_some())
+        1 + usize::from(self.strip_is_bright.is_some() || self.sides.is_some())
     }
 
     /// Puts samples into their groups; whether lines separate these.
-    fn separate(&mut self, told: &[Told], groups: &[u8]) -> bool {
+    fn separate(&mut self, placed: &[Placed], groups: &[u8]) -> bool {
         for group in &mut self.groups {
             group.clear();
         }
-        for ((place, _), &group) in told.iter().zip(groups) {
+        for ((place, _), &group) in placed.iter().zip(groups) {
             self.groups[usize::from(group)].push(*place);
         }
         for line in 0..self.lines() {
@@ -150,11 +185,12 @@ impl Dividing {
         let Some(parts) = Parts::of(&first, second.as_ref(), &self.sums) else {
             return Next::Nothing;
         };
-        let (mut rest, mut whole) = (0.0, 0.0);
+        let (mut rest, mut whole, mut by_line) = (0.0, 0.0, [0.0; 2]);
         for c in 0..channels {
             let (of_parts, of_lines) = parts.variances(c, &first, second.as_ref());
             rest = f64::max(rest, of_parts);
-            whole = f64::max(whole, of_parts + of_lines);
+            whole = f64::max(whole, of_parts + of_lines[0] + of_lines[1]);
+            by_line = [0, 1].map(|line| f64::max(by_line[line], of_lines[line]));
         }
         self.first = Some(first);
         let (best, most) = (aim.best * aim.best, aim.most * aim.most);
@@ -177,8 +213,8 @@ impl Dividing {
         if is_last {
             return Next::Nothing;
         }
-        // The line that is known worse.
-        self.line = usize::from(second.is_some_and(|second| second.error > first.error));
+        // The line that leaves more to be known.
+        self.line = usize::from(by_line[1] > by_line[0]);
         let division = match second {
             Some(second) if self.line == 1 => second,
             _ => first,
@@ -208,16 +244,23 @@ impl Dividing {
             .all(|(i, look)| self.take(look, self.places[i], 2 * self.line))
     }
 
-    /// Takes a sample, which belongs to a group of its kind or to `beside` if it lies beside a strip.
-    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
-        let is_bright = self.kinds.and_then(|kinds| kinds.is_bright(look));
-        let Some(is_bright) = is_bright else {
-            return false;
-        };
-        let group = match self.strip_is_bright {
+    /// The group of a sample: that of its side or kind, or `beside` if it lies beside a strip.
+    fn group(&self, look: &Look, beside: usize) -> Option<usize> {
+        if let Some(sides) = &self.sides {
+            return sides.number(look);
+        }
+        let is_bright = self.kinds?.is_bright(look)?;
+        Some(match self.strip_is_bright {
             None => usize::from(is_bright),
             Some(strip) if strip == is_bright => 1,
             Some(_) => beside,
+        })
+    }
+
+    /// Takes a sample; false if it shows that no lines divide the pixel.
+    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
+        let Some(group) = self.group(look, beside) else {
+            return false;
         };
         self.sums[group].add(place, &look.channels);
         for line in 0..self.lines() {

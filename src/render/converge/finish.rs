@@ -338,7 +338,11 @@ impl Case {
         let target = band.target.error;
         let aim = Aim {
             best: target * EVEN,
-            most: if self.settles { target * UNEVEN } else { target },
+            most: if self.settles {
+                target * UNEVEN
+            } else {
+                target
+            },
         };
         self.step = Step::Divided;
         match self.dividing.next(band.eye.channels, aim) {

@@ -4,6 +4,7 @@ use super::band::{Band, FINER, FIRST_AT_MOST, Sight};
 use super::estimate::{Estimate, SHARE_OF_VARIANCE};
 use super::look::Look;
 use super::slope::Slopes;
+use smallvec::SmallVec;
 
 /// The most samples of a pixel that are compared with those around.
 const MOST: usize = (FIRST_AT_MOST * FINER) as usize;
@@ -90,16 +91,14 @@ pub(super) fn first_estimate(
     let at = band.at(x, y);
     let count = band.target.first as usize;
     let grid = Grid::new(band, (x, y), count);
-    let mut colors = [[0.0; 4]; MOST];
-    for (cell, color) in colors[..count].iter_mut().enumerate() {
-        *color = slopes.levelled(band.look_in(Sight::First, at, cell));
-    }
+    let levelled = |cell| slopes.levelled(band.look_in(Sight::First, at, cell));
+    let colors: SmallVec<[[f64; 4]; FIRST_AT_MOST as usize]> = (0..count).map(levelled).collect();
     let (mut mean, mut variances) = ([0.0; 4], [0.0; 4]);
     let mut is_torn = false;
     let area = 1.0 / f64::from(band.target.first);
     // Two pairs of neighbours belong to each cell.
     let share = area * area * SHARE_OF_VARIANCE * 2.0;
-    for (cell, own) in colors[..count].iter().enumerate() {
+    for (cell, own) in colors.iter().enumerate() {
         let look = band.look_in(Sight::First, at, cell);
         let place = (cell & (grid.width - 1), cell / grid.width);
         let (mut apart, mut pairs) = ([0.0; 4], 0.0);
@@ -139,10 +138,8 @@ pub(super) fn doubts(band: &Band<'_>, (x, y): (u32, u32), doubtful: &mut Vec<usi
     let count = band.count(Sight::All, at);
     let channels = band.eye.channels;
     let grid = Grid::new(band, (x, y), count);
-    let mut colors = [[0.0; 4]; MOST];
-    for (cell, color) in colors[..count].iter_mut().enumerate() {
-        *color = clipped(band.look_in(Sight::All, at, cell));
-    }
+    let clip = |cell| clipped(band.look_in(Sight::All, at, cell));
+    let colors: SmallVec<[[f32; 4]; MOST]> = (0..count).map(clip).collect();
     let target = band.target.error;
     let area = 1.0 / f64::from(band.target.first);
     // As in the estimate of a pixel.
@@ -155,7 +152,7 @@ pub(super) fn doubts(band: &Band<'_>, (x, y): (u32, u32), doubtful: &mut Vec<usi
         f64::from(most) * area * DOUBT > target
     };
     let mut alone = band.may_hide(x, y);
-    for (cell, own) in colors[..count].iter().enumerate() {
+    for (cell, own) in colors.iter().enumerate() {
         let place = (cell & (grid.width - 1), cell / grid.width);
         let mut has_like = false;
         for side in 0..SIDES.len() {
