@@ -10,7 +10,7 @@ use super::node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
 use crate::math::lanes::{Eight, Kernel, Lanes, eight};
-use crate::math::rounding::{f32_above, f32_below, nearest};
+use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, nearest};
 use glam::{DVec3, Vec3};
 
 /// How many rays are tried at once.
@@ -332,12 +332,14 @@ struct Slab {
 }
 
 impl Slab {
+    // Spelt out: `map` is not always inlined.
     #[inline(always)]
     fn new(cell: &Cell, origin: DVec3) -> Self {
-        let relative = |end: f32, axis: usize| f64::from(end) - origin[axis];
+        let below = |axis: usize| loose_below(f64::from(cell.low[axis]) - origin[axis]);
+        let above = |axis: usize| loose_above(f64::from(cell.high[axis]) - origin[axis]);
         Slab {
-            low: [0, 1, 2].map(|i| f32_below(relative(cell.low[i], i))),
-            high: [0, 1, 2].map(|i| f32_above(relative(cell.high[i], i))),
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
         }
     }
 }

@@ -134,9 +134,12 @@ impl Frame {
         let low = (bounds.min - self.centre) * self.scale;
         let high = (bounds.max - self.centre) * self.scale;
         let known = |end: f64, unknown: f64| if end.is_nan() { unknown } else { end };
+        // Spelt out: `map` is not always inlined.
+        let below = |axis: usize| f32_below(known(low[axis].next_down(), f64::NEG_INFINITY));
+        let above = |axis: usize| f32_above(known(high[axis].next_up(), f64::INFINITY));
         Cell {
-            low: [0, 1, 2].map(|i| f32_below(known(low[i].next_down(), f64::NEG_INFINITY))),
-            high: [0, 1, 2].map(|i| f32_above(known(high[i].next_up(), f64::INFINITY))),
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
         }
     }
 
@@ -257,9 +260,11 @@ impl Node {
     /// One of the boxes.
     #[inline(always)]
     pub(super) fn cell(&self, place: usize) -> Cell {
+        // Spelt out: `map` is not always inlined.
+        let [x, y, z] = &self.planes;
         Cell {
-            low: [0, 1, 2].map(|axis| self.planes[axis][0][place]),
-            high: [0, 1, 2].map(|axis| self.planes[axis][1][place]),
+            low: [x[0][place], y[0][place], z[0][place]],
+            high: [x[1][place], y[1][place], z[1][place]],
         }
     }
 

@@ -43,11 +43,31 @@ impl World {
                 };
                 lot.look(origin, self.least_distance(&query(0)), rays);
                 for &item in &self.finder().unbounded {
-                    for (ray, best) in bests.iter_mut().enumerate() {
-                        let query = &query(ray);
-                        let asked = (query, &self.search_for(query));
-                        let far = self.try_item(item, asked, lot.far(ray), best, scratch);
-                        lot.shorten(ray, far);
+                    for first in (0..count).step_by(8) {
+                        let rays = 0xff >> (8 - (count - first).min(8));
+                        let mut offer = |lot: &mut Lot, ray: usize, found| {
+                            let old = lot.far(ray);
+                            let best = &mut bests[ray];
+                            let new = self.offer(item.number, found, &query(ray), old, best);
+                            lot.shorten(ray, new);
+                        };
+                        let left = self.in_fours::<true>(
+                            lanes,
+                            (item, Seen::Image),
+                            (&mut lot, query),
+                            (first, rays),
+                            scratch,
+                            #[inline(always)]
+                            |lot, ray, found| offer(lot, ray, found),
+                        );
+                        each_bit(left, |lane| {
+                            let ray = first + lane;
+                            let query = &query(ray);
+                            let asked = (query, &self.search_for(query));
+                            if let Some(found) = self.see_item(item, asked, lot.far(ray), scratch) {
+                                offer(&mut lot, ray, found);
+                            }
+                        });
                     }
                 }
                 let is_done = bundle.fill(
@@ -145,14 +165,33 @@ impl World {
                 );
                 ways.resize(first + places.len(), Way::Free);
                 let ways = &mut ways[first..];
-                if !self.finder().unbounded.is_empty() {
-                    for (ray, way) in ways.iter_mut().enumerate() {
-                        let query = query(ray);
-                        let mut unbounded = self.finder().unbounded.iter();
-                        let asked = (&query, &self.search_for(&query));
-                        if unbounded.any(|&item| self.blocks(item, asked, way, scratch)) {
-                            *way = Way::Blocked;
-                        }
+                for &item in &self.finder().unbounded {
+                    for first in (0..ways.len()).step_by(8) {
+                        let rays = 0xff >> (8 - (ways.len() - first).min(8));
+                        let left = self.in_fours::<false>(
+                            lanes,
+                            (item, Seen::Shadow),
+                            (&mut lot, query),
+                            (first, rays),
+                            scratch,
+                            #[inline(always)]
+                            |lot, ray, found| {
+                                if found.root.t < lot.far(ray) {
+                                    ways[ray] = Way::Blocked;
+                                }
+                            },
+                        );
+                        each_bit(left, |lane| {
+                            let way = &mut ways[first + lane];
+                            if *way == Way::Blocked {
+                                return;
+                            }
+                            let query = query(first + lane);
+                            let asked = (&query, &self.search_for(&query));
+                            if self.blocks(item, asked, way, scratch) {
+                                *way = Way::Blocked;
+                            }
+                        });
                     }
                 }
                 let is_bundled = bundle.fill(

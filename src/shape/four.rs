@@ -175,6 +175,7 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
+            Shape::Plane(_) => true,
             _ => false,
         }
     }
@@ -207,6 +208,7 @@ impl Shape {
                 roots
             }
             Shape::Torus(torus) => torus.roots_of_four(rays),
+            Shape::Plane(plane) => plane.roots_of_four(rays),
             _ => FourRoots::none(0b1111),
         }
     }
@@ -273,7 +275,7 @@ mod tests {
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
     use crate::math::{Bounds, Ray};
-    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
+    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;
 
     /// What is known of the roots of four rays, as single rays know it.
@@ -326,10 +328,17 @@ mod tests {
             Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
             Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
+            Shape::Plane(Plane::read(&mut read("<1, 2, -0.5>, 0.25")).unwrap()),
+            Shape::Plane(Plane::read(&mut read("<0, 1, 0>, -1")).unwrap()),
         ];
         let mut rng = Random::new(31);
         for shape in &shapes {
-            let bounds: Bounds = shape.bounds();
+            let own: Bounds = shape.bounds();
+            let bounds = if own.is_finite() {
+                own
+            } else {
+                Bounds::new(DVec3::NEG_ONE, DVec3::ONE)
+            };
             let (mut known, mut met) = (0, 0);
             for _ in 0..4000 {
                 let rays = [(); 4].map(|()| rng.ray_near(&bounds));

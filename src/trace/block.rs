@@ -160,21 +160,34 @@ impl Tracer<'_> {
             return;
         }
         self.light_all(places.len(), scratch);
-        let origin = self.world.camera.location();
-        for (number, &(x, y)) in places.iter().enumerate() {
-            let sample = self.plain_at(number, scratch).unwrap_or_else(|| {
-                let known = scratch.known(number);
-                let hits = &scratch.hits[number / 4];
-                let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
-                begin_sample(x, y, &mut scratch.single);
-                self.trace(
-                    self.camera_path(Ray::new(origin, dir)),
-                    Some((hit, &known)),
-                    &mut scratch.single,
-                )
-            });
-            take(number, sample, &scratch.hits);
-        }
+        with_widest(
+            #[inline(always)]
+            |_| {
+                for (four, places) in places.chunks(4).enumerate() {
+                    let seen = self.plain_four(four, places.len(), scratch);
+                    for (lane, &place) in places.iter().enumerate() {
+                        let sample = seen.sample(lane);
+                        let sample = sample
+                            .unwrap_or_else(|| self.seen_singly(4 * four + lane, place, scratch));
+                        take(4 * four + lane, sample, &scratch.hits);
+                    }
+                }
+            },
+        );
+    }
+
+    /// What the camera sees at the place of this number, of which all that can be found out together is known.
+    #[inline(never)]
+    fn seen_singly(&self, number: usize, (x, y): (f64, f64), scratch: &mut BlockScratch) -> Sample {
+        let known = scratch.known(number);
+        let hits = &scratch.hits[number / 4];
+        let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
+        begin_sample(x, y, &mut scratch.single);
+        self.trace(
+            self.camera_path(Ray::new(self.world.camera.location(), dir)),
+            Some((hit, &known)),
+            &mut scratch.single,
+        )
     }
 
     /// Searches for what the camera sees; false if its rays do not start in one

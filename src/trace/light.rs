@@ -331,7 +331,7 @@ impl Tracer<'_> {
             sum += coat.rgb * arriving * strength;
         }
         if has_highlights {
-            let strength = phong(finish, at, to_light) + specular(finish, at, to_light);
+            let strength = highlight(finish, at, to_light);
             if strength != 0.0 {
                 let shine = metallic(finish.metallic, coat.rgb, cosine);
                 sum += arriving * shine * strength;
@@ -398,6 +398,12 @@ fn power(base: f64, exponent: f32) -> f64 {
     } else {
         base.powf(f64::from(exponent))
     }
+}
+
+/// The highlights of light from one direction.
+#[inline]
+pub(super) fn highlight(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
+    phong(finish, at, to_light) + specular(finish, at, to_light)
 }
 
 /// Phong's highlight: the cosine between mirrored view and light.

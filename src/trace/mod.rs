@@ -13,6 +13,7 @@ mod light;
 mod media;
 mod passage;
 mod plain;
+mod plain_four;
 mod shadows;
 mod spectrum;
 mod surface;

@@ -4,13 +4,11 @@
 //! It is the way of all others ([`Tracer::trace`]) without what cannot happen here: the sums are the same, in the same
 //! order. Where light is on its way through something transparent, all turn to that.
 
-use super::block::BlockScratch;
 use super::light::{Coat, Known, Shining, Viewed, is_nothing};
 use super::surface::spot;
 use super::{Quality, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch, Seen, Surface, Way, World};
-use crate::pattern::Spot;
+use crate::compile::{Hit, Scratch, Surface, Way, World};
 use glam::DVec3;
 
 /// Light of a lamp that arrives.
@@ -41,55 +39,6 @@ pub(super) fn suits(world: &World, quality: Quality) -> bool {
 }
 
 impl Tracer<'_> {
-    /// What the camera sees at a place of a block, if that is plain.
-    #[inline]
-    pub(super) fn plain_at(&self, place: usize, scratch: &mut BlockScratch) -> Option<Sample> {
-        if !self.takes_plain || self.stop.is_asked() {
-            return None;
-        }
-        let lane = place % 4;
-        let hits = &scratch.hits[place / 4];
-        if !hits.is_met(lane) {
-            return Some(self.behind_everything(hits.dir(lane), Seen::Image));
-        }
-        let surface = &self.world.surfaces[hits.surface[lane] as usize];
-        if !surface.is_plain() {
-            return None;
-        }
-        let at = Viewed {
-            point: hits.point(lane),
-            normal: hits.facing(lane),
-            view: hits.dir(lane),
-        };
-        let layer = surface.texture.layers().first()?;
-        let color = layer.pigment.color(&Spot {
-            point: at.point,
-            normal: at.normal,
-            dir: at.view,
-        });
-        let (own, coat) = self.coat(layer, color);
-        let mut sum = Rgb::BLACK;
-        for &number in self.world.lights.of(surface.lights) {
-            let ways = &scratch.ways[number as usize * scratch.hits.len() + place / 4];
-            match ways.ways[lane] {
-                Some(Way::Free) => {}
-                Some(Way::Filtered) => return None,
-                Some(Way::Blocked) | None => continue,
-            }
-            let lit = Lit {
-                number,
-                to_light: ways.to_light(lane),
-                cosine: ways.cosine[lane],
-                share: ways.share[lane],
-            };
-            sum += self.plain_light(&lit, surface, &at, &coat, &mut scratch.single);
-        }
-        Some(Sample {
-            rgb: Rgb::BLACK + (own + sum),
-            transmit: 0.0,
-        })
-    }
-
     /// What light that nothing stops gives to a layer.
     #[inline(always)]
     fn plain_light(
