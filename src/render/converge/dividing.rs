@@ -15,6 +15,8 @@ const MOST_AT_STRIPS: usize = 16;
 /// So many samples are put on an edge at most, and so many at once.
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
+/// Twice as many where the variance is so many times what is aimed at.
+const FAR: f64 = 64.0;
 
 /// A sample and its place in pixels.
 pub(super) type Placed = ([f64; 2], Look);
@@ -45,7 +47,7 @@ pub(super) struct Dividing {
     strip_is_bright: Option<bool>,
     /// Where the samples of each part lie: before the first line, behind it, and behind the second.
     groups: [Vec<[f64; 2]>; 3],
-    wedges: [Wedge; 2],
+    lines: [Line; 2],
     sums: [Sums; 3],
     needs_test: bool,
     /// How many samples were put on lines.
@@ -54,6 +56,14 @@ pub(super) struct Dividing {
     /// Which line samples are put on, and where.
     line: usize,
     pub(super) places: Vec<[f64; 2]>,
+}
+
+/// A line: the directions that it may have, and what lies next to it before it and behind it.
+#[derive(Default)]
+struct Line {
+    wedge: Wedge,
+    before: Vec<[f64; 2]>,
+    behind: Vec<[f64; 2]>,
 }
 
 /// What comes next of a pixel that is being divided.
@@ -146,7 +156,7 @@ impl Dividing {
         self.separate(placed, groups)
     }
 
-    fn lines(&self) -> usize {
+    fn count_of_lines(&self) -> usize {
         1 + usize::from(self.strip_is_bright.is_some() || self.sides.is_some())
     }
 
@@ -158,22 +168,25 @@ impl Dividing {
         for ((place, _), &group) in placed.iter().zip(groups) {
             self.groups[usize::from(group)].push(*place);
         }
-        for line in 0..self.lines() {
+        for line in 0..self.count_of_lines() {
             let (before, behind) = self.groups.split_at(line + 1);
             let Some(wedge) = Wedge::between(before, behind) else {
                 return false;
             };
-            self.wedges[line] = wedge;
+            let line = &mut self.lines[line];
+            line.wedge = wedge;
+            wedge.front(before.iter().flatten(), false, &mut line.before);
+            wedge.front(behind.iter().flatten(), true, &mut line.behind);
         }
         true
     }
 
     /// What comes next: samples, or what was found.
     pub(super) fn next(&mut self, channels: usize, aim: Aim) -> Next {
-        let lines = self.lines();
+        let lines = self.count_of_lines();
         let division = |line: usize| {
-            let (before, behind) = self.groups.split_at(line + 1);
-            Division::of(self.wedges[line], before, behind)
+            let line = &self.lines[line];
+            Division::of(line.wedge, &line.before, &line.behind)
         };
         let Some(first) = division(0) else {
             return Next::Nothing;
@@ -219,7 +232,12 @@ impl Dividing {
             Some(second) if self.line == 1 => second,
             _ => first,
         };
-        let numbers = self.taken..self.taken + ON_AN_EDGE_TOGETHER;
+        // Every place about halves what is possible on a line.
+        let together = match whole > FAR * aimed {
+            true => 2 * ON_AN_EDGE_TOGETHER,
+            false => ON_AN_EDGE_TOGETHER,
+        };
+        let numbers = self.taken..self.taken + together;
         self.taken = numbers.end;
         self.places.clear();
         self.places
@@ -263,15 +281,18 @@ impl Dividing {
             return false;
         };
         self.sums[group].add(place, &look.channels);
-        for line in 0..self.lines() {
-            let (before, behind) = self.groups.split_at(line + 1);
+        for line in 0..self.count_of_lines() {
             let is_behind = group > line;
-            let others = if is_behind { before } else { behind };
-            if !self.wedges[line].take(place, is_behind, others) {
+            let line = &mut self.lines[line];
+            let (own, others) = match is_behind {
+                true => (&mut line.behind, &line.before),
+                false => (&mut line.before, &line.behind),
+            };
+            if !line.wedge.take(place, is_behind, others.iter()) {
                 return false;
             }
+            own.push(place);
         }
-        self.groups[group].push(place);
         true
     }
 }
