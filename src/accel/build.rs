@@ -16,6 +16,9 @@ const MAX_DEPTH: u32 = 64;
 /// Ranges with more items are built by several threads.
 const PARALLEL: usize = 4096;
 
+/// Of more items not all parts of the tree are built at once.
+const VERY_MANY: usize = PARALLEL * WIDTH;
+
 /// Ends beyond this are infinite; finite boxes are near one.
 const INFINITE: f32 = 1e18;
 
@@ -34,11 +37,13 @@ struct Split {
     bins_per_length: f32,
 }
 
-/// The nodes for a range of items, the root first.
-pub(super) fn build(entries: &mut [Entry]) -> Vec<Node> {
+/// The nodes for a list of items, the root first.
+pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(expected(entries.len()));
-    if !entries.is_empty() {
-        subtree(entries, 0, &mut nodes);
+    if entries.len() > VERY_MANY {
+        part_by_part(entries, &mut nodes);
+    } else if !entries.is_empty() {
+        subtree(&mut entries, 0, &mut nodes);
     }
     // Shrinking copies all of them; where they are many, what is not used is no memory.
     if nodes.capacity() - nodes.len() > nodes.len() / 2 {
@@ -52,36 +57,43 @@ fn expected(items: usize) -> usize {
     items / 4
 }
 
+/// The same for very many items. The parts are built one after the other, so that they need not all be kept twice, and
+/// from the end of the list on, which is given back piece by piece.
+fn part_by_part(mut entries: Vec<Entry>, nodes: &mut Vec<Node>) {
+    let list = entries.as_ptr().addr();
+    let ranges = split_to_width(&mut entries, 0);
+    let start = |range: &[Entry]| (range.as_ptr().addr() - list) / size_of::<Entry>();
+    let mut parts: Vec<(usize, usize)> = ranges
+        .iter()
+        .enumerate()
+        .map(|(place, range)| (start(range), place))
+        .collect();
+    parts.sort_unstable();
+    let root = nodes.len();
+    nodes.push(Node::empty());
+    while let Some((start, place)) = parts.pop() {
+        let range = &mut entries[start..];
+        let part = build_part(range, 0);
+        append(part, range, (root, place), nodes);
+        entries.truncate(start);
+        entries.shrink_to_fit();
+    }
+}
+
 /// Appends the node of a range and all below it.
 fn subtree(entries: &mut [Entry], depth: u32, nodes: &mut Vec<Node>) {
+    use rayon::prelude::*;
     let is_large = entries.len() > PARALLEL;
     let mut ranges = split_to_width(entries, depth);
     let root = nodes.len();
     nodes.push(Node::empty());
     if is_large {
-        // The parts of a very large range are built one after the other, so that they need not all be kept twice.
-        let together = if ranges[0].len() > PARALLEL && depth == 0 {
-            1
-        } else {
-            WIDTH
-        };
-        let mut place = 0;
-        for some in ranges.chunks_mut(together) {
-            let parts = build_parts(some, depth);
-            for (range, mut part) in some.iter().zip(parts) {
-                let first = index(nodes.len());
-                for node in &mut part {
-                    node.shift(first);
-                }
-                let child = if part.is_empty() {
-                    Child::of_item(range[0].item)
-                } else {
-                    Child::of_node(first)
-                };
-                nodes.append(&mut part);
-                nodes[root].set(place, &whole(range), child);
-                place += 1;
-            }
+        let parts: Vec<Vec<Node>> = ranges
+            .par_iter_mut()
+            .map(|range| build_part(range, depth))
+            .collect();
+        for (place, (range, part)) in ranges.iter().zip(parts).enumerate() {
+            append(part, range, (root, place), nodes);
         }
         return;
     }
@@ -98,20 +110,34 @@ fn subtree(entries: &mut [Entry], depth: u32, nodes: &mut Vec<Node>) {
     }
 }
 
-/// The nodes of each range; none for a single item.
-fn build_parts(ranges: &mut [&mut [Entry]], depth: u32) -> Vec<Vec<Node>> {
-    use rayon::prelude::*;
-    ranges
-        .par_iter_mut()
-        .map(|range| {
-            let mut nodes = Vec::new();
-            if range.len() > 1 {
-                nodes.reserve_exact(expected(range.len()));
-                subtree(range, depth + 1, &mut nodes);
-            }
-            nodes
-        })
-        .collect()
+/// The nodes of a range below a node at this depth; none for a single item.
+fn build_part(range: &mut [Entry], depth: u32) -> Vec<Node> {
+    let mut nodes = Vec::new();
+    if range.len() > 1 {
+        nodes.reserve_exact(expected(range.len()));
+        subtree(range, depth + 1, &mut nodes);
+    }
+    nodes
+}
+
+/// Appends the nodes of a range, and hangs them or its single item below a place in a node.
+fn append(
+    mut part: Vec<Node>,
+    range: &[Entry],
+    (above, place): (usize, usize),
+    nodes: &mut Vec<Node>,
+) {
+    let first = index(nodes.len());
+    for node in &mut part {
+        node.shift(first);
+    }
+    let child = if part.is_empty() {
+        Child::of_item(range[0].item)
+    } else {
+        Child::of_node(first)
+    };
+    nodes.append(&mut part);
+    nodes[above].set(place, &whole(range), child);
 }
 
 fn index(i: usize) -> u32 {

@@ -18,7 +18,9 @@ use super::settings::Settings;
 use super::streams::Files;
 use crate::Series;
 use crate::batch::{Told, in_order};
-use crate::options::{Event, Failure, Input, Listen, Picture, Sampling, Statistics};
+use crate::options::{
+    Event, Failure, Input, Listen, Picture, RenderOptions, Sampling, Statistics,
+};
 use crate::output::{self, EncodeOptions, OutputError, Target};
 use crate::source::Code;
 
@@ -182,6 +184,11 @@ impl Run<'_> {
         if writing == Writing::Refused {
             read.writable.clear();
         }
+        let output = self.settings.output.as_ref();
+        let render = RenderOptions {
+            only_for: output.map(|(_, options)| options.clone()),
+            ..self.settings.render.clone()
+        };
         let Picture {
             film,
             working,
@@ -190,13 +197,13 @@ impl Run<'_> {
         } = (self.draw)(
             &self.input,
             &read,
-            &self.settings.render,
+            &render,
             &|event| match event {
                 Event::Drawn(pixels) => self.progress.advance(pixels),
                 event => listen(event),
             },
         )?;
-        let bytes = self.settings.output.as_ref().map(|(_, options)| {
+        let bytes = output.map(|(_, options)| {
             let options = EncodeOptions {
                 working,
                 ..options.clone()
