@@ -25,6 +25,7 @@ pub(crate) struct Lanes {
 
 impl Lanes {
     /// Those of any machine.
+    #[cfg(test)]
     pub(crate) const NARROW: Lanes = Lanes { are_wide: false };
 
     /// Those of the machine at hand.
@@ -41,12 +42,13 @@ impl Lanes {
 /// Does the work with 256 bits at once where the machine can.
 #[inline]
 pub(crate) fn with_widest<R>(work: impl FnOnce(Lanes) -> R) -> R {
+    let lanes = Lanes::widest();
     #[cfg(target_arch = "x86_64")]
-    if Lanes::widest().are_wide {
+    if lanes.are_wide {
         // SAFETY: `with_wide` needs nothing but the instructions that this machine has just said it has.
         return unsafe { with_wide(work) };
     }
-    work(Lanes::NARROW)
+    work(lanes)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -86,6 +88,7 @@ pub(crate) fn eight<K: Kernel>(lanes: Lanes, kernel: &K) -> K::Answer {
         // SAFETY: lanes are wide only where the machine has the instructions.
         return unsafe { eight_wide(kernel) };
     }
+    debug_assert!(!lanes.are_wide, "wide lanes are known on x86-64 alone");
     kernel.run::<[f32; 8]>()
 }
 
