@@ -1,8 +1,10 @@
-//! The picture while it is linear: one pixel after the other, in the working space of the scene.
+//! The picture while it is linear: one pixel after the other, in the working space of the scene. Of a picture that is
+//! only to be written, the levels of its file take the place of its light as soon as a part of it is drawn.
 
 use std::ops::Range;
 
 use crate::color::Rgb;
+use crate::output::Levels;
 
 /// What one camera ray, or the mean of several, brought back.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,8 +50,10 @@ pub struct Film {
     pub columns: Range<u32>,
     /// The rows that were drawn, counted from 0.
     pub rows: Range<u32>,
-    /// Row-major, `width * height` of them.
+    /// Row-major, `width * height` of them; none where `levels` stand for them.
     pub pixels: Vec<Pixel>,
+    /// The same as the levels of the one kind of file that is asked for.
+    pub levels: Option<Levels>,
 }
 
 impl Film {
@@ -62,6 +66,21 @@ impl Film {
             columns,
             rows,
             pixels: vec![Pixel::default(); width as usize * height as usize],
+            levels: None,
+        }
+    }
+
+    /// The same for a picture of which only these levels are kept.
+    #[must_use]
+    pub fn of_levels(levels: Levels, columns: Range<u32>, rows: Range<u32>) -> Self {
+        let (width, height) = levels.size();
+        Film {
+            width,
+            height,
+            columns,
+            rows,
+            pixels: Vec::new(),
+            levels: Some(levels),
         }
     }
 

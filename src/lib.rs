@@ -58,6 +58,7 @@ use compile::World;
 use glam::DVec3;
 use lang::{Heard, Lexicon, Texts};
 use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling};
+use output::EncodeOptions;
 use render::{Found, Unfinished};
 use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};
@@ -173,6 +174,14 @@ fn draw_with(
     let unfinished = unfinished(read, render, print, listen);
     let unfinished = unfinished.as_ref();
     let progress = |pixels| listen(Event::Drawn(pixels));
+    let only_for = render.only_for.as_ref().map(|options| EncodeOptions {
+        working,
+        ..options.clone()
+    });
+    let render = &RenderOptions {
+        only_for,
+        ..render.clone()
+    };
     let drawn = match pool {
         None => render::render(&world, render, unfinished, &progress),
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),

@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use crate::color::Gamma;
 use crate::film::Film;
+use crate::output::EncodeOptions;
 use crate::source::{Dependency, Message};
 
 /// What reading and drawing say while they are at work.
@@ -149,6 +150,9 @@ pub struct RenderOptions {
     pub sampling: Sampling,
     /// Where what has been drawn is kept until all is.
     pub keep: Option<Keep>,
+    /// The one file that the picture is for: what it cannot hold need not be kept. `working` is the scene's, whatever it
+    /// says here.
+    pub only_for: Option<EncodeOptions>,
     /// Ends drawing.
     pub stop: Stop,
 }
@@ -384,6 +388,7 @@ impl Default for RenderOptions {
             statistics: false,
             sampling: Sampling::Centres,
             keep: None,
+            only_for: None,
             stop: Stop::default(),
         }
     }

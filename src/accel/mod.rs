@@ -137,7 +137,7 @@ impl Bvh {
             }
         });
         Bvh {
-            nodes: build::build(&mut entries),
+            nodes: build::build(entries),
             frame,
             balls: Vec::new(),
         }

@@ -361,6 +361,7 @@ impl Run<'_> {
         }
         let mut render = picture.render.clone();
         render.stop = stop.clone();
+        render.only_for = Some(picture.encode.clone());
         let input = Input::File(picture.scene.clone());
         let drawn = task
             .series

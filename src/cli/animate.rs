@@ -18,7 +18,7 @@ use super::settings::Settings;
 use super::streams::Files;
 use crate::Series;
 use crate::batch::{Told, in_order};
-use crate::options::{Event, Failure, Input, Listen, Picture, Sampling, Statistics};
+use crate::options::{Event, Failure, Input, Listen, Picture, RenderOptions, Sampling, Statistics};
 use crate::output::{self, EncodeOptions, OutputError, Target};
 use crate::source::Code;
 
@@ -182,21 +182,21 @@ impl Run<'_> {
         if writing == Writing::Refused {
             read.writable.clear();
         }
+        let output = self.settings.output.as_ref();
+        let render = RenderOptions {
+            only_for: output.map(|(_, options)| options.clone()),
+            ..self.settings.render.clone()
+        };
         let Picture {
             film,
             working,
             statistics,
             ..
-        } = (self.draw)(
-            &self.input,
-            &read,
-            &self.settings.render,
-            &|event| match event {
-                Event::Drawn(pixels) => self.progress.advance(pixels),
-                event => listen(event),
-            },
-        )?;
-        let bytes = self.settings.output.as_ref().map(|(_, options)| {
+        } = (self.draw)(&self.input, &read, &render, &|event| match event {
+            Event::Drawn(pixels) => self.progress.advance(pixels),
+            event => listen(event),
+        })?;
+        let bytes = output.map(|(_, options)| {
             let options = EncodeOptions {
                 working,
                 ..options.clone()

@@ -96,19 +96,18 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
 pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let talk = settings.talk;
     let input = settings.scene.input()?;
+    let render = RenderOptions {
+        only_for: settings.output.as_ref().map(|(_, options)| options.clone()),
+        ..settings.render.clone()
+    };
     let mut reporter = reporter(settings);
     reporter.files = Files::create(&settings.streams)?;
     reporter.files.begin(settings);
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
-    let drawn = draw(
-        &input,
-        &settings.read,
-        &settings.render,
-        &|event| match event {
-            Event::Drawn(pixels) => progress.advance(pixels),
-            event => reporter.hear(event),
-        },
-    );
+    let drawn = draw(&input, &settings.read, &render, &|event| match event {
+        Event::Drawn(pixels) => progress.advance(pixels),
+        event => reporter.hear(event),
+    });
     progress.finish();
     reporter.take_counts();
     let Ok(picture) = drawn else {

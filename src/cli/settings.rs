@@ -163,6 +163,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         statistics: typed.stats || typed.json || typed.keeps_statistics(),
         sampling: sampling(typed),
         keep: None,
+        only_for: None,
         stop: Stop::default(),
     })
 }

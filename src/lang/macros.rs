@@ -119,8 +119,12 @@ impl Reader<'_> {
         }
         let length = (called.end as usize).saturating_sub(called.body);
         self.count_again(length, call)?;
+        let body = Place {
+            tokens: Rc::clone(&called.tokens),
+            at: called.body,
+        };
         let kind = Entered::Macro {
-            back: self.here.clone(),
+            back: std::mem::replace(&mut self.here, body),
             call,
             called_to: self.start_taken(),
             name,
@@ -135,10 +139,6 @@ impl Reader<'_> {
             }
         }
         self.note_call(name, called, length, &arguments.sources);
-        self.here = Place {
-            tokens: Rc::clone(&called.tokens),
-            at: called.body,
-        };
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 //! Scopes are dynamic, as in POV-Ray: each include file and each macro call opens one, and an identifier means its
 //! innermost binding, whoever made it. Every symbol carries its own stack of bindings, so that a look-up is one step.
 
-use super::value::Value;
+use super::value::{Number, Value};
 use crate::syntax::Symbol;
 use std::rc::Rc;
 
@@ -167,6 +167,22 @@ impl Scopes {
         match self.get_mut(symbol) {
             Some(old) => *old = value,
             None => self.bind(symbol, 0, Held::Value(value)),
+        }
+    }
+
+    /// `#declare` of a number for a name that holds one of its own; false, and nothing done, for any other name.
+    #[inline]
+    pub(super) fn declare_over(&mut self, symbol: Symbol, number: &Number) -> bool {
+        let stack = self.stacks.get_mut(symbol.0 as usize);
+        match stack.and_then(|stack| stack.last_mut()) {
+            Some(Binding {
+                held: Held::Value(Value::Number(old)),
+                ..
+            }) => {
+                *old = *number;
+                true
+            }
+            _ => false,
         }
     }
 

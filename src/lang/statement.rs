@@ -9,6 +9,7 @@ use super::settings::is_old_setting;
 use crate::args::{Args, Parse, Word};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
+use crate::color::Color;
 use crate::interior::Media;
 use crate::scene::{Look, Object, Plain};
 use crate::source::{Code, Diagnostic};
@@ -128,6 +129,12 @@ impl Reader<'_> {
     }
 
     fn object_statement(&mut self) -> Parse<()> {
+        if let Some((sphere, color)) = self.replay_sphere()? {
+            let look = self.look_of(color);
+            self.count_leaf()?;
+            self.objects.push_ball(sphere, look);
+            return Ok(());
+        }
         if let Some(read) = self.replay_object()? {
             return self.add_read(read);
         }
@@ -159,13 +166,18 @@ impl Reader<'_> {
             Read::Object(object) => return self.add_object(Arc::new(object)),
             Read::Shape { shape, color } => (shape, color),
         };
-        let look = match color {
-            Some(color) => Look::Color(color, Arc::clone(&self.default_layer.finish)),
-            None => Look::Texture(Arc::clone(&self.default_texture)),
-        };
+        let look = self.look_of(color);
         self.count_leaf()?;
         self.objects.push_plain(Plain { shape, look });
         Ok(())
+    }
+
+    /// How a shape looks that says a colour, or nothing.
+    fn look_of(&self, color: Option<Color>) -> Look {
+        match color {
+            Some(color) => Look::Color(color, Arc::clone(&self.default_layer.finish)),
+            None => Look::Texture(Arc::clone(&self.default_texture)),
+        }
     }
 
     fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {

@@ -5,9 +5,11 @@
 //! first float of the next. The table is made by asking the curve itself, and is only used if every stretch fits.
 //! For linear to sRGB and to 2.2 it was compared with the curve at every float from 0 to 1: no difference.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 
-use super::EncodeOptions;
+use super::{EncodeOptions, Format};
 use crate::color::{Gamma, Rgb};
 use crate::film::{Film, Pixel};
 
@@ -21,8 +23,11 @@ pub(super) enum Channels {
 }
 
 impl Channels {
-    pub(super) fn of(grayscale: bool, alpha: bool) -> Channels {
-        match (grayscale, alpha) {
+    /// Of a file that holds encoded values.
+    pub(super) fn of(options: &EncodeOptions) -> Channels {
+        let has_grey = matches!(options.format, Format::Png | Format::Ppm);
+        let is_grey = has_grey && options.grayscale;
+        match (is_grey, options.alpha && options.format.has_alpha()) {
             (true, false) => Channels::Grey,
             (true, true) => Channels::GreyAlpha,
             (false, false) => Channels::Rgb,
@@ -40,28 +45,146 @@ impl Channels {
     }
 }
 
-/// The picture in bytes, channels interleaved, rows from the top without padding.
-pub(super) fn bytes(film: &Film, options: &EncodeOptions, channels: Channels) -> Vec<u8> {
-    let curve = Curve::of(options);
-    let table = StepTable::new(curve);
-    let level = |c: f32| match &table {
-        Some(table) => table.level(c),
-        None => curve.level_8(c),
-    };
-    let mut out = vec![0; film.pixels.len() * channels.count()];
-    fill(film, channels, &mut out, level, |a| byte(a * 255.0 + 0.5));
-    out
+/// How many bits a level has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Depth {
+    Byte,
+    /// Two bytes, the higher one first.
+    Word,
 }
 
-/// The picture in big-endian 16-bit numbers, otherwise as [`bytes`].
-pub(super) fn words(film: &Film, options: &EncodeOptions, channels: Channels) -> Vec<u8> {
-    let curve = Curve::of(options);
-    let mut out = vec![[0; 2]; film.pixels.len() * channels.count()];
-    let level = |c| curve.level_16(c).to_be_bytes();
-    fill(film, channels, &mut out, level, |a| {
-        word(a * 65535.0 + 0.5).to_be_bytes()
-    });
-    out.into_flattened()
+impl Depth {
+    /// Of a file that holds encoded values.
+    pub(super) fn of(options: &EncodeOptions) -> Depth {
+        match options.format {
+            Format::Png | Format::Ppm if options.bits > 8 => Depth::Word,
+            _ => Depth::Byte,
+        }
+    }
+}
+
+/// A picture as the levels that one kind of file holds: channels interleaved, rows from the top without padding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Levels {
+    width: u32,
+    height: u32,
+    options: EncodeOptions,
+    bytes: Vec<u8>,
+}
+
+impl Levels {
+    /// A black picture.
+    pub(crate) fn black(leveller: &Leveller, width: u32, height: u32) -> Self {
+        let black = leveller.levels(&[Pixel::default()]);
+        let pixels = width as usize * height as usize;
+        let bytes = if black.iter().all(|&byte| byte == 0) {
+            vec![0; pixels * black.len()]
+        } else {
+            black.repeat(pixels)
+        };
+        Levels {
+            width,
+            height,
+            options: leveller.options.clone(),
+            bytes,
+        }
+    }
+
+    /// Width and height in pixels.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
+    /// How many bytes a pixel takes.
+    pub(crate) fn bytes_of_pixel(&self) -> usize {
+        bytes_of_pixel(&self.options)
+    }
+
+    /// The levels, to be changed.
+    pub(crate) fn bytes_mut(&mut self) -> &mut [u8] {
+        &mut self.bytes
+    }
+}
+
+fn bytes_of_pixel(options: &EncodeOptions) -> usize {
+    let of_level = match Depth::of(options) {
+        Depth::Byte => 1,
+        Depth::Word => 2,
+    };
+    Channels::of(options).count() * of_level
+}
+
+/// Makes levels of light.
+pub(crate) struct Leveller {
+    options: EncodeOptions,
+    curve: Curve,
+    /// For levels of eight bits, if there can be one.
+    table: Option<StepTable>,
+}
+
+impl Leveller {
+    /// For such a file; `None` if it holds light itself.
+    pub(crate) fn of(options: &EncodeOptions) -> Option<Self> {
+        if matches!(options.format, Format::Exr | Format::Hdr) {
+            return None;
+        }
+        let curve = Curve::of(options);
+        let table = match Depth::of(options) {
+            Depth::Byte => StepTable::new(curve),
+            Depth::Word => None,
+        };
+        Some(Leveller {
+            options: options.clone(),
+            curve,
+            table,
+        })
+    }
+
+    /// The levels of some pixels.
+    pub(crate) fn levels(&self, pixels: &[Pixel]) -> Vec<u8> {
+        let mut out = vec![0; pixels.len() * bytes_of_pixel(&self.options)];
+        self.fill(pixels, &mut out);
+        out
+    }
+
+    fn fill(&self, pixels: &[Pixel], out: &mut [u8]) {
+        let channels = Channels::of(&self.options);
+        match (Depth::of(&self.options), &self.table) {
+            (Depth::Byte, Some(table)) => {
+                fill(pixels, channels, out, |c| table.level(c), alpha_8);
+            }
+            (Depth::Byte, None) => {
+                fill(pixels, channels, out, |c| self.curve.level_8(c), alpha_8);
+            }
+            (Depth::Word, _) => {
+                let level = |c| self.curve.level_16(c).to_be_bytes();
+                let alpha = |a| word(a * 65535.0 + 0.5).to_be_bytes();
+                fill(pixels, channels, out.as_chunks_mut().0, level, alpha);
+            }
+        }
+    }
+}
+
+/// Why a picture cannot be written.
+pub(super) const OF_ANOTHER: &str = "it was drawn for another kind of file";
+
+/// The levels of a picture for a file that holds encoded values.
+pub(super) fn of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, [u8]>, String> {
+    if let Some(levels) = &film.levels {
+        return match levels.options == *options {
+            true => Ok(Cow::Borrowed(&levels.bytes)),
+            false => Err(OF_ANOTHER.to_owned()),
+        };
+    }
+    let Some(leveller) = Leveller::of(options) else {
+        return Err("it holds light itself".to_owned());
+    };
+    let (width, of_pixel) = (film.width as usize, bytes_of_pixel(options));
+    let mut out = vec![0; film.pixels.len() * of_pixel];
+    out.par_chunks_mut(width * of_pixel)
+        .zip(film.pixels.par_chunks(width))
+        .for_each(|(stored, pixels)| leveller.fill(pixels, stored));
+    Ok(Cow::Owned(out))
 }
 
 /// A channel in linear light, for the formats that hold that.
@@ -70,41 +193,40 @@ pub(super) fn to_linear(working: Option<Gamma>) -> impl Fn(f32) -> f32 {
     move |c| working.decode(c)
 }
 
-fn fill<T: Send>(
-    film: &Film,
+fn fill<T>(
+    pixels: &[Pixel],
     channels: Channels,
     out: &mut [T],
-    level: impl Fn(f32) -> T + Sync,
-    alpha_level: impl Fn(f32) -> T + Sync,
+    level: impl Fn(f32) -> T,
+    alpha_level: impl Fn(f32) -> T,
 ) {
-    let width = film.width as usize;
-    out.par_chunks_mut(width * channels.count())
-        .zip(film.pixels.par_chunks(width))
-        .for_each(|(stored, pixels)| {
-            for (stored, &pixel) in stored.chunks_exact_mut(channels.count()).zip(pixels) {
-                match stored {
-                    [grey] => *grey = level(pixel.rgb.grey()),
-                    [grey, alpha] => {
-                        let (rgb, a) = straight(pixel);
-                        *grey = level(rgb.grey());
-                        *alpha = alpha_level(a);
-                    }
-                    [r, g, b] => {
-                        *r = level(pixel.rgb.r);
-                        *g = level(pixel.rgb.g);
-                        *b = level(pixel.rgb.b);
-                    }
-                    [r, g, b, alpha] => {
-                        let (rgb, a) = straight(pixel);
-                        *r = level(rgb.r);
-                        *g = level(rgb.g);
-                        *b = level(rgb.b);
-                        *alpha = alpha_level(a);
-                    }
-                    _ => {}
-                }
+    for (stored, &pixel) in out.chunks_exact_mut(channels.count()).zip(pixels) {
+        match stored {
+            [grey] => *grey = level(pixel.rgb.grey()),
+            [grey, alpha] => {
+                let (rgb, a) = straight(pixel);
+                *grey = level(rgb.grey());
+                *alpha = alpha_level(a);
             }
-        });
+            [r, g, b] => {
+                *r = level(pixel.rgb.r);
+                *g = level(pixel.rgb.g);
+                *b = level(pixel.rgb.b);
+            }
+            [r, g, b, alpha] => {
+                let (rgb, a) = straight(pixel);
+                *r = level(rgb.r);
+                *g = level(rgb.g);
+                *b = level(rgb.b);
+                *alpha = alpha_level(a);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn alpha_8(alpha: f32) -> u8 {
+    byte(alpha * 255.0 + 0.5)
 }
 
 /// Colour and coverage apart, in the working space. A pixel brighter than its coverage allows gets more coverage.

@@ -15,6 +15,8 @@ mod png;
 mod ppm;
 mod tga;
 
+pub(crate) use levels::Leveller;
+pub use levels::Levels;
 pub(crate) use place::Pending;
 
 use std::fmt;
@@ -165,6 +167,9 @@ pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputErr
     let refuse = |reason| OutputError::Encode { format, reason };
     if film.width == 0 || film.height == 0 {
         return Err(refuse("it has no pixels".to_owned()));
+    }
+    if film.levels.is_some() && matches!(format, Format::Exr | Format::Hdr) {
+        return Err(refuse(levels::OF_ANOTHER.to_owned()));
     }
     format.encoder()(film, options).map_err(refuse)
 }

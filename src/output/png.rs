@@ -5,39 +5,35 @@
 
 use png::{BitDepth, ColorType, Compression, Encoder, chunk};
 
-use super::levels::{self, Channels};
+use super::levels::{self, Channels, Depth};
 use super::{EncodeOptions, EncodeResult};
 use crate::color::Gamma;
 use crate::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let channels = Channels::of(options.grayscale, options.alpha);
-    let (depth, data) = if options.bits <= 8 {
-        (BitDepth::Eight, levels::bytes(film, options, channels))
-    } else {
-        (BitDepth::Sixteen, levels::words(film, options, channels))
-    };
+    let data = levels::of(film, options)?;
     let mut file = Vec::with_capacity(data.len() / 2 + 1024);
-    file_of(film, options, channels, depth, &data, &mut file).map_err(|e| e.to_string())?;
+    file_of(film, options, &data, &mut file).map_err(|e| e.to_string())?;
     Ok(file)
 }
 
 fn file_of(
     film: &Film,
     options: &EncodeOptions,
-    channels: Channels,
-    depth: BitDepth,
     data: &[u8],
     file: &mut Vec<u8>,
 ) -> Result<(), png::EncodingError> {
     let mut encoder = Encoder::new(file, film.width, film.height);
-    encoder.set_color(match channels {
+    encoder.set_color(match Channels::of(options) {
         Channels::Grey => ColorType::Grayscale,
         Channels::GreyAlpha => ColorType::GrayscaleAlpha,
         Channels::Rgb => ColorType::Rgb,
         Channels::RgbAlpha => ColorType::Rgba,
     });
-    encoder.set_depth(depth);
+    encoder.set_depth(match Depth::of(options) {
+        Depth::Byte => BitDepth::Eight,
+        Depth::Word => BitDepth::Sixteen,
+    });
     encoder.set_compression(Compression::Fastest);
     let mut writer = encoder.write_header()?;
     // Without gamma handling POV-Ray says sRGB whatever was asked for.

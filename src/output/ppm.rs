@@ -1,18 +1,17 @@
 //! PPM and PGM, binary: 8 or 16 bits, no alpha.
 
-use super::levels::{self, Channels};
+use super::levels::{self, Depth};
 use super::{EncodeOptions, EncodeResult};
 use crate::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let channels = Channels::of(options.grayscale, false);
     let kind = if options.grayscale { 5 } else { 6 };
-    let (most, data) = if options.bits <= 8 {
-        (255, levels::bytes(film, options, channels))
-    } else {
-        (65535, levels::words(film, options, channels))
+    let most = match Depth::of(options) {
+        Depth::Byte => 255,
+        Depth::Word => 65535,
     };
+    let data = levels::of(film, options)?;
     let mut file = format!("P{kind}\n{} {}\n{most}\n", film.width, film.height).into_bytes();
-    file.extend(data);
+    file.extend_from_slice(&data);
     Ok(file)
 }

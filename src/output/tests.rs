@@ -357,3 +357,73 @@ fn a_full_disk_is_named() {
         "make room, or name a file on another disk with `+O`"
     );
 }
+
+/// A picture of every kind of pixel.
+fn motley() -> Film {
+    let mut film = Film::whole(37, 23);
+    let parts = [-0.5, 0.0, 1e-4, 0.3, 0.999, 1.0, 7.0, f32::NAN];
+    for (i, pixel) in film.pixels.iter_mut().enumerate() {
+        let part = |step: usize| parts[i / step % parts.len()];
+        *pixel = Pixel::new(
+            Rgb::new(part(1), part(5), part(29)),
+            part(3).clamp(0.0, 1.0),
+        );
+    }
+    film
+}
+
+#[test]
+fn levels_made_piece_by_piece_give_the_same_file() {
+    let film = motley();
+    for format in Format::ALL {
+        for (bits, grayscale, alpha) in [(8, false, false), (8, true, true), (16, false, true)] {
+            let options = EncodeOptions {
+                bits,
+                grayscale,
+                alpha,
+                ..EncodeOptions::new(format)
+            };
+            let Some(leveller) = Leveller::of(&options) else {
+                assert!(matches!(format, Format::Exr | Format::Hdr));
+                continue;
+            };
+            let mut levels = Levels::black(&leveller, film.width, film.height);
+            let row = film.width as usize * levels.bytes_of_pixel();
+            let rows = levels.bytes_mut().chunks_mut(row);
+            for (stored, pixels) in rows.zip(film.rows_of_pixels()) {
+                stored.copy_from_slice(&leveller.levels(pixels));
+            }
+            let leveled = Film::of_levels(levels, film.columns.clone(), film.rows.clone());
+            let expected = encode(&film, &options).unwrap();
+            assert!(
+                encode(&leveled, &options).unwrap() == expected,
+                "{options:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_not_drawn_is_black_and_opaque() {
+    for (format, alpha) in [(Format::Png, true), (Format::Tga, false)] {
+        let options = EncodeOptions {
+            alpha,
+            ..EncodeOptions::new(format)
+        };
+        let leveller = Leveller::of(&options).unwrap();
+        let black = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
+        let expected = encode(&Film::whole(4, 3), &options).unwrap();
+        assert!(encode(&black, &options).unwrap() == expected);
+    }
+}
+
+#[test]
+fn levels_of_one_kind_of_file_make_no_other() {
+    let options = EncodeOptions::new(Format::Png);
+    let leveller = Leveller::of(&options).unwrap();
+    let film = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
+    for format in [Format::Tga, Format::Exr] {
+        let refused = encode(&film, &EncodeOptions::new(format)).unwrap_err();
+        assert!(refused.to_string().contains("another kind of file"));
+    }
+}

@@ -9,6 +9,7 @@ pub use unfinished::{Found, Unfinished};
 use crate::compile::{Rays, Scratch, World};
 use crate::film::{Film, Pixel};
 use crate::options::{Reached, RenderOptions, Sampling};
+use crate::output::{Leveller, Levels};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;
@@ -43,6 +44,12 @@ pub struct Drawn {
 /// Pixels of a tile, row by row, and the rays that they took.
 type Pixels = (Vec<Pixel>, Rays);
 
+/// What is kept of the pixels of a tile, row by row.
+enum Kept {
+    Light(Vec<Pixel>),
+    Levels(Vec<u8>),
+}
+
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
 /// The picture is the same for any number of threads, unless it is to be stopped at some time; and the same if a part
 /// of it is `unfinished` from an earlier run.
@@ -58,34 +65,42 @@ pub fn render(
         return converge::draw(&tracer, options, how, unfinished, progress);
     }
     let tiles = tiles(options);
+    let leveller = options.only_for.as_ref().and_then(Leveller::of);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
-        let drawn = match unfinished {
+        let (tile, (pixels, rays)) = match unfinished {
             Some(unfinished) => kept_tile(unfinished, &tracer, tile, options, scratch),
             None => draw_tile(&tracer, tile, options, scratch),
         };
-        progress(drawn.1.0.len() as u64);
-        drawn
+        progress(pixels.len() as u64);
+        let kept = match &leveller {
+            Some(leveller) => Kept::Levels(leveller.levels(&pixels)),
+            None => Kept::Light(pixels),
+        };
+        (tile, kept, rays)
     };
-    let mut film = Film::new(
-        options.width,
-        options.height,
-        options.columns.clone(),
-        options.rows.clone(),
-    );
+    let (width, height) = (options.width, options.height);
+    let (columns, rows) = (options.columns.clone(), options.rows.clone());
+    let mut film = match &leveller {
+        Some(leveller) => Film::of_levels(Levels::black(leveller, width, height), columns, rows),
+        None => Film::new(width, height, columns, rows),
+    };
     let mut rays = Rays::default();
     // Tiles by tiles, or all pixels would lie in memory twice.
     let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
     for some in tiles.chunks(at_once) {
-        let drawn: Vec<(Tile, Pixels)> = some
+        let drawn: Vec<(Tile, Kept, Rays)> = some
             .par_iter()
             .map_init(BlockScratch::default, draw)
             .collect();
-        for (tile, (pixels, of_tile)) in drawn {
+        for (tile, kept, of_tile) in drawn {
             rays += of_tile;
-            let width = (tile.columns.end - tile.columns.start) as usize;
-            for (y, row) in tile.rows.clone().zip(pixels.chunks(width.max(1))) {
-                let start = y as usize * options.width as usize + tile.columns.start as usize;
-                film.pixels[start..start + width].copy_from_slice(row);
+            match (kept, &mut film.levels) {
+                (Kept::Light(pixels), _) => put(&mut film.pixels, &pixels, &tile, width, 1),
+                (Kept::Levels(bytes), Some(levels)) => {
+                    let of_pixel = levels.bytes_of_pixel();
+                    put(levels.bytes_mut(), &bytes, &tile, width, of_pixel);
+                }
+                (Kept::Levels(_), None) => {}
             }
         }
     }
@@ -93,6 +108,15 @@ pub fn render(
         film,
         rays,
         reached: None,
+    }
+}
+
+/// Puts what a tile holds, so many values for each pixel, into a picture of this width.
+fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pixel: usize) {
+    let length = tile.columns.len() * of_pixel;
+    for (y, row) in tile.rows.clone().zip(of_tile.chunks(length.max(1))) {
+        let start = (y as usize * width as usize + tile.columns.start as usize) * of_pixel;
+        picture[start..start + length].copy_from_slice(row);
     }
 }
 

@@ -56,7 +56,8 @@ pub struct Unfinished {
 
 #[derive(Debug)]
 enum Growing {
-    /// Nothing is written before this moment; until then pieces wait here.
+    /// Nothing is written before this moment. Until then pieces wait here that tell of those before them; others are
+    /// drawn again in as little time.
     Waiting(Keep, Instant, Vec<u8>),
     File(File),
     /// It could not be written: the drawing goes on without.
@@ -110,17 +111,19 @@ impl Unfinished {
 
     /// Keeps a finished piece.
     pub(super) fn keep(&self, piece: &Piece) {
-        let record = record(self.key, piece);
         let mut growing = self.growing.lock().unwrap_or_else(PoisonError::into_inner);
         match &mut *growing {
             Growing::Waiting(keep, then, waiting) => {
-                waiting.extend_from_slice(&record);
-                if Instant::now() >= *then {
+                let is_time = Instant::now() >= *then;
+                if is_time || !piece.errors.is_empty() {
+                    waiting.extend_from_slice(&record(self.key, piece));
+                }
+                if is_time {
                     *growing = begin(keep, self.key, waiting);
                 }
             }
             Growing::File(file) => {
-                if let Err(error) = file.write_all(&record) {
+                if let Err(error) = file.write_all(&record(self.key, piece)) {
                     *growing = Growing::Given(error.kind());
                 }
             }

@@ -83,6 +83,12 @@ impl Objects {
         });
     }
 
+    /// Adds a sphere.
+    #[inline]
+    pub(crate) fn push_ball(&mut self, sphere: Sphere, look: Look) {
+        self.push_entry(Entry::of_ball(sphere, look));
+    }
+
     fn push_entry(&mut self, entry: Entry) {
         match self.pieces.last_mut() {
             Some(piece) if piece.len() < PIECE => piece.push(entry),

@@ -149,7 +149,9 @@ impl Draft {
             dir,
             is_closed: self.is_closed(),
         });
-        self.smooth.resize(self.corners.len(), FLAT);
+        if !self.smooth.is_empty() {
+            self.smooth.resize(self.corners.len(), FLAT);
+        }
         for smooth in &mut self.smooth {
             let is_flat = *smooth == FLAT || are_same(smooth.map(|i| self.normals[i as usize]));
             if is_flat {

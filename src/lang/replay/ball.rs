@@ -9,10 +9,9 @@ use super::{Known, Level, Replays};
 use crate::args::Word;
 use crate::color::Color;
 use crate::lang::bulk::literal_at;
-use crate::lang::plain::Read;
 use crate::lang::scope::Scopes;
 use crate::lang::value::Number;
-use crate::shape::{Shape, Sphere};
+use crate::shape::Sphere;
 use crate::syntax::Tokens;
 use crate::texture::Layer;
 
@@ -107,7 +106,7 @@ impl Ball {
         default: &Layer,
         scopes: &Scopes,
         streams: &mut [u32],
-    ) -> Option<Read> {
+    ) -> Option<(Sphere, Option<Color>)> {
         let centre = self.centre.number(replays, scopes, streams)?.promoted(3);
         let radius = self.radius.number(replays, scopes, streams)?;
         let is_sound = centre.len == 3
@@ -125,10 +124,10 @@ impl Ball {
             let number = part.number(replays, scopes, streams)?;
             color = Some(color_of(*word, number)?);
         }
-        let shape = Shape::Sphere(Sphere {
+        let sphere = Sphere {
             centre: centre.xyz(),
             radius: radius.v[0].abs(),
-        });
-        Some(Read::Shape { shape, color })
+        };
+        Some((sphere, color))
     }
 }

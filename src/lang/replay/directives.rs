@@ -10,7 +10,7 @@ use crate::lang::flow::EQUAL;
 use crate::lang::limits;
 use crate::lang::macros::{Argument, Arguments};
 use crate::lang::reader::Reader;
-use crate::lang::value::{Number, Value};
+use crate::lang::value::Value;
 use crate::syntax::{END_OF_FILE, Token};
 
 impl Reader<'_> {
@@ -96,11 +96,11 @@ impl Reader<'_> {
         if program.len != 1 || !tokens.tokens[program.after].is_mark(')') {
             return Ok(None);
         }
-        let number = self.replay(index)?;
+        let number = self.replay_float(index)?;
         if number.is_some() {
             self.pass();
         }
-        Ok(number.map(|number| number.v[0]))
+        Ok(number)
     }
 
     /// `#declare Name = number;`
@@ -130,7 +130,7 @@ impl Reader<'_> {
         self.without_semicolon = None;
         if is_local {
             self.scopes.local(symbol, Value::Number(number));
-        } else {
+        } else if !self.scopes.declare_over(symbol, &number) {
             self.scopes.declare(symbol, Value::Number(number));
         }
         Ok(true)
@@ -148,10 +148,9 @@ impl Reader<'_> {
         self.replays.begin();
         let mut at = self.here.at + 1;
         for _ in 0..wanted {
-            let Some((argument, after)) = self.replay_argument(at) else {
+            let Some(after) = self.replay_argument(at, arguments) else {
                 break;
             };
-            arguments.values.push(argument);
             at = after + usize::from(self.here.tokens.tokens[after].is_mark(','));
         }
         if arguments.values.len() < wanted || !self.here.tokens.tokens[at].is_mark(')') {
@@ -165,8 +164,8 @@ impl Reader<'_> {
         Ok(true)
     }
 
-    /// The argument that begins at a token, and the token behind it.
-    fn replay_argument(&mut self, at: usize) -> Option<(Argument, usize)> {
+    /// Adds the argument that begins at a token; gives the token behind it.
+    fn replay_argument(&mut self, at: usize, arguments: &mut Arguments) -> Option<usize> {
         let tokens = &self.here.tokens.tokens;
         let [token, behind, ..] = tokens.get(at..)? else {
             return None;
@@ -177,14 +176,18 @@ impl Reader<'_> {
             if self.scopes.is_macro(name) {
                 return None;
             }
-            return Some((Argument::Reference(self.scopes.target(name)?), at + 1));
+            let target = self.scopes.target(name)?;
+            arguments.values.push(Argument::Reference(target));
+            return Some(at + 1);
         }
         let file = self.here.tokens.file;
         let Known::Program(index) = self.replays.known(file, at, Level::Value) else {
             return None;
         };
-        let number: Number = self.replays.value(index, &self.scopes, &mut self.streams)?;
-        let after = self.replays.programs[index as usize].after;
-        Some((Argument::Value(Value::Number(number)), after))
+        let number = self.replays.value(index, &self.scopes, &mut self.streams)?;
+        arguments
+            .values
+            .push(Argument::Value(Value::Number(number)));
+        Some(self.replays.programs[index as usize].after)
     }
 }

@@ -112,6 +112,14 @@ struct Program {
     misses: u8,
 }
 
+impl Program {
+    /// Whether there are no macros to look at.
+    #[inline]
+    fn is_plain(&self) -> bool {
+        self.behind.is_none() && self.calls.is_empty()
+    }
+}
+
 /// What is known of the expressions that begin at a token, one for each [`Level`].
 #[derive(Clone, Copy, Debug, Default)]
 enum Known {
@@ -164,23 +172,47 @@ impl Replays {
         self.stack.give_up(streams);
     }
 
-    /// The value of a recorded expression; `None` if it has to be read.
+    /// A recorded expression whose macros are what they were.
     #[inline]
-    fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<Number> {
+    fn program(&self, index: u32, scopes: &Scopes) -> Option<&Program> {
         let program = &self.programs[index as usize];
         if program.behind.is_some_and(|name| scopes.is_macro(name)) {
             return None;
         }
-        if !program.calls.is_empty() {
-            let is_still = |(name, called): &(Symbol, Rc<Macro>)| match scopes.get(*name) {
-                Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
-                _ => false,
-            };
-            if !program.calls.iter().all(is_still) {
-                return None;
+        let is_still = |(name, called): &(Symbol, Rc<Macro>)| match scopes.get(*name) {
+            Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
+            _ => false,
+        };
+        program.calls.iter().all(is_still).then_some(program)
+    }
+
+    /// The value of a recorded expression that gives a float; `None` if it has to be read.
+    #[inline]
+    fn float(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<f64> {
+        let program = &self.programs[index as usize];
+        match *program.ops {
+            [Op::Name(name, 1)] if program.is_plain() => stack::float(scopes, name),
+            [Op::Name(name, 1), Op::WithFloat(binary, right)]
+                if program.is_plain() && binary != Binary::Divide =>
+            {
+                let left = stack::float(scopes, name)?;
+                Some(binary.of(left, right))
             }
-            self.again += program.again;
+            _ => {
+                self.again += self.program(index, scopes)?.again;
+                let ops = &self.programs[index as usize].ops;
+                self.stack.run(ops, scopes, streams)?;
+                Some(self.stack.first())
+            }
         }
+    }
+
+    /// The value of a recorded expression; `None` if it has to be read.
+    #[inline]
+    fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<Number> {
+        let again = self.program(index, scopes)?.again;
+        self.again += again;
+        let program = &self.programs[index as usize];
         // Most expressions are short, and need no stack.
         match *program.ops {
             [Op::Float(float)] => return Some(Number::float(float)),
@@ -196,7 +228,8 @@ impl Replays {
             }
             _ => {}
         }
-        self.stack.run(&program.ops, program.len, scopes, streams)
+        self.stack.run(&program.ops, scopes, streams)?;
+        Some(self.stack.number(program.len))
     }
 
     #[inline]
@@ -307,6 +340,21 @@ impl Reader<'_> {
             again: recording.again,
             misses: 0,
         })
+    }
+
+    /// The same of an expression that gives a float.
+    fn replay_float(&mut self, index: u32) -> Parse<Option<f64>> {
+        self.replays.begin();
+        let value = self.replays.float(index, &self.scopes, &mut self.streams);
+        if value.is_none() {
+            self.replays.give_up(&mut self.streams);
+            return Ok(None);
+        }
+        let after = self.replays.programs[index as usize].after;
+        self.count_replayed()?;
+        self.here.at = after - 1;
+        self.pass();
+        Ok(value)
     }
 
     /// The value of a recorded expression; `None`, and nothing changed, if it has to be read.

@@ -14,6 +14,7 @@ use crate::lang::plain::{Read, plain_object};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::value::{Number, Value};
+use crate::shape::{Shape, Sphere};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Class, Kind, Symbol, Token, Tokens};
 use crate::texture::{Layer, Pigment};
@@ -45,7 +46,7 @@ struct Quiet<'a> {
 
 impl Reader<'_> {
     /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
-    fn replay_ball(&mut self, index: u32) -> Parse<Option<Read>> {
+    fn replay_ball(&mut self, index: u32) -> Parse<Option<(Sphere, Option<Color>)>> {
         let ball = Rc::clone(&self.replays.balls[index as usize]);
         self.replays.begin();
         let (scopes, streams) = (&self.scopes, &mut self.streams);
@@ -60,6 +61,19 @@ impl Reader<'_> {
         Ok(read)
     }
 
+    /// The sphere at hand if its numbers are all known.
+    #[inline]
+    pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
+        if !self.is_repeated() || !self.may_replay() {
+            return Ok(None);
+        }
+        let (file, start) = (self.here.tokens.file, self.here.at);
+        match self.replays.known(file, start, Level::Object) {
+            Known::Ball(index) => self.replay_ball(index),
+            _ => Ok(None),
+        }
+    }
+
     /// The object at hand if it can be replayed.
     pub(in crate::lang) fn replay_object(&mut self) -> Parse<Option<Read>> {
         if !self.is_repeated() || !self.may_replay() {
@@ -68,8 +82,9 @@ impl Reader<'_> {
         let (file, start) = (self.here.tokens.file, self.here.at);
         let readings = match self.replays.known(file, start, Level::Object) {
             Known::Ball(index) => {
-                if let Some(read) = self.replay_ball(index)? {
-                    return Ok(Some(read));
+                if let Some((sphere, color)) = self.replay_ball(index)? {
+                    let shape = Shape::Sphere(sphere);
+                    return Ok(Some(Read::Shape { shape, color }));
                 }
                 0
             }

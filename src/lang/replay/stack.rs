@@ -49,23 +49,73 @@ impl Stack {
         }
     }
 
-    /// Takes the steps of a program and gives its value; `None` if that is to be read from the tokens.
-    pub(super) fn run(
-        &mut self,
-        ops: &[Op],
-        len: u8,
-        scopes: &Scopes,
-        streams: &mut [u32],
-    ) -> Option<Number> {
-        self.top = 0;
-        for &op in ops {
-            self.step(op, scopes, streams)?;
+    /// Takes the steps of a program; `None` if its value is to be read from the tokens. The floats of the value are the
+    /// first ones of the stack.
+    pub(super) fn run(&mut self, ops: &[Op], scopes: &Scopes, streams: &mut [u32]) -> Option<()> {
+        // What most programs are made of is done here, where the top need not be kept in memory.
+        let mut top = 0;
+        for op in ops {
+            match *op {
+                Op::Float(float) => {
+                    self.floats[top % DEPTH] = float;
+                    top += 1;
+                }
+                Op::Name(name, 1) => {
+                    self.floats[top % DEPTH] = float(scopes, name)?;
+                    top += 1;
+                }
+                Op::WithFloat(binary, right) => {
+                    let left = &mut self.floats[top.wrapping_sub(1) % DEPTH];
+                    *left = combined(binary, *left, right)?;
+                }
+                Op::WithName(binary, name) => {
+                    let left = &mut self.floats[top.wrapping_sub(1) % DEPTH];
+                    *left = combined(binary, *left, float(scopes, name)?)?;
+                }
+                Op::Binary(binary, 1, 1) => {
+                    top = top.wrapping_sub(1);
+                    let right = self.floats[top % DEPTH];
+                    let left = &mut self.floats[top.wrapping_sub(1) % DEPTH];
+                    *left = combined(binary, *left, right)?;
+                }
+                op => {
+                    self.top = top;
+                    self.step(op, scopes, streams)?;
+                    top = self.top;
+                }
+            }
         }
-        Some(self.take(len))
+        Some(())
+    }
+
+    /// The first float.
+    #[inline]
+    pub(super) fn first(&self) -> f64 {
+        self.floats[0]
+    }
+
+    /// The first floats as a value.
+    #[inline]
+    pub(super) fn number(&self, len: u8) -> Number {
+        let floats = &self.floats;
+        match len {
+            1 => Number::float(floats[0]),
+            3 => Number {
+                v: [floats[0], floats[1], floats[2], 0.0, 0.0],
+                len,
+            },
+            _ => {
+                let mut number = Number { v: [0.0; 5], len };
+                for (to, from) in number.v.iter_mut().zip(floats).take(usize::from(len)) {
+                    *to = *from;
+                }
+                number
+            }
+        }
     }
 
     /// Takes a step; `None` if it cannot be taken.
-    #[inline]
+    #[inline(never)]
     fn step(&mut self, op: Op, scopes: &Scopes, streams: &mut [u32]) -> Option<()> {
         match op {
             Op::Float(float) => self.push(float),
@@ -91,12 +141,14 @@ impl Stack {
                 self.drop(indices);
                 self.push_all(&number);
             }
-            Op::Binary(binary, 1, 1) => {
-                let right = self.pop();
-                self.with(binary, right)?;
+            Op::WithFloat(binary, right) => {
+                let left = self.pop();
+                self.push(combined(binary, left, right)?);
             }
-            Op::WithFloat(binary, right) => self.with(binary, right)?,
-            Op::WithName(binary, name) => self.with(binary, float(scopes, name)?)?,
+            Op::WithName(binary, name) => {
+                let left = self.pop();
+                self.push(combined(binary, left, float(scopes, name)?)?);
+            }
             Op::Binary(binary, left, right) => self.combine(binary, left, right)?,
             Op::Negate(len) => self.change(len, |float| -float),
             Op::Not(len) => self.change(len, |float| f64::from(u8::from(float.abs() <= EQUAL))),
@@ -159,17 +211,6 @@ impl Stack {
                 self.push(number);
             }
         }
-        Some(())
-    }
-
-    /// Combines the float on top with one on its right; `None` if that is a divisor of zero.
-    #[inline]
-    fn with(&mut self, binary: Binary, right: f64) -> Option<()> {
-        if binary == Binary::Divide && right == 0.0 {
-            return None;
-        }
-        let left = &mut self.floats[self.top.wrapping_sub(1) % DEPTH];
-        *left = binary.of(*left, right);
         Some(())
     }
 
@@ -249,6 +290,19 @@ impl Stack {
             self.push(binary.of(a, b));
         }
         Some(())
+    }
+}
+
+/// Two floats combined; `None` if the second is a divisor of zero.
+#[inline(always)]
+fn combined(binary: Binary, left: f64, right: f64) -> Option<f64> {
+    match binary {
+        Binary::Add => Some(left + right),
+        Binary::Subtract => Some(left - right),
+        Binary::Multiply => Some(left * right),
+        Binary::Divide if right == 0.0 => None,
+        Binary::Divide => Some(left / right),
+        _ => Some(binary.of(left, right)),
     }
 }
 
