@@ -82,7 +82,8 @@ double processor_seconds() {
 RTCScene scene_of(RTCDevice device, const std::vector<Ball> &balls) {
   RTCScene scene = rtcNewScene(device);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  void *buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Ball), balls.size());
+  void *buffer =
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Ball), balls.size());
   std::memcpy(buffer, balls.data(), balls.size() * sizeof(Ball));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
@@ -186,7 +187,8 @@ int main(int argc, char **argv) {
   const Counts counts = Caster(input, scene, width, height).cast();
   const double cast = processor_seconds();
   std::printf("build %.6f\ncast %.6f\n", built - start, cast - built);
-  std::printf("primary %ld\nhits %ld\nshadow %ld\noccluded %ld\n", counts.primary, counts.hits, counts.shadow, counts.occluded);
+  std::printf("primary %ld\nhits %ld\n", counts.primary, counts.hits);
+  std::printf("shadow %ld\noccluded %ld\n", counts.shadow, counts.occluded);
   rtcReleaseScene(scene);
   rtcReleaseDevice(device);
 }
