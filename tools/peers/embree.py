@@ -7,7 +7,7 @@ import subprocess
 
 from . import pictures
 from .process import run
-from .scene import RIGHT, Scene, Unsaid, translated
+from .scene import BALL_NUMBERS, RIGHT, Scene, Unsaid, translated
 
 SOURCE = pathlib.Path(__file__).with_name("embree_spheres.cpp")
 
@@ -20,8 +20,10 @@ def words(scene):
     yield f"camera {scene.camera} {scene.direction:.9f} {RIGHT}\n"
     for x, y, z, _ in scene.lights:
         yield f"light {x} {y} {z}\n"
-    for x, y, z, radius, *_ in scene.balls():
-        yield f"ball {x} {y} {z} {radius}\n"
+    for numbers in scene.objects():
+        if len(numbers) != BALL_NUMBERS:
+            raise Unsaid(f"{scene.path.stem} has more than balls")
+        yield f"ball {' '.join(numbers[:4])}\n"
 
 
 class Embree:

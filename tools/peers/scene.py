@@ -1,6 +1,6 @@
 """What a scene of the bench says, read back from its file, so that all renderers get the same numbers.
 
-Understood are the words that `tools/bench` writes for balls and for its mesh, no others.
+Understood are the words that `tools/bench` writes for balls, for tubes and for its mesh, no others.
 """
 
 import math
@@ -12,10 +12,13 @@ CAMERA = re.compile(rf"camera {{ location <0, 0, {NUMBER}> look_at 0 angle {NUMB
 LIGHT = re.compile(rf"light_source {{ {VECTOR}, rgb {NUMBER} }}\n")
 BACKGROUND = re.compile(rf"background {{ rgb {VECTOR} }}\n")
 BALL = re.compile(rf"sphere {{ {VECTOR}, {NUMBER} pigment {{ rgb {VECTOR} }} }}\n")
+TUBE = re.compile(rf"cylinder {{ {VECTOR}, {VECTOR}, {NUMBER} open pigment {{ rgb {VECTOR} }} }}\n")
 MESH = re.compile(
     r"mesh2 { vertex_vectors { \d+,(.*) } face_indices { \d+,(.*) }"
     rf" pigment {{ rgb {VECTOR} }} rotate {NUMBER}\*x }}\n", re.S)
 
+# A centre, a radius, a colour.
+BALL_NUMBERS = BALL.groups
 # The lines before the first object.
 HEAD_LINES = 6
 
@@ -28,7 +31,7 @@ class Unsaid(Exception):
 
 
 class Scene:
-    """A camera on the z axis that looks at the origin, lights, and either balls or a mesh.
+    """A camera on the z axis that looks at the origin, lights, and either balls and tubes or a mesh.
 
     `camera` is its place on the axis, `direction` the distance of the picture plane, `lights` are places with a
     brightness each, `background` is linear."""
@@ -46,15 +49,15 @@ class Scene:
         self.lights = [tuple(map(float, light)) for light in LIGHT.findall(self.head)]
         self.background = tuple(map(float, background.groups()))
 
-    def balls(self):
-        """Each ball's centre, radius and colour: seven numbers as written."""
+    def objects(self):
+        """Each object's numbers as written: seven of a ball (centre, radius, colour), ten of a tube (with two ends)."""
         with open(self.path, encoding="ascii") as file:
             file.seek(len(self.head))
             for line in file:
-                ball = BALL.fullmatch(line)
-                if not ball:
-                    raise Unsaid(f"{self.path.stem} has more than balls")
-                yield ball.groups()
+                known = BALL.fullmatch(line) or TUBE.fullmatch(line)
+                if not known:
+                    raise Unsaid(f"{self.path.stem} has more than balls and tubes")
+                yield known.groups()
 
     def mesh(self):
         """The corners of a mesh as they stand in space, its triangles as three indices each, and its colour."""

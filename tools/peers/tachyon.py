@@ -5,7 +5,7 @@ import shutil
 
 from . import pictures
 from .process import run
-from .scene import RIGHT, Unsaid, translated
+from .scene import BALL_NUMBERS, RIGHT, Unsaid, translated
 
 # POV-Ray's default finish.
 LOOK = "AMBIENT 0.1 DIFFUSE 0.6 SPECULAR 0 OPACITY 1"
@@ -36,8 +36,13 @@ def words(scene, size):
         for a, b, c in faces:
             yield f"TRI V0 {corners[a]} V1 {corners[b]} V2 {corners[c]} look\n"
     else:
-        for x, y, z, radius, *colour in scene.balls():
-            yield f"SPHERE CENTER {x} {y} {z} RAD {radius} TEXTURE {LOOK} COLOR {' '.join(colour)} TEXFUNC 0\n"
+        for numbers in scene.objects():
+            *places, radius, red, green, blue = numbers
+            if len(numbers) == BALL_NUMBERS:
+                shape = f"SPHERE CENTER {' '.join(places)}"
+            else:
+                shape = f"FCYLINDER BASE {' '.join(places[:3])} APEX {' '.join(places[3:])}"
+            yield f"{shape} RAD {radius} TEXTURE {LOOK} COLOR {red} {green} {blue} TEXFUNC 0\n"
     yield "END_SCENE\n"
 
 
