@@ -18,9 +18,7 @@ use super::settings::Settings;
 use super::streams::Files;
 use crate::Series;
 use crate::batch::{Told, in_order};
-use crate::options::{
-    Event, Failure, Input, Listen, Picture, RenderOptions, Sampling, Statistics,
-};
+use crate::options::{Event, Failure, Input, Listen, Picture, RenderOptions, Sampling, Statistics};
 use crate::output::{self, EncodeOptions, OutputError, Target};
 use crate::source::Code;
 
@@ -194,15 +192,10 @@ impl Run<'_> {
             working,
             statistics,
             ..
-        } = (self.draw)(
-            &self.input,
-            &read,
-            &render,
-            &|event| match event {
-                Event::Drawn(pixels) => self.progress.advance(pixels),
-                event => listen(event),
-            },
-        )?;
+        } = (self.draw)(&self.input, &read, &render, &|event| match event {
+            Event::Drawn(pixels) => self.progress.advance(pixels),
+            event => listen(event),
+        })?;
         let bytes = output.map(|(_, options)| {
             let options = EncodeOptions {
                 working,

@@ -104,15 +104,10 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     reporter.files = Files::create(&settings.streams)?;
     reporter.files.begin(settings);
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
-    let drawn = draw(
-        &input,
-        &settings.read,
-        &render,
-        &|event| match event {
-            Event::Drawn(pixels) => progress.advance(pixels),
-            event => reporter.hear(event),
-        },
-    );
+    let drawn = draw(&input, &settings.read, &render, &|event| match event {
+        Event::Drawn(pixels) => progress.advance(pixels),
+        event => reporter.hear(event),
+    });
     progress.finish();
     reporter.take_counts();
     let Ok(picture) = drawn else {

@@ -15,8 +15,8 @@ mod png;
 mod ppm;
 mod tga;
 
-pub use levels::Levels;
 pub(crate) use levels::Leveller;
+pub use levels::Levels;
 pub(crate) use place::Pending;
 
 use std::fmt;

@@ -364,7 +364,10 @@ fn motley() -> Film {
     let parts = [-0.5, 0.0, 1e-4, 0.3, 0.999, 1.0, 7.0, f32::NAN];
     for (i, pixel) in film.pixels.iter_mut().enumerate() {
         let part = |step: usize| parts[i / step % parts.len()];
-        *pixel = Pixel::new(Rgb::new(part(1), part(5), part(29)), part(3).clamp(0.0, 1.0));
+        *pixel = Pixel::new(
+            Rgb::new(part(1), part(5), part(29)),
+            part(3).clamp(0.0, 1.0),
+        );
     }
     film
 }
@@ -392,7 +395,10 @@ fn levels_made_piece_by_piece_give_the_same_file() {
             }
             let leveled = Film::of_levels(levels, film.columns.clone(), film.rows.clone());
             let expected = encode(&film, &options).unwrap();
-            assert!(encode(&leveled, &options).unwrap() == expected, "{options:?}");
+            assert!(
+                encode(&leveled, &options).unwrap() == expected,
+                "{options:?}"
+            );
         }
     }
 }
