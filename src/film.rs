@@ -20,6 +20,9 @@ impl Pixel {
     #[must_use]
     #[inline]
     pub fn new(rgb: Rgb, transmit: f32) -> Pixel {
+        if (rgb.r.abs() + rgb.g.abs() + rgb.b.abs() + transmit.abs()).is_finite() {
+            return Pixel { rgb, transmit };
+        }
         let told = |c: f32| {
             if c.is_nan() {
                 0.0

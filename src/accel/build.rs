@@ -4,11 +4,20 @@
 //! A node begins as one range of items. Its range with the largest surface is split until there are eight, or until none
 //! has more than eight items: splitting those, too, would leave nodes half empty and the tree 60 % larger. Each split
 //! depends on the items of its range alone, so the tree is the same for any number of threads.
+//!
+//! Items are looked at twice for each split: once to put them into bins, and once to bring them to their sides, which
+//! leaves both halves with all that their own splits need.
 
-use super::node::{Cell, Child, Node, WIDTH};
+use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
 
 /// How many places for a split are weighed on each axis.
 const BINS: usize = 16;
+
+/// The same for ranges of few items, for which it costs more to look at the places than at the items.
+const FEW_BINS: usize = 8;
+
+/// Ranges of so many items are few.
+const FEW: usize = 64;
 
 /// Below this depth ranges are halved by number alone: no arrangement of boxes makes the tree much deeper.
 const MAX_DEPTH: u32 = 64;
@@ -19,8 +28,11 @@ const PARALLEL: usize = 4096;
 /// Of more items not all parts of the tree are built at once.
 const VERY_MANY: usize = PARALLEL * WIDTH;
 
-/// Ends beyond this are infinite; finite boxes are near one.
-const INFINITE: f32 = 1e18;
+/// Twice a middle beyond this is infinite; finite boxes are near one.
+const INFINITE: f32 = 2e18;
+
+/// Sums with this have no room for fractions: the nearest whole number stands in their last bits.
+const WHOLE: f32 = 8_388_608.0;
 
 /// An item with its box.
 #[derive(Clone, Copy, Debug)]
@@ -29,21 +41,44 @@ pub(super) struct Entry {
     pub(super) item: u32,
 }
 
-/// Where to split: the first bin of the upper part on an axis.
-struct Split {
-    axis: usize,
-    bin: usize,
-    low: f32,
-    bins_per_length: f32,
+/// A box in four lanes, which one instruction works on; the last of them means nothing.
+#[derive(Clone, Copy)]
+struct Wide {
+    low: [f32; 4],
+    high: [f32; 4],
 }
 
-/// The nodes for a list of items, the root first.
+/// A range of items with what is known of it.
+struct Part<'e> {
+    entries: &'e mut [Entry],
+    whole: Wide,
+    /// Around twice the middles of the boxes.
+    middles: Wide,
+}
+
+/// The bins of a range: where they begin on each axis, and how many there are for a length.
+struct Bins {
+    start: [f32; 4],
+    per_length: [f32; 4],
+    last: f32,
+}
+
+/// Where to split: the first bin of the upper part on an axis, and the boxes of both parts.
+struct Split {
+    cost: f32,
+    axis: usize,
+    bin: usize,
+    lower: Wide,
+    upper: Wide,
+}
+
+/// The nodes for a range of items, the root first.
 pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(expected(entries.len()));
     if entries.len() > VERY_MANY {
         part_by_part(entries, &mut nodes);
     } else if !entries.is_empty() {
-        subtree(&mut entries, 0, &mut nodes);
+        subtree(Part::new(&mut entries), 0, &mut nodes);
     }
     // Shrinking copies all of them; where they are many, what is not used is no memory.
     if nodes.capacity() - nodes.len() > nodes.len() / 2 {
@@ -61,240 +96,337 @@ fn expected(items: usize) -> usize {
 /// from the end of the list on, which is given back piece by piece.
 fn part_by_part(mut entries: Vec<Entry>, nodes: &mut Vec<Node>) {
     let list = entries.as_ptr().addr();
-    let ranges = split_to_width(&mut entries, 0);
-    let start = |range: &[Entry]| (range.as_ptr().addr() - list) / size_of::<Entry>();
-    let mut parts: Vec<(usize, usize)> = ranges
+    let parts = split_to_width(Part::new(&mut entries), 0);
+    let start = |part: &Part| (part.entries.as_ptr().addr() - list) / size_of::<Entry>();
+    let mut parts: Vec<(usize, usize, Wide, Wide)> = parts
         .iter()
         .enumerate()
-        .map(|(place, range)| (start(range), place))
+        .map(|(place, part)| (start(part), place, part.whole, part.middles))
         .collect();
-    parts.sort_unstable();
+    parts.sort_unstable_by_key(|&(start, ..)| start);
     let root = nodes.len();
     nodes.push(Node::empty());
-    while let Some((start, place)) = parts.pop() {
-        let range = &mut entries[start..];
-        let part = build_part(range, 0);
-        append(part, range, (root, place), nodes);
+    while let Some((start, place, whole, middles)) = parts.pop() {
+        let mut part = Part {
+            entries: &mut entries[start..],
+            whole,
+            middles,
+        };
+        let below = build_parts(std::slice::from_mut(&mut part), 0);
+        below
+            .into_iter()
+            .for_each(|below| hang(below, &whole, (root, place), nodes));
         entries.truncate(start);
         entries.shrink_to_fit();
     }
 }
 
+/// Appends the nodes of a part, and hangs them below a place in a node.
+fn hang(mut below: Vec<Node>, whole: &Wide, (above, place): (usize, usize), nodes: &mut Vec<Node>) {
+    let first = index(nodes.len());
+    for node in &mut below {
+        node.shift(first);
+    }
+    nodes.append(&mut below);
+    nodes[above].set(place, &whole.cell(), Child::of_node(first));
+}
+
 /// Appends the node of a range and all below it.
-fn subtree(entries: &mut [Entry], depth: u32, nodes: &mut Vec<Node>) {
-    use rayon::prelude::*;
-    let is_large = entries.len() > PARALLEL;
-    let mut ranges = split_to_width(entries, depth);
+fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
     let root = nodes.len();
     nodes.push(Node::empty());
-    if is_large {
-        let parts: Vec<Vec<Node>> = ranges
-            .par_iter_mut()
-            .map(|range| build_part(range, depth))
-            .collect();
-        for (place, (range, part)) in ranges.iter().zip(parts).enumerate() {
-            append(part, range, (root, place), nodes);
+    if part.entries.len() <= WIDTH {
+        for (place, entry) in part.entries.iter().enumerate() {
+            nodes[root].set(place, &entry.cell, Child::of_item(entry.item));
         }
         return;
     }
-    for (place, range) in ranges.into_iter().enumerate() {
-        let cell = whole(range);
-        let child = if range.len() == 1 {
-            Child::of_item(range[0].item)
-        } else {
-            let first = index(nodes.len());
-            subtree(range, depth + 1, nodes);
-            Child::of_node(first)
-        };
-        nodes[root].set(place, &cell, child);
+    let is_large = part.entries.len() > PARALLEL;
+    let mut parts = split_to_width(part, depth);
+    if is_large {
+        let built = build_parts(&mut parts, depth);
+        for (place, (part, below)) in parts.iter().zip(built).enumerate() {
+            hang(below, &part.whole, (root, place), nodes);
+        }
+        return;
+    }
+    for (place, part) in parts.into_iter().enumerate() {
+        let first = index(nodes.len());
+        let whole = part.whole.cell();
+        subtree(part, depth + 1, nodes);
+        nodes[root].set(place, &whole, Child::of_node(first));
     }
 }
 
-/// The nodes of a range below a node at this depth; none for a single item.
-fn build_part(range: &mut [Entry], depth: u32) -> Vec<Node> {
-    let mut nodes = Vec::new();
-    if range.len() > 1 {
-        nodes.reserve_exact(expected(range.len()));
-        subtree(range, depth + 1, &mut nodes);
-    }
-    nodes
-}
-
-/// Appends the nodes of a range, and hangs them or its single item below a place in a node.
-fn append(
-    mut part: Vec<Node>,
-    range: &[Entry],
-    (above, place): (usize, usize),
-    nodes: &mut Vec<Node>,
-) {
-    let first = index(nodes.len());
-    for node in &mut part {
-        node.shift(first);
-    }
-    let child = if part.is_empty() {
-        Child::of_item(range[0].item)
-    } else {
-        Child::of_node(first)
-    };
-    nodes.append(&mut part);
-    nodes[above].set(place, &whole(range), child);
+/// The nodes of each range.
+fn build_parts(parts: &mut [Part], depth: u32) -> Vec<Vec<Node>> {
+    use rayon::prelude::*;
+    parts
+        .par_iter_mut()
+        .map(|part| {
+            let mut nodes = Vec::new();
+            nodes.reserve_exact(expected(part.entries.len()));
+            subtree(part.reborrowed(), depth + 1, &mut nodes);
+            nodes
+        })
+        .collect()
 }
 
 fn index(i: usize) -> u32 {
     u32::try_from(i).expect("a tree has fewer nodes than items, and these are counted in 31 bits")
 }
 
-/// Splits a range into at most eight, none of them empty.
-fn split_to_width(entries: &mut [Entry], depth: u32) -> Vec<&mut [Entry]> {
-    let least = if entries.len() > WIDTH { WIDTH } else { 1 };
-    let mut ranges: Vec<(f32, &mut [Entry])> = vec![(0.0, entries)];
-    while ranges.len() < WIDTH {
-        let widest = (0..ranges.len())
-            .filter(|&i| ranges[i].1.len() > least)
-            .max_by(|&a, &b| ranges[a].0.total_cmp(&ranges[b].0));
+/// Splits a range of more items than a node has places into at most eight, none of them empty.
+fn split_to_width(part: Part, depth: u32) -> Vec<Part> {
+    let mut parts = Vec::with_capacity(WIDTH);
+    parts.push((0.0, part));
+    while parts.len() < WIDTH {
+        let widest = (0..parts.len())
+            .filter(|&i| parts[i].1.entries.len() > WIDTH)
+            .max_by(|&a, &b| f32::total_cmp(&parts[a].0, &parts[b].0));
         let Some(widest) = widest else {
             break;
         };
-        let (_, range) = ranges.swap_remove(widest);
-        let (lower, upper) = halve(range, depth);
-        ranges.push((whole(lower).area(), lower));
-        ranges.push((whole(upper).area(), upper));
-    }
-    ranges.into_iter().map(|(_, range)| range).collect()
-}
-
-fn whole(entries: &[Entry]) -> Cell {
-    entries
-        .iter()
-        .fold(Cell::EMPTY, |sum, entry| sum.union(&entry.cell))
-}
-
-/// Splits a range of two or more in two, by the cheapest of the bins' borders, or in the middle of the list if the bins
-/// cannot tell the items apart.
-fn halve(entries: &mut [Entry], depth: u32) -> (&mut [Entry], &mut [Entry]) {
-    let mut middle = entries.len() / 2;
-    if entries.len() > 2
-        && depth < MAX_DEPTH
-        && let Some(split) = cheapest(entries)
-    {
-        middle = partition(entries, |entry| split.is_lower(entry));
-    }
-    entries.split_at_mut(middle)
-}
-
-/// Moves the entries for which `is_lower` holds to the front and counts them.
-fn partition(entries: &mut [Entry], is_lower: impl Fn(&Entry) -> bool) -> usize {
-    let mut count = 0;
-    for i in 0..entries.len() {
-        if is_lower(&entries[i]) {
-            entries.swap(i, count);
-            count += 1;
+        let (_, part) = parts.swap_remove(widest);
+        for half in part.halve(depth) {
+            parts.push((half.whole.area(), half));
         }
     }
-    count
+    parts.into_iter().map(|(_, part)| part).collect()
+}
+
+impl Wide {
+    const EMPTY: Wide = Wide {
+        low: [f32::INFINITY; 4],
+        high: [f32::NEG_INFINITY; 4],
+    };
+
+    #[inline(always)]
+    fn of(cell: &Cell) -> Self {
+        let ([a, b, c], [d, e, f]) = (cell.low, cell.high);
+        Wide {
+            low: [a, b, c, 0.0],
+            high: [d, e, f, 0.0],
+        }
+    }
+
+    fn cell(&self) -> Cell {
+        let ([a, b, c, _], [d, e, f, _]) = (self.low, self.high);
+        Cell {
+            low: [a, b, c],
+            high: [d, e, f],
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, other: &Wide) {
+        for lane in 0..4 {
+            self.low[lane] = smaller(other.low[lane], self.low[lane]);
+            self.high[lane] = larger(other.high[lane], self.high[lane]);
+        }
+    }
+
+    #[inline(always)]
+    fn add_point(&mut self, point: [f32; 4]) {
+        self.add(&Wide {
+            low: point,
+            high: point,
+        });
+    }
+
+    /// Half the surface.
+    #[inline(always)]
+    fn area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|axis| self.high[axis] - self.low[axis]);
+        x * y + y * z + z * x
+    }
 }
 
 impl Entry {
     /// Twice the middle of the box, finite.
-    fn middle(&self, axis: usize) -> f32 {
-        let finite = |end: f32| end.clamp(-INFINITE, INFINITE);
-        finite(self.cell.low[axis]) + finite(self.cell.high[axis])
+    #[inline(always)]
+    fn middle(&self) -> [f32; 4] {
+        let wide = Wide::of(&self.cell);
+        let mut middle = [0.0; 4];
+        for (lane, middle) in middle.iter_mut().enumerate() {
+            *middle = smaller(
+                larger(wide.low[lane] + wide.high[lane], -INFINITE),
+                INFINITE,
+            );
+        }
+        middle
     }
 }
 
-impl Split {
-    fn on(axis: usize, middles: &Cell) -> Option<Self> {
-        let low = middles.low[axis];
-        let length = middles.high[axis] - low;
-        #[allow(clippy::cast_precision_loss, reason = "16 is exact")]
-        let bins_per_length = BINS as f32 / length;
-        (length > 0.0 && bins_per_length.is_finite()).then_some(Split {
-            axis,
-            bin: 0,
-            low,
-            bins_per_length,
-        })
+impl<'e> Part<'e> {
+    fn new(entries: &'e mut [Entry]) -> Self {
+        let (mut whole, mut middles) = (Wide::EMPTY, Wide::EMPTY);
+        for entry in entries.iter() {
+            whole.add(&Wide::of(&entry.cell));
+            middles.add_point(entry.middle());
+        }
+        Part {
+            entries,
+            whole,
+            middles,
+        }
     }
 
-    #[inline]
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 0 and 16"
-    )]
-    fn bin_of(&self, entry: &Entry) -> usize {
-        let bin = (entry.middle(self.axis) - self.low) * self.bins_per_length;
-        (bin as usize).min(BINS - 1)
+    fn reborrowed(&mut self) -> Part<'_> {
+        Part {
+            entries: &mut *self.entries,
+            whole: self.whole,
+            middles: self.middles,
+        }
     }
 
-    fn is_lower(&self, entry: &Entry) -> bool {
-        self.bin_of(entry) < self.bin
-    }
-}
-
-/// The split with the least sum of surface times number, `None` if all middles are the same.
-fn cheapest(entries: &[Entry]) -> Option<Split> {
-    let middles = middles(entries);
-    let splits = [0, 1, 2].map(|axis| Split::on(axis, &middles));
-    let mut cells = [[Cell::EMPTY; BINS]; 3];
-    let mut counts = [[0_u32; BINS]; 3];
-    for entry in entries {
-        for (axis, split) in splits.iter().enumerate() {
-            if let Some(split) = split {
-                let bin = split.bin_of(entry) % BINS;
-                cells[axis][bin] = cells[axis][bin].union(&entry.cell);
-                counts[axis][bin] += 1;
+    /// Splits it in two, by the cheapest of the bins' borders, or in the middle of the list if the bins cannot tell the
+    /// items apart.
+    fn halve(self, depth: u32) -> [Part<'e>; 2] {
+        let split = if depth >= MAX_DEPTH {
+            None
+        } else if self.entries.len() <= FEW {
+            self.cheapest::<FEW_BINS>()
+        } else {
+            self.cheapest::<BINS>()
+        };
+        match split {
+            Some((bins, split)) => self.split_at(&bins, &split),
+            None => {
+                let middle = self.entries.len() / 2;
+                let (lower, upper) = self.entries.split_at_mut(middle);
+                [Part::new(lower), Part::new(upper)]
             }
         }
     }
-    let mut best: Option<(f32, Split)> = None;
-    for (axis, split) in splits.into_iter().enumerate() {
-        let Some(mut split) = split else {
-            continue;
-        };
-        let (cost, bin) = cheapest_border(&cells[axis], &counts[axis]);
-        split.bin = bin;
-        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-            best = Some((cost, split));
+
+    /// The split with the least sum of surface times number; none if all middles are the same.
+    fn cheapest<const COUNT: usize>(&self) -> Option<(Bins, Split)> {
+        let bins = Bins::new::<COUNT>(&self.middles);
+        let mut cells = [[Wide::EMPTY; COUNT]; 3];
+        let mut counts = [[0_u32; COUNT]; 3];
+        for entry in self.entries.iter() {
+            let wide = Wide::of(&entry.cell);
+            let own = bins.of(entry);
+            for axis in 0..3 {
+                let bin = own[axis] as usize % COUNT;
+                cells[axis][bin].add(&wide);
+                counts[axis][bin] += 1;
+            }
+        }
+        let mut best: Option<Split> = None;
+        for axis in (0..3).filter(|&axis| bins.per_length[axis] > 0.0) {
+            let least = best.as_ref().map_or(f32::INFINITY, |best| best.cost);
+            if let Some(split) = cheapest_border(axis, &cells[axis], &counts[axis], least) {
+                best = Some(split);
+            }
+        }
+        best.map(|split| (bins, split))
+    }
+
+    /// Brings the items below the split to the front.
+    fn split_at(self, bins: &Bins, split: &Split) -> [Part<'e>; 2] {
+        let entries = self.entries;
+        let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
+        let is_lower = |entry: &Entry| (bins.of(entry)[split.axis] as usize) < split.bin;
+        let (mut front, mut back) = (0, entries.len());
+        while front < back {
+            if is_lower(&entries[front]) {
+                lower.add_point(entries[front].middle());
+                front += 1;
+                continue;
+            }
+            back -= 1;
+            while front < back && !is_lower(&entries[back]) {
+                upper.add_point(entries[back].middle());
+                back -= 1;
+            }
+            upper.add_point(entries[front].middle());
+            entries.swap(front, back);
+        }
+        let (below, above) = entries.split_at_mut(front);
+        [
+            Part {
+                entries: below,
+                whole: split.lower,
+                middles: lower,
+            },
+            Part {
+                entries: above,
+                whole: split.upper,
+                middles: upper,
+            },
+        ]
+    }
+}
+
+impl Bins {
+    #[allow(clippy::cast_precision_loss, reason = "16 is exact")]
+    fn new<const COUNT: usize>(middles: &Wide) -> Self {
+        let last = (COUNT - 1) as f32;
+        let mut per_length = [0.0; 4];
+        for (axis, per_length) in per_length[..3].iter_mut().enumerate() {
+            let by = last / (middles.high[axis] - middles.low[axis]);
+            if by.is_finite() {
+                *per_length = by;
+            }
+        }
+        Bins {
+            start: middles.low,
+            per_length,
+            last,
         }
     }
-    best.map(|(_, split)| split)
+
+    /// The bins of an item on the three axes: the one whose middle is nearest.
+    #[inline(always)]
+    fn of(&self, entry: &Entry) -> [u32; 4] {
+        let middle = entry.middle();
+        let mut bins = [0; 4];
+        for lane in 0..4 {
+            let at = (middle[lane] - self.start[lane]) * self.per_length[lane];
+            let at = smaller(larger(at, 0.0), self.last);
+            bins[lane] = (at + WHOLE).to_bits() & 0xff;
+        }
+        bins
+    }
 }
 
-/// The box of twice the middles.
-fn middles(entries: &[Entry]) -> Cell {
-    entries.iter().fold(Cell::EMPTY, |sum, entry| {
-        let middle = [0, 1, 2].map(|axis| entry.middle(axis));
-        sum.union(&Cell {
-            low: middle,
-            high: middle,
-        })
-    })
-}
-
-/// The cost and the first bin above the cheapest border with items on both sides. The lowest and the highest bin are
-/// never empty.
+/// The cheapest border between two bins with items on both sides, if it costs less than `least`. The lowest and the
+/// highest bin are never empty.
 #[allow(
     clippy::cast_precision_loss,
     reason = "a cost needs no more than seven digits"
 )]
-fn cheapest_border(cells: &[Cell; BINS], counts: &[u32; BINS]) -> (f32, usize) {
-    let mut above = [0.0; BINS];
-    let (mut cell, mut count) = (Cell::EMPTY, 0);
-    for bin in (1..BINS).rev() {
-        cell = cell.union(&cells[bin]);
+fn cheapest_border<const COUNT: usize>(
+    axis: usize,
+    cells: &[Wide; COUNT],
+    counts: &[u32; COUNT],
+    mut least: f32,
+) -> Option<Split> {
+    let mut above = [(0.0, Wide::EMPTY); COUNT];
+    let (mut cell, mut count) = (Wide::EMPTY, 0);
+    for bin in (1..COUNT).rev() {
+        cell.add(&cells[bin]);
         count += counts[bin];
-        above[bin] = cell.area() * count as f32;
+        above[bin] = (cell.area() * count as f32, cell);
     }
-    let (mut cell, mut count) = (Cell::EMPTY, 0);
-    let mut best = (f32::INFINITY, 1);
-    for bin in 1..BINS {
-        cell = cell.union(&cells[bin - 1]);
+    let (mut cell, mut count) = (Wide::EMPTY, 0);
+    let mut best = None;
+    for bin in 1..COUNT {
+        cell.add(&cells[bin - 1]);
         count += counts[bin - 1];
-        let cost = cell.area() * count as f32 + above[bin];
-        if cost < best.0 {
-            best = (cost, bin);
+        let cost = cell.area() * count as f32 + above[bin].0;
+        if cost < least {
+            least = cost;
+            best = Some((bin, cell));
         }
     }
-    best
+    best.map(|(bin, lower)| Split {
+        cost: least,
+        axis,
+        bin,
+        lower,
+        upper: above[bin].1,
+    })
 }

@@ -10,7 +10,7 @@ use super::node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
 use crate::math::lanes::{Eight, Kernel, Lanes, eight};
-use crate::math::rounding::{f32_above, f32_below, nearest};
+use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, nearest};
 use glam::{DVec3, Vec3};
 
 /// How many rays are tried at once.
@@ -105,34 +105,42 @@ impl Ball {
 }
 
 impl Bundle {
-    /// Takes rays for a walk through `tree`: unit directions, and where each ends. False if they cannot go together.
+    /// Takes `count` rays for a walk through `tree`: unit directions, and where each ends, four by four; behind the last
+    /// ray some ray stands again. False if they cannot go together.
     #[inline(always)]
     pub fn fill(
         &mut self,
         tree: &Bvh,
         origin: DVec3,
-        rays: impl ExactSizeIterator<Item = (DVec3, f64)>,
+        count: usize,
+        four: impl Fn(usize) -> ([[f64; 4]; 3], [f64; 4]),
     ) -> bool {
         self.origin = tree.frame.place(origin);
         self.scale = tree.frame.scale();
         // NaN is too far as well.
         let is_near = self.origin.abs().max_element() < FARTHEST;
-        let count = rays.len();
         if !is_near || count == 0 || !self.scale.is_normal() {
             return false;
         }
         self.count = count;
         self.groups.clear();
-        self.groups.resize(count.div_ceil(LANES), Group::EMPTY);
-        let mut last = Vec3::ZERO;
-        for (number, (dir, end)) in rays.enumerate() {
-            let group = &mut self.groups[number / LANES];
-            last = dir.as_vec3();
-            group.set(number % LANES, last);
-            group.end[number % LANES] = frame_end(end, self.scale);
+        let last = (count - 1) / 4;
+        for number in 0..count.div_ceil(LANES) {
+            let mut group = Group::EMPTY;
+            for half in 0..2 {
+                let (dir, end) = four((2 * number + half).min(last));
+                let at = 4 * half;
+                for (to, from) in group.dir.iter_mut().zip(&dir) {
+                    to[at..at + 4].copy_from_slice(&from.map(nearest));
+                }
+                for (to, from) in group.end[at..at + 4].iter_mut().zip(end) {
+                    *to = frame_end(from, self.scale);
+                }
+            }
+            self.groups.push(group);
         }
         for number in count..self.groups.len() * LANES {
-            self.groups[number / LANES].set(number % LANES, last);
+            self.groups[number / LANES].end[number % LANES] = f32::NEG_INFINITY;
         }
         self.gather_cones();
         self.gather_pyramid()
@@ -324,12 +332,14 @@ struct Slab {
 }
 
 impl Slab {
+    // Spelt out: `map` is not always inlined.
     #[inline(always)]
     fn new(cell: &Cell, origin: DVec3) -> Self {
-        let relative = |end: f32, axis: usize| f64::from(end) - origin[axis];
+        let below = |axis: usize| loose_below(f64::from(cell.low[axis]) - origin[axis]);
+        let above = |axis: usize| loose_above(f64::from(cell.high[axis]) - origin[axis]);
         Slab {
-            low: [0, 1, 2].map(|i| f32_below(relative(cell.low[i], i))),
-            high: [0, 1, 2].map(|i| f32_above(relative(cell.high[i], i))),
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
         }
     }
 }
@@ -339,13 +349,6 @@ impl Group {
         dir: [[0.0; LANES]; 3],
         end: [f32::NEG_INFINITY; LANES],
     };
-
-    #[inline(always)]
-    fn set(&mut self, lane: usize, dir: Vec3) {
-        for axis in 0..3 {
-            self.dir[axis][lane] = dir[axis];
-        }
-    }
 
     #[inline(always)]
     fn dot(&self, with: Vec3) -> [f32; LANES] {

@@ -89,28 +89,6 @@ impl Child {
     }
 }
 
-impl Cell {
-    pub(super) const EMPTY: Cell = Cell {
-        low: [f32::INFINITY; 3],
-        high: [f32::NEG_INFINITY; 3],
-    };
-
-    pub(super) fn union(&self, other: &Cell) -> Cell {
-        let mut both = *self;
-        for axis in 0..3 {
-            both.low[axis] = smaller(both.low[axis], other.low[axis]);
-            both.high[axis] = larger(both.high[axis], other.high[axis]);
-        }
-        both
-    }
-
-    /// Half the surface, zero for an empty box.
-    pub(super) fn area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|axis| (self.high[axis] - self.low[axis]).max(0.0));
-        x * y + y * z + z * x
-    }
-}
-
 /// The second where one is not a number; one instruction, unlike `f32::min`, which asks whether both are.
 #[inline(always)]
 pub(super) fn smaller(a: f32, b: f32) -> f32 {
@@ -156,9 +134,12 @@ impl Frame {
         let low = (bounds.min - self.centre) * self.scale;
         let high = (bounds.max - self.centre) * self.scale;
         let known = |end: f64, unknown: f64| if end.is_nan() { unknown } else { end };
+        // Spelt out: `map` is not always inlined.
+        let below = |axis: usize| f32_below(known(low[axis].next_down(), f64::NEG_INFINITY));
+        let above = |axis: usize| f32_above(known(high[axis].next_up(), f64::INFINITY));
         Cell {
-            low: [0, 1, 2].map(|i| f32_below(known(low[i].next_down(), f64::NEG_INFINITY))),
-            high: [0, 1, 2].map(|i| f32_above(known(high[i].next_up(), f64::INFINITY))),
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
         }
     }
 
@@ -279,9 +260,11 @@ impl Node {
     /// One of the boxes.
     #[inline(always)]
     pub(super) fn cell(&self, place: usize) -> Cell {
+        // Spelt out: `map` is not always inlined.
+        let [x, y, z] = &self.planes;
         Cell {
-            low: [0, 1, 2].map(|axis| self.planes[axis][0][place]),
-            high: [0, 1, 2].map(|axis| self.planes[axis][1][place]),
+            low: [x[0][place], y[0][place], z[0][place]],
+            high: [x[1][place], y[1][place], z[1][place]],
         }
     }
 

@@ -292,8 +292,15 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
                     f64::INFINITY
                 }
             };
-            let dirs = rays.iter().enumerate().map(|(i, ray)| (ray.dir, far(i)));
-            if !bundle.fill(&tree, origin, dirs) {
+            let four = |number: usize| {
+                let place = |lane: usize| (4 * number + lane).min(rays.len() - 1);
+                let axis = |axis: usize| [0, 1, 2, 3].map(|lane| rays[place(lane)].dir[axis]);
+                (
+                    [axis(0), axis(1), axis(2)],
+                    [0, 1, 2, 3].map(|lane| far(place(lane))),
+                )
+            };
+            if !bundle.fill(&tree, origin, rays.len(), four) {
                 continue;
             }
             let mut best = vec![None; rays.len()];

@@ -7,6 +7,7 @@ mod bumps;
 mod cylinder;
 mod fisheye;
 mod focal_blur;
+mod four;
 mod lens_points;
 mod omnimax;
 mod orthographic;

@@ -12,7 +12,7 @@ use super::query::{Query, Scratch};
 use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
-use crate::shape::{Crossing, FourRays, FourSpans, Root};
+use crate::shape::{Crossing, FourRays, FourSpans, Root, Shape, Sphere};
 
 /// Combinations of up to so many operands are tried end by end; the work grows with the square.
 const MOST_OPERANDS: usize = 8;
@@ -177,6 +177,21 @@ impl FourKernel for FourOfLeaf<'_> {
     }
 }
 
+/// Asks which of four rays have left a ball for good, one bit each.
+struct LeftBehind<'a> {
+    ball: &'a Sphere,
+    rays: &'a FourQueries,
+}
+
+impl FourKernel for LeftBehind<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> u32 {
+        F::bits(self.ball.four_left_behind(&self.rays.load::<F>()))
+    }
+}
+
 impl Passing<'_> {
     #[inline(always)]
     fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>) -> FourSpans<F> {
@@ -292,6 +307,13 @@ impl World {
             left: [0, 0],
         };
         let mut own = rays.have_left(number) & there;
+        if own != 0
+            && let (Shape::Sphere(ball), None) = (&leaf.shape, &leaf.object_from_world)
+        {
+            let gone = own & rays.goes_out & four(lanes, &LeftBehind { ball, rays });
+            there &= !gone;
+            own &= !gone;
+        }
         while own != 0 {
             let lane = own.trailing_zeros() as usize % 4;
             own &= own - 1;

@@ -25,6 +25,8 @@ pub struct Lights {
     listed: Vec<Listed>,
     /// For each list, the numbers of its lights.
     lists: Vec<Box<[u32]>>,
+    /// For each light, whether it is on all lists.
+    is_global: Vec<bool>,
     /// What lights are projected through, by the numbers of the lights.
     projectors: Vec<(u32, Program)>,
 }
@@ -39,6 +41,7 @@ impl Default for Lights {
                 own: Vec::new(),
             }],
             lists: Vec::new(),
+            is_global: Vec::new(),
             projectors: Vec::new(),
         }
     }
@@ -82,12 +85,21 @@ impl Lights {
             global.chain(&listed.own).copied().collect()
         };
         self.lists = self.listed.iter().map(list).collect();
+        let is_on_all = |number| self.lists.iter().all(|list| list.contains(&number));
+        self.is_global = (0u32..).take(self.lights.len()).map(is_on_all).collect();
     }
 
     /// The numbers of the lights in a list.
     #[must_use]
     pub fn of(&self, list: LightList) -> &[u32] {
         &self.lists[list.0 as usize]
+    }
+
+    /// Whether the light of this number shines on all surfaces.
+    #[must_use]
+    #[inline(always)]
+    pub fn shines_on_all(&self, number: u32) -> bool {
+        self.is_global[number as usize]
     }
 
     /// The light of a number.

@@ -1,8 +1,10 @@
 //! Queries side by side, in the form in which four are answered at once.
 
-use super::query::Query;
+use super::hits::{FourHits, FourWays, NO_LEAF};
 use crate::math::lanes::Four;
+use crate::math::lanes::three::load;
 use crate::shape::FourRays;
+use glam::DVec3;
 
 /// Four queries. Where there are fewer the last stands in for those that are missing.
 #[derive(Clone, Copy, Debug)]
@@ -16,10 +18,9 @@ pub(super) struct FourQueries {
     pub(super) far: [f64; 4],
     /// The leaves that the rays have just left; [`NO_LEAF`] for none.
     pub(super) left: [u32; 4],
+    /// Which of them go to the outer side of the leaf that they have left, one bit each.
+    pub(super) goes_out: u32,
 }
-
-/// The number of no leaf.
-const NO_LEAF: u32 = u32::MAX;
 
 /// Any number of queries, four by four.
 #[derive(Debug, Default)]
@@ -28,35 +29,51 @@ pub(super) struct Lot {
 }
 
 impl Lot {
-    /// Takes in the queries of the numbers up to `count`; `least` is the distance of each up to which nothing counts.
+    /// Takes in the rays of a camera, which start at one point; up to `least` nothing counts.
     #[inline(always)]
-    pub(super) fn fill(
-        &mut self,
-        count: usize,
-        query: impl Fn(usize) -> Query,
-        least: impl Fn(&Query) -> f64,
-    ) {
-        self.fours.clear();
-        for first in (0..count).step_by(4) {
-            let mut four = FourQueries {
-                origin: [[0.0; 4]; 3],
-                dir: [[0.0; 4]; 3],
-                from: [0.0; 4],
-                far: [0.0; 4],
-                left: [NO_LEAF; 4],
-            };
-            for lane in 0..4 {
-                let query = &query((first + lane).min(count - 1));
-                for axis in 0..3 {
-                    four.origin[axis][lane] = query.ray.origin[axis];
-                    four.dir[axis][lane] = query.ray.dir[axis];
-                }
-                four.from[lane] = least(query);
-                four.far[lane] = query.far;
-                four.left[lane] = query.from.map_or(NO_LEAF, |left| left.leaf);
-            }
-            self.fours.push(four);
+    pub(super) fn look(&mut self, origin: DVec3, least: f64, hits: &[FourHits]) {
+        self.fours.resize(hits.len(), FourQueries::NONE);
+        for (four, hits) in self.fours.iter_mut().zip(hits) {
+            four.origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
+            four.dir = hits.dir;
+            four.from = [least; 4];
+            four.far = [f64::INFINITY; 4];
+            four.left = [NO_LEAF; 4];
         }
+    }
+
+    /// Takes in the rays to a light from hits at these places; `least` is the distance up to which nothing counts for
+    /// one of such a blur.
+    #[inline(always)]
+    pub(super) fn shine(
+        &mut self,
+        places: &[u16],
+        (hits, ways): (&[FourHits], &[FourWays]),
+        least: impl Fn(f64) -> f64,
+    ) {
+        self.fours
+            .resize(places.len().div_ceil(4), FourQueries::NONE);
+        for (four, places) in self.fours.iter_mut().zip(places.chunks(4)) {
+            four.goes_out = 0;
+            for lane in 0..4 {
+                let place = usize::from(places[lane.min(places.len() - 1)]);
+                let (hits, ways) = (&hits[place / 4], &ways[place / 4]);
+                for axis in 0..3 {
+                    four.origin[axis][lane] = hits.point[axis][place % 4];
+                    four.dir[axis][lane] = ways.to_light[axis][place % 4];
+                }
+                four.from[lane] = least(hits.blur[place % 4]);
+                four.far[lane] = ways.far[place % 4];
+                four.left[lane] = hits.leaf[place % 4];
+                four.goes_out |= (ways.goes_out >> (place % 4) & 1) << lane;
+            }
+        }
+    }
+
+    /// The directions of four of them.
+    #[inline(always)]
+    pub(super) fn dirs(&self, four: usize) -> &[[f64; 4]; 3] {
+        &self.fours[four].dir
     }
 
     /// The four among which the query of this number is.
@@ -85,6 +102,15 @@ impl Lot {
 }
 
 impl FourQueries {
+    const NONE: FourQueries = FourQueries {
+        origin: [[0.0; 4]; 3],
+        dir: [[0.0; 4]; 3],
+        from: [0.0; 4],
+        far: [0.0; 4],
+        left: [NO_LEAF; 4],
+        goes_out: 0,
+    };
+
     /// The rays, in lanes.
     #[inline(always)]
     pub(super) fn load<F: Four>(&self) -> FourRays<F> {
@@ -103,10 +129,4 @@ impl FourQueries {
         }
         bits
     }
-}
-
-// A closure would not take part in the wide lanes of its caller.
-#[inline(always)]
-fn load<F: Four>(from: &[[f64; 4]; 3]) -> [F; 3] {
-    [F::load(&from[0]), F::load(&from[1]), F::load(&from[2])]
 }

@@ -10,7 +10,7 @@ use super::together::each_bit;
 use super::world::World;
 use crate::accel::Bundle;
 use crate::math::lanes::Lanes;
-use crate::math::watertight::RayFrame;
+use crate::math::watertight::{FourFrames, RayFrame};
 use crate::shape::{Mesh, Shape};
 use glam::DVec3;
 
@@ -24,6 +24,8 @@ const MOST_MESHES: usize = 8;
 pub(super) struct MeshScratch {
     bundle: Bundle,
     frames: Vec<RayFrame>,
+    /// Them, four by four, where they are longest along the same axis.
+    fours: Vec<Option<FourFrames>>,
 }
 
 /// A mesh of a world, for rays that go together.
@@ -82,29 +84,32 @@ impl World {
         (bundle, origin): (&mut Bundle, DVec3),
         scratch: &mut Scratch,
     ) -> bool {
-        self.meshes.iter().all(|&item| {
+        for &item in &self.meshes {
             let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
-                return true;
+                continue;
             };
             let mut own = std::mem::take(&mut scratch.mesh);
             let count = bests.len();
-            let is_done = asked.enter(&mut own, (origin, 1.0), count, lot, &query)
-                && asked.mesh.tree().together(
-                    lanes,
-                    &mut own.bundle,
-                    #[inline(always)]
-                    |face, first, rays, ended| {
-                        each_bit(rays, |lane| {
-                            let ray = first + lane;
-                            let frame = &own.frames[ray];
-                            let Some(t) = asked.mesh.meet(frame, face) else {
-                                return;
-                            };
-                            let far = lot.far(ray);
-                            if !(lot.from(ray) < t && t <= far) {
-                                return;
-                            }
+            let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
+            let is_done = asked.enter(
+                (&mut own, &mut bundle_of_mesh),
+                (origin, 1.0),
+                count,
+                lot,
+                &query,
+            ) && asked.mesh.tree().together(
+                lanes,
+                &mut bundle_of_mesh,
+                #[inline(always)]
+                |face, first, rays, ended| {
+                    asked.meet(
+                        lanes,
+                        (&own, lot),
+                        (face, first, rays),
+                        #[inline(always)]
+                        |lot, ray, t| {
                             let found = asked.found(t, face);
+                            let far = lot.far(ray);
                             let best = &mut bests[ray];
                             // Of several triangles at the same distance the first in the list is drawn.
                             if let Some(best) = best
@@ -124,14 +129,19 @@ impl World {
                             if new < far {
                                 lot.shorten(ray, new);
                                 bundle.shorten(ray, new);
-                                ended.note(lane, asked.way(new, frame));
+                                ended.note(ray - first, asked.way(new, &own.frames[ray]));
                             }
-                        });
-                    },
-                );
+                        },
+                    );
+                },
+            );
+            own.bundle = bundle_of_mesh;
             scratch.mesh = own;
-            is_done
-        })
+            if !is_done {
+                return false;
+            }
+        }
+        true
     }
 
     /// The same for rays to a light at `centre`: `ways` learns what is blocked.
@@ -140,52 +150,61 @@ impl World {
         &self,
         lanes: Lanes,
         (lot, ways): (&mut Lot, &mut [Way]),
-        queries: &[Query],
+        query: impl Fn(usize) -> Query,
         (bundle, centre): (&mut Bundle, DVec3),
         scratch: &mut Scratch,
     ) -> bool {
-        self.meshes.iter().all(|&item| {
+        for &item in &self.meshes {
             let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
-                return true;
+                continue;
             };
             let mut own = std::mem::take(&mut scratch.mesh);
-            let query = |ray: usize| queries[ray];
-            let count = queries.len();
-            let is_done = asked.enter(&mut own, (centre, -1.0), count, lot, query)
-                && asked.mesh.tree().together(
-                    lanes,
-                    &mut own.bundle,
-                    #[inline(always)]
-                    |face, first, rays, ended| {
-                        each_bit(rays, |lane| {
-                            let ray = first + lane;
+            let count = ways.len();
+            let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
+            let is_done = asked.enter(
+                (&mut own, &mut bundle_of_mesh),
+                (centre, -1.0),
+                count,
+                lot,
+                &query,
+            ) && asked.mesh.tree().together(
+                lanes,
+                &mut bundle_of_mesh,
+                #[inline(always)]
+                |face, first, rays, ended| {
+                    asked.meet(
+                        lanes,
+                        (&own, lot),
+                        (face, first, rays),
+                        #[inline(always)]
+                        |_, ray, t| {
                             if ways[ray] == Way::Blocked {
                                 return;
                             }
-                            let is_left = queries[ray]
+                            let query = query(ray);
+                            let is_left = query
                                 .from
                                 .is_some_and(|left| left.leaf == asked.number && left.face == face);
-                            if is_left {
+                            if is_left || t >= query.far {
                                 return;
                             }
-                            let Some(t) = asked.mesh.meet(&own.frames[ray], face) else {
-                                return;
-                            };
-                            let is_between = lot.from(ray) < t && t < queries[ray].far;
                             let found = asked.found(t, face);
-                            if is_between
-                                && self.blocks_light(&found, &queries[ray], &mut ways[ray])
-                            {
+                            if self.blocks_light(&found, &query, &mut ways[ray]) {
                                 ways[ray] = Way::Blocked;
                                 bundle.shorten(ray, f64::NEG_INFINITY);
-                                ended.note(lane, f64::NEG_INFINITY);
+                                ended.note(ray - first, f64::NEG_INFINITY);
                             }
-                        });
-                    },
-                );
+                        },
+                    );
+                },
+            );
+            own.bundle = bundle_of_mesh;
             scratch.mesh = own;
-            is_done
-        })
+            if !is_done {
+                return false;
+            }
+        }
+        true
     }
 
     fn may_meet(&self, bundle: &Bundle, item: Numbered) -> bool {
@@ -200,7 +219,7 @@ impl Asked<'_> {
     #[inline(always)]
     fn enter(
         &self,
-        own: &mut MeshScratch,
+        (own, bundle): (&mut MeshScratch, &mut Bundle),
         (origin, sign): (DVec3, f64),
         count: usize,
         lot: &Lot,
@@ -212,17 +231,68 @@ impl Asked<'_> {
             let ray = self.leaf.to_object(&query(ray).ray);
             own.frames.push(RayFrame::new(&ray));
         }
-        let rays = own.frames.iter().enumerate();
-        own.bundle.fill(
+        let frames = &own.frames;
+        own.fours.clear();
+        own.fours.extend(frames.chunks(4).map(FourFrames::new));
+        bundle.fill(
             self.mesh.tree(),
             origin,
-            rays.map(|(ray, frame)| {
-                (
-                    sign * frame.unit_dir(),
-                    self.end(lot, ray, frame, sign, origin),
-                )
-            }),
+            count,
+            #[inline(always)]
+            |four| {
+                let (mut dirs, mut ends) = ([[0.0; 4]; 3], [0.0; 4]);
+                for lane in 0..4 {
+                    let ray = (4 * four + lane).min(count - 1);
+                    let dir = sign * frames[ray].unit_dir();
+                    for axis in 0..3 {
+                        dirs[axis][lane] = dir[axis];
+                    }
+                    ends[lane] = self.end(lot, ray, &frames[ray], sign, origin);
+                }
+                (dirs, ends)
+            },
         )
+    }
+
+    /// Calls `take` with the number and the parameter of each of some rays, those of `rays` from the first on, that meet
+    /// a triangle before they end.
+    #[inline(always)]
+    fn meet(
+        &self,
+        lanes: Lanes,
+        (own, lot): (&MeshScratch, &mut Lot),
+        (face, first, rays): (u32, usize, u32),
+        mut take: impl FnMut(&mut Lot, usize, f64),
+    ) {
+        for half in [0, 4] {
+            let some = rays >> half & 0b1111;
+            if some == 0 {
+                continue;
+            }
+            let start = first + half as usize;
+            let mut singly = some;
+            if let Some(four) = &own.fours[start / 4]
+                && !some.is_power_of_two()
+            {
+                let found = self.mesh.meet_four(lanes, four, face);
+                singly &= found.unknown;
+                each_bit(found.met & some, |lane| {
+                    let (ray, t) = (start + lane, found.t[lane % 4]);
+                    if lot.from(ray) < t && t <= lot.far(ray) {
+                        take(lot, ray, t);
+                    }
+                });
+            }
+            each_bit(singly, |lane| {
+                let ray = start + lane;
+                if let Some(t) = self.mesh.meet(&own.frames[ray], face)
+                    && lot.from(ray) < t
+                    && t <= lot.far(ray)
+                {
+                    take(lot, ray, t);
+                }
+            });
+        }
     }
 
     /// Where a query ends, in the space of the mesh and from the common point.

@@ -5,6 +5,7 @@ mod csg;
 mod find;
 mod flatten;
 mod four;
+mod hits;
 mod instance;
 mod interiors;
 mod leaf;
@@ -28,6 +29,7 @@ mod surface;
 mod together;
 mod world;
 
+pub use hits::{FourHits, FourWays, NO_LEAF};
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};

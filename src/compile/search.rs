@@ -133,8 +133,14 @@ impl World {
 
     /// The distance up to which surfaces are not met: the error of the point that the ray leaves.
     pub(super) fn least_distance(&self, query: &Query) -> f64 {
-        match (self.least_distance, query.seen) {
-            (LeastDistance::Rounding, _) => query.from.map_or(0.0, |left| SKIN * left.blur),
+        self.least_from(query.from.map(|left| left.blur), query.seen)
+    }
+
+    /// The same for a ray that leaves a point of such a blur, if it leaves any.
+    #[inline(always)]
+    pub(super) fn least_from(&self, blur: Option<f64>, seen: Seen) -> f64 {
+        match (self.least_distance, seen) {
+            (LeastDistance::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
             (LeastDistance::PovRay, Seen::Shadow) => POV_RAY_SHADOW,
             (LeastDistance::PovRay, _) => POV_RAY_LEAST,
         }

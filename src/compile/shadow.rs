@@ -57,6 +57,20 @@ impl World {
         }
     }
 
+    /// The same for four rays, by their distances and the largest of the coordinates of `centre` and the distance.
+    #[must_use]
+    #[inline(always)]
+    pub(crate) fn reach_of_four(&self, distance: &[f64; 4], size: &[f64; 4]) -> [f64; 4] {
+        let mut reach = *distance;
+        for (reach, size) in reach.iter_mut().zip(size) {
+            *reach -= match self.least_distance {
+                LeastDistance::Rounding => BLUR * size,
+                LeastDistance::PovRay => POV_RAY_SHADOW,
+            };
+        }
+        reach
+    }
+
     /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
     /// the ray, since it misses what the light is projected through.
     #[must_use]

@@ -1,10 +1,11 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::csg::Found;
+use super::hits::{FourHits, FourWays, shadow_query};
 use super::lot::Lot;
 use super::model::Item;
 use super::order::Numbered;
-use super::query::{Hit, Query, Scratch, Seen, Way};
+use super::query::{Query, Scratch, Seen, Way};
 use super::world::World;
 use crate::accel::Ended;
 use crate::math::Ray;
@@ -21,160 +22,209 @@ pub(super) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl World {
-    /// The nearest visible surface on each of the camera's rays from `origin` in these unit directions, which lie in an
-    /// order in which neighbours differ little, added to `hits`.
-    pub fn nearest_of(
-        &self,
-        origin: DVec3,
-        dirs: &[DVec3],
-        scratch: &mut Scratch,
-        hits: &mut Vec<Option<Hit>>,
-    ) {
-        let query = |ray: usize| Query {
-            ray: Ray::new(origin, dirs[ray]),
-            from: None,
-            far: f64::INFINITY,
-            seen: Seen::Image,
-        };
-        scratch.rays.camera += dirs.len() as u64;
+    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, which lie in an
+    /// order in which neighbours differ little; behind the last of them some ray stands again.
+    pub fn see(&self, origin: DVec3, count: usize, hits: &mut [FourHits], scratch: &mut Scratch) {
+        scratch.rays.camera += count as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
         let mut lot = std::mem::take(&mut scratch.lot);
         bests.clear();
-        bests.resize(dirs.len(), None);
+        bests.resize(count, None);
         with_widest(
             #[inline(always)]
             |lanes| {
-                lot.fill(
-                    dirs.len(),
-                    query,
-                    #[inline(always)]
-                    |query| self.least_distance(query),
-                );
+                let rays = &*hits;
+                let query = |ray: usize| Query {
+                    ray: Ray::new(origin, rays[ray / 4].dir(ray % 4)),
+                    from: None,
+                    far: f64::INFINITY,
+                    seen: Seen::Image,
+                };
+                lot.look(origin, self.least_distance(&query(0)), rays);
                 for &item in &self.finder().unbounded {
-                    for (ray, best) in bests.iter_mut().enumerate() {
-                        let query = &query(ray);
-                        let asked = (query, &self.search_for(query));
-                        let far = self.try_item(item, asked, lot.far(ray), best, scratch);
-                        lot.shorten(ray, far);
+                    for first in (0..count).step_by(8) {
+                        let rays = 0xff >> (8 - (count - first).min(8));
+                        let mut offer = |lot: &mut Lot, ray: usize, found| {
+                            let old = lot.far(ray);
+                            let best = &mut bests[ray];
+                            let new = self.offer(item.number, found, &query(ray), old, best);
+                            lot.shorten(ray, new);
+                        };
+                        let left = self.in_fours::<true>(
+                            lanes,
+                            (item, Seen::Image),
+                            (&mut lot, query),
+                            (first, rays),
+                            scratch,
+                            #[inline(always)]
+                            |lot, ray, found| offer(lot, ray, found),
+                        );
+                        each_bit(left, |lane| {
+                            let ray = first + lane;
+                            let query = &query(ray);
+                            let asked = (query, &self.search_for(query));
+                            if let Some(found) = self.see_item(item, asked, lot.far(ray), scratch) {
+                                offer(&mut lot, ray, found);
+                            }
+                        });
                     }
                 }
-                let rays = dirs.iter().enumerate();
-                let rays = rays.map(|(ray, dir)| (*dir, lot.far(ray)));
-                let is_done = bundle.fill(&self.finder().tree, origin, rays)
-                    && self.see_meshes(
-                        lanes,
-                        (&mut lot, &mut bests),
-                        query,
-                        (&mut bundle, origin),
-                        scratch,
-                    )
-                    && self.finder().tree.together(
-                        lanes,
-                        &mut bundle,
-                        #[inline(always)]
-                        |number, first, rays, ended| {
-                            let item = self.finder().bounded[number as usize];
-                            if self.is_large_mesh(item) {
-                                return;
+                let is_done = bundle.fill(
+                    &self.finder().tree,
+                    origin,
+                    count,
+                    #[inline(always)]
+                    |four| (rays[four].dir, lot.four(4 * four).far),
+                ) && self.see_meshes(
+                    lanes,
+                    (&mut lot, &mut bests),
+                    query,
+                    (&mut bundle, origin),
+                    scratch,
+                ) && self.finder().tree.together(
+                    lanes,
+                    &mut bundle,
+                    #[inline(always)]
+                    |number, first, rays, ended| {
+                        let item = self.finder().bounded[number as usize];
+                        if self.is_large_mesh(item) {
+                            return;
+                        }
+                        let mut offer = |lot: &mut Lot, ray: usize, found, ended: &mut Ended| {
+                            let old = lot.far(ray);
+                            let best = &mut bests[ray];
+                            let new = self.offer(item.number, found, &query(ray), old, best);
+                            if new < old {
+                                lot.shorten(ray, new);
+                                ended.note(ray - first, new);
                             }
-                            let mut offer =
-                                |lot: &mut Lot, ray: usize, found, ended: &mut Ended| {
-                                    let old = lot.far(ray);
-                                    let best = &mut bests[ray];
-                                    let new =
-                                        self.offer(item.number, found, &query(ray), old, best);
-                                    if new < old {
-                                        lot.shorten(ray, new);
-                                        ended.note(ray - first, new);
-                                    }
-                                };
-                            let left = self.in_fours::<true>(
-                                lanes,
-                                (item, Seen::Image),
-                                (&mut lot, query),
-                                (first, rays),
-                                scratch,
-                                #[inline(always)]
-                                |lot, ray, found| offer(lot, ray, found, ended),
-                            );
-                            each_bit(left, |lane| {
-                                let ray = first + lane;
-                                let query = &query(ray);
-                                let asked = (query, &self.search_for(query));
-                                let found = self.see_item(item, asked, lot.far(ray), scratch);
-                                if let Some(found) = found {
-                                    offer(&mut lot, ray, found, ended);
-                                }
-                            });
-                        },
-                    );
+                        };
+                        let left = self.in_fours::<true>(
+                            lanes,
+                            (item, Seen::Image),
+                            (&mut lot, query),
+                            (first, rays),
+                            scratch,
+                            #[inline(always)]
+                            |lot, ray, found| offer(lot, ray, found, ended),
+                        );
+                        each_bit(left, |lane| {
+                            let ray = first + lane;
+                            let query = &query(ray);
+                            let asked = (query, &self.search_for(query));
+                            let found = self.see_item(item, asked, lot.far(ray), scratch);
+                            if let Some(found) = found {
+                                offer(&mut lot, ray, found, ended);
+                            }
+                        });
+                    },
+                );
                 if !is_done {
                     for (ray, best) in bests.iter_mut().enumerate() {
                         *best = self.nearest_found(lanes, &query(ray), scratch);
                     }
                 }
+                let origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
+                for (bests, hits) in bests.chunks(4).zip(hits) {
+                    self.note_hits(lanes, &origin, bests, hits);
+                }
             },
-        );
-        let found = bests.iter().enumerate();
-        hits.extend(
-            found.map(|(ray, best)| best.map(|best| self.hit(&query(ray).ray, &best.found))),
         );
         scratch.bundle = bundle;
         scratch.bests = bests;
         scratch.lot = lot;
     }
 
-    /// What lies on each of these rays to the light of this number at `centre`, in an order in which neighbours differ
-    /// little, added to `ways`. Says whether it was of use to ask together.
+    /// What lies on the ways from hits at these places to the light of this number at `centre`, in an order in which
+    /// neighbours differ little, added to `ways`. Says whether it was of use to ask together.
     pub fn ways_of(
         &self,
-        queries: &[Query],
-        centre: DVec3,
-        light: u32,
+        places: &[u16],
+        (hits, to_light): (&[FourHits], &[FourWays]),
+        (light, centre): (u32, DVec3),
         scratch: &mut Scratch,
         ways: &mut Vec<Way>,
     ) -> bool {
         let first = ways.len();
-        scratch.rays.shadow += queries.len() as u64;
+        scratch.rays.shadow += places.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut lot = std::mem::take(&mut scratch.lot);
+        let query = |ray: usize| {
+            let place = usize::from(places[ray]);
+            shadow_query(&hits[place / 4], &to_light[place / 4], place % 4)
+        };
         let was_of_use = with_widest(
             #[inline(always)]
             |lanes| {
-                lot.fill(
-                    queries.len(),
+                lot.shine(
+                    places,
+                    (hits, to_light),
                     #[inline(always)]
-                    |ray| queries[ray],
-                    #[inline(always)]
-                    |query| self.least_distance(query),
+                    |blur| self.least_from(Some(blur), Seen::Shadow),
                 );
-                for query in queries {
-                    let mut way = Way::Free;
-                    let mut unbounded = self.finder().unbounded.iter();
-                    let asked = (query, &self.search_for(query));
-                    if unbounded.any(|&item| self.blocks(item, asked, &mut way, scratch)) {
-                        way = Way::Blocked;
-                    }
-                    ways.push(way);
-                }
+                ways.resize(first + places.len(), Way::Free);
                 let ways = &mut ways[first..];
-                let rays = queries.iter().zip(ways.iter()).map(|(query, way)| {
-                    let end = if *way == Way::Blocked {
-                        f64::NEG_INFINITY
-                    } else {
-                        (centre - query.ray.origin).length()
-                    };
-                    (-query.ray.dir, end)
-                });
-                if !bundle.fill(&self.finder().tree, centre, rays) {
-                    self.find_ways(lanes, (queries, light), scratch, ways);
+                for &item in &self.finder().unbounded {
+                    for first in (0..ways.len()).step_by(8) {
+                        let rays = 0xff >> (8 - (ways.len() - first).min(8));
+                        let left = self.in_fours::<false>(
+                            lanes,
+                            (item, Seen::Shadow),
+                            (&mut lot, query),
+                            (first, rays),
+                            scratch,
+                            #[inline(always)]
+                            |lot, ray, found| {
+                                if found.root.t < lot.far(ray) {
+                                    ways[ray] = Way::Blocked;
+                                }
+                            },
+                        );
+                        each_bit(left, |lane| {
+                            let way = &mut ways[first + lane];
+                            if *way == Way::Blocked {
+                                return;
+                            }
+                            let query = query(first + lane);
+                            let asked = (&query, &self.search_for(&query));
+                            if self.blocks(item, asked, way, scratch) {
+                                *way = Way::Blocked;
+                            }
+                        });
+                    }
+                }
+                let is_bundled = bundle.fill(
+                    &self.finder().tree,
+                    centre,
+                    places.len(),
+                    #[inline(always)]
+                    |four| {
+                        let dir = lot.dirs(four);
+                        let mut back = [[0.0; 4]; 3];
+                        for axis in 0..3 {
+                            for lane in 0..4 {
+                                back[axis][lane] = -dir[axis][lane];
+                            }
+                        }
+                        let mut end = [f64::NEG_INFINITY; 4];
+                        for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
+                            if *way != Way::Blocked {
+                                let place = usize::from(places[4 * four + lane]);
+                                end[lane] = to_light[place / 4].distance[place % 4];
+                            }
+                        }
+                        (back, end)
+                    },
+                );
+                if !is_bundled {
+                    self.find_ways(lanes, (query, light), scratch, ways);
                     return false;
                 }
                 let is_done = self.meshes_block(
                     lanes,
                     (&mut lot, ways),
-                    queries,
+                    query,
                     (&mut bundle, centre),
                     scratch,
                 ) && self.finder().tree.together(
@@ -189,7 +239,7 @@ impl World {
                         let left = self.in_fours::<false>(
                             lanes,
                             (item, Seen::Shadow),
-                            (&mut lot, |ray| queries[ray]),
+                            (&mut lot, query),
                             (first, rays),
                             scratch,
                             #[inline(always)]
@@ -202,7 +252,7 @@ impl World {
                         );
                         each_bit(left, |lane| {
                             let way = &mut ways[first + lane];
-                            let query = &queries[first + lane];
+                            let query = &query(first + lane);
                             let asked = (query, &self.search_for(query));
                             if self.blocks(item, asked, way, scratch) {
                                 *way = Way::Blocked;
@@ -212,7 +262,7 @@ impl World {
                     },
                 );
                 if !is_done {
-                    self.find_ways(lanes, (queries, light), scratch, ways);
+                    self.find_ways(lanes, (query, light), scratch, ways);
                 }
                 is_done
             },
@@ -220,6 +270,20 @@ impl World {
         scratch.bundle = bundle;
         scratch.lot = lot;
         was_of_use
+    }
+
+    /// What lies on the way from one hit to the light of this number.
+    #[must_use]
+    pub fn way_of(
+        &self,
+        place: u16,
+        (hits, to_light): (&[FourHits], &[FourWays]),
+        light: u32,
+        scratch: &mut Scratch,
+    ) -> Way {
+        let place = usize::from(place);
+        let query = shadow_query(&hits[place / 4], &to_light[place / 4], place % 4);
+        self.way(&query, light, scratch)
     }
 
     /// Asks about an item by four rays at a time, where that goes, those of `rays` from the first on. Gives the rays
@@ -271,13 +335,13 @@ impl World {
     fn find_ways(
         &self,
         lanes: Lanes,
-        (queries, light): (&[Query], u32),
+        (query, light): (impl Fn(usize) -> Query, u32),
         scratch: &mut Scratch,
         ways: &mut [Way],
     ) {
-        for (query, way) in queries.iter().zip(ways) {
+        for (ray, way) in ways.iter_mut().enumerate() {
             if *way != Way::Blocked {
-                *way = self.way_found(lanes, query, light, scratch);
+                *way = self.way_found(lanes, &query(ray), light, scratch);
             }
         }
     }

@@ -27,11 +27,18 @@ impl Fade {
         Ok(true)
     }
 
+    /// Whether light weakens at all.
+    #[must_use]
+    #[inline]
+    pub fn fades(&self) -> bool {
+        self.power > 0.0 && self.distance != 0.0
+    }
+
     /// The share of light that arrives over a distance.
     #[must_use]
     #[inline]
     pub fn share(&self, distance: f64) -> f64 {
-        if self.power > 0.0 && self.distance != 0.0 {
+        if self.fades() {
             2.0 / (1.0 + (distance / self.distance).powf(self.power))
         } else {
             1.0

@@ -262,6 +262,13 @@ impl Light {
         }
     }
 
+    /// Whether all of its light arrives everywhere, but for what stands in the way.
+    #[must_use]
+    pub fn has_even_share(&self) -> bool {
+        let is_even = matches!(self.beam, Beam::Point | Beam::Shadowless);
+        is_even && !self.fade.fades()
+    }
+
     /// The share of its light that arrives at a point, without regard to what stands in the way.
     #[must_use]
     #[inline]

@@ -11,6 +11,7 @@
 )]
 
 mod four;
+pub(crate) mod three;
 
 pub(crate) use four::{Four, FourKernel, four};
 

@@ -8,6 +8,10 @@
 //! Error bound: no gap at all; the place of a hit lies within 2 roundings of the plane of the triangle
 //! (`shape/roundings.rs`).
 
+mod four;
+
+pub(crate) use four::{FourAndTriangle, FourFrames, FourMet};
+
 use super::{Ray, conditioning::power_of_two};
 use glam::{DVec2, DVec3};
 

@@ -4,10 +4,9 @@ use super::Shape;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::math::lanes::Four;
-use glam::{DAffine3, DVec3};
-
-/// Vectors of four rays.
-pub(crate) type Three<F> = [F; 3];
+pub(crate) use crate::math::lanes::three::Three;
+pub(super) use crate::math::lanes::three::{dot, minus, plus, same, scaled};
+use glam::DAffine3;
 
 /// Four rays.
 #[derive(Clone, Copy)]
@@ -176,6 +175,7 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
+            Shape::Plane(_) => true,
             _ => false,
         }
     }
@@ -208,6 +208,7 @@ impl Shape {
                 roots
             }
             Shape::Torus(torus) => torus.roots_of_four(rays),
+            Shape::Plane(plane) => plane.roots_of_four(rays),
             _ => FourRoots::none(0b1111),
         }
     }
@@ -225,35 +226,6 @@ impl Shape {
             }
         }
     }
-}
-
-/// The sums stand in the order of those of `glam`.
-#[inline(always)]
-pub(super) fn dot<F: Four>(a: Three<F>, b: Three<F>) -> F {
-    a[0].times(b[0])
-        .plus(a[1].times(b[1]))
-        .plus(a[2].times(b[2]))
-}
-
-/// The same vector four times.
-#[inline(always)]
-pub(super) fn same<F: Four>(v: DVec3) -> Three<F> {
-    [F::all(v.x), F::all(v.y), F::all(v.z)]
-}
-
-#[inline(always)]
-pub(super) fn plus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
-    [a[0].plus(b[0]), a[1].plus(b[1]), a[2].plus(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn minus<F: Four>(a: Three<F>, b: Three<F>) -> Three<F> {
-    [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
-}
-
-#[inline(always)]
-pub(super) fn scaled<F: Four>(v: Three<F>, by: F) -> Three<F> {
-    [v[0].times(by), v[1].times(by), v[2].times(by)]
 }
 
 /// Whether four rays can be worked on without rescaling, besides the size of the body.
@@ -303,7 +275,8 @@ mod tests {
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
     use crate::math::{Bounds, Ray};
-    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Root, Sphere, Torus};
+    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
+    use glam::DVec3;
 
     /// What is known of the roots of four rays, as single rays know it.
     struct Asked<'a> {
@@ -355,10 +328,17 @@ mod tests {
             Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
             Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
+            Shape::Plane(Plane::read(&mut read("<1, 2, -0.5>, 0.25")).unwrap()),
+            Shape::Plane(Plane::read(&mut read("<0, 1, 0>, -1")).unwrap()),
         ];
         let mut rng = Random::new(31);
         for shape in &shapes {
-            let bounds: Bounds = shape.bounds();
+            let own: Bounds = shape.bounds();
+            let bounds = if own.is_finite() {
+                own
+            } else {
+                Bounds::new(DVec3::NEG_ONE, DVec3::ONE)
+            };
             let (mut known, mut met) = (0, 0);
             for _ in 0..4000 {
                 let rays = [(); 4].map(|()| rng.ray_near(&bounds));

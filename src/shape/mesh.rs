@@ -17,8 +17,8 @@ use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word, declared};
 use crate::math::conditioning::power_of_two;
-use crate::math::lanes::{Lanes, with_widest};
-use crate::math::watertight::{RayFrame, TriangleHit};
+use crate::math::lanes::{Lanes, four, with_widest};
+use crate::math::watertight::{FourAndTriangle, FourFrames, FourMet, RayFrame, TriangleHit};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use crate::texture::Texture;
@@ -123,6 +123,13 @@ impl Mesh {
     #[inline(always)]
     pub(crate) fn meet(&self, frame: &RayFrame, face: u32) -> Option<f64> {
         frame.hit(&self.0.corners(face)).map(|hit| hit.t)
+    }
+
+    /// Where the whole lines of four rays meet a triangle of a patch.
+    #[inline(always)]
+    pub(crate) fn meet_four(&self, lanes: Lanes, rays: &FourFrames, face: u32) -> FourMet {
+        let corners = &self.0.corners(face);
+        four(lanes, &FourAndTriangle { rays, corners })
     }
 
     /// The root of a patch on a triangle.
@@ -252,7 +259,10 @@ pub(super) fn read_inside_vector(args: &mut dyn Args, draft: &mut Draft) -> Pars
 impl Triangles {
     /// The box of a triangle.
     pub(super) fn bounds_of(&self, corners: &[u32; 3]) -> Bounds {
-        let [a, b, c] = corners.map(|corner| self.vertices[corner as usize].as_dvec3());
+        // Spelt out: `map` is not always inlined.
+        let [a, b, c] = *corners;
+        let corner = |number: u32| self.vertices[number as usize].as_dvec3();
+        let [a, b, c] = [corner(a), corner(b), corner(c)];
         Bounds::new(a, b).with_point(c)
     }
 

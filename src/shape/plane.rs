@@ -3,9 +3,11 @@
 //! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
 //! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
+use super::four::{FourRays, FourRoots, dot, same};
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::{power_of_two, unit};
+use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -62,6 +64,22 @@ impl Plane {
             is_visible: true,
         };
         (start, Some(root))
+    }
+
+    /// The crossings of four lines.
+    #[inline(always)]
+    pub(super) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
+        let normal = same(self.normal);
+        let slope = dot(normal, rays.dir);
+        let height = F::all(self.distance).minus(dot(normal, rays.origin));
+        let t = height.over(slope);
+        let nothing = F::all(0.0);
+        let is_finite = t.size().below(F::all(f64::INFINITY));
+        let mut roots = FourRoots::none(0);
+        (roots.t[0], roots.t[1]) = (t, t);
+        roots.met[0] = F::bits(F::both(slope.below(nothing), is_finite));
+        roots.met[1] = F::bits(F::both(nothing.below(slope), is_finite));
+        roots
     }
 
     /// The plane with the normal replaced by one of any length, and `distance` in units of that length.

@@ -65,6 +65,14 @@ impl Sphere {
         FourSpans::new((enter, leave), is_met, is_known)
     }
 
+    /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
+    #[inline(always)]
+    pub(crate) fn four_left_behind<F: Four>(&self, rays: &FourRays<F>) -> F::Mask {
+        let p = minus(rays.origin, same(self.centre));
+        let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
+        F::both(is_known, F::all(0.0).below(dot(p, rays.dir)))
+    }
+
     /// Whether the ray begins outside and goes away: what it would meet lies behind.
     #[inline(always)]
     fn is_behind(&self, ray: &Ray) -> bool {

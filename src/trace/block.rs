@@ -2,11 +2,14 @@
 //! what stands between it and all the points seen. Everything else goes one pixel at a time, as for a single one.
 
 use super::light::Known;
-use super::surface::facing_normal;
+use super::shadows::LightOrder;
 use super::{Sample, Tracer, begin_sample};
-use crate::compile::{Hit, Query, Rays, Scratch, Way};
+use crate::camera::Camera;
+use crate::compile::{FourHits, FourWays, Rays, Scratch};
 use crate::math::Ray;
-use glam::{DVec2, DVec3, UVec2};
+use crate::math::lanes::{Lanes, with_widest};
+use glam::DVec3;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// The side of a block in pixels.
@@ -15,39 +18,49 @@ pub const BLOCK: u32 = 32;
 const SEARCHED: u32 = 16;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
-/// So many points are lit together.
-const LIT_TOGETHER: usize = 64;
-/// Points that change from object to object more often than each time after so many are lit in the order in which the
-/// light sees them.
-const SORTED_BELOW: usize = 12;
-/// After points that had nothing in common so many times as many are lit one by one.
-const LIT_SINGLY: usize = 3;
 
 /// Buffers that a thread keeps between blocks.
 #[derive(Debug, Default)]
 pub struct BlockScratch {
-    single: Scratch,
+    pub(super) single: Scratch,
+    /// The columns and rows of a block's pixels, and the block's own first ones and how many there are.
     whole: Vec<(f64, f64)>,
+    block: (u32, u32, usize, usize),
     /// Where each part of the places that are searched together ends.
     parts: Vec<usize>,
-    /// The unit directions of the camera's rays, one for each place.
-    dirs: Vec<DVec3>,
-    /// To a light, for the places in `sorted`.
-    shadows: Vec<Query>,
-    hits: Vec<Option<Hit>>,
-    /// By pixel and light, what is known of its light there.
-    known: Vec<Known>,
-    asked: Vec<Asked>,
-    /// How many of them the light sees in each cell, or where those of the cell begin.
-    cells: Vec<u16>,
-    /// The places in the order in which the light sees them.
-    sorted: Vec<u16>,
-    answers: Vec<Way>,
+    parts_of_block: Vec<usize>,
+    /// What the camera sees at the places, four by four.
+    pub(super) hits: Vec<FourHits>,
+    /// The ways from there to the lights, light by light.
+    pub(super) ways: Vec<FourWays>,
+    pub(super) order: LightOrder,
+}
+
+/// What is met first at a place.
+#[derive(Clone, Copy, Debug)]
+pub struct Met {
+    /// The number of the primitive.
+    pub leaf: u32,
+    /// Its outward unit normal there, for shading and without bumps.
+    pub normal: DVec3,
 }
 
 impl BlockScratch {
     /// Lists the places of a block: part by part, and there group by group.
     fn lay_out(&mut self, columns: &Range<u32>, rows: &Range<u32>) {
+        let (left, top, width, height) = self.block;
+        self.block = (columns.start, rows.start, columns.len(), rows.len());
+        if (width, height) == (columns.len(), rows.len()) && !self.whole.is_empty() {
+            // Another block of the same size.
+            let right = f64::from(columns.start) - f64::from(left);
+            let down = f64::from(rows.start) - f64::from(top);
+            for (x, y) in &mut self.whole {
+                *x += right;
+                *y += down;
+            }
+            self.parts.clone_from(&self.parts_of_block);
+            return;
+        }
         self.whole.clear();
         self.parts.clear();
         for rows in split(rows, SEARCHED) {
@@ -58,14 +71,26 @@ impl BlockScratch {
                         self.whole.extend(rows.clone().flat_map(row));
                     }
                 }
-                self.parts.push(self.whole.len());
+                // Parts begin where fours do.
+                self.parts.push(self.whole.len() / 4 * 4);
             }
         }
+        if let Some(last) = self.parts.last_mut() {
+            *last = self.whole.len();
+        }
+        self.parts_of_block.clone_from(&self.parts);
     }
 
     /// How many rays were followed with it since this was last asked.
     pub fn take_rays(&mut self) -> Rays {
         std::mem::take(&mut self.single.rays)
+    }
+
+    /// What is known of the lights at a place.
+    fn known(&self, place: usize) -> SmallVec<[Known; 4]> {
+        let of_light = self.ways.chunks(self.hits.len());
+        let at = of_light.map(|ways| Known::of(&ways[place / 4], place % 4));
+        at.collect()
     }
 }
 
@@ -102,13 +127,21 @@ impl Tracer<'_> {
         places: &[(f64, f64)],
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        take: impl FnMut(usize, Sample, Option<&Hit>),
+        mut take: impl FnMut(usize, Sample, Option<Met>),
     ) {
         scratch.parts.clear();
         let end = places.len();
         let ends = (0..end).step_by((SEARCHED * SEARCHED) as usize).skip(1);
         scratch.parts.extend(ends.chain([end]));
-        self.seen_at(places, size, scratch, take);
+        self.seen_at(places, size, scratch, |number, sample, hits| {
+            let (hits, lane) = (hits.get(number / 4), number % 4);
+            let hits = hits.filter(|hits| hits.is_met(lane));
+            let met = hits.map(|hits| Met {
+                leaf: hits.leaf[lane],
+                normal: hits.shading_normal(lane),
+            });
+            take(number, sample, met);
+        });
     }
 
     /// The same with the parts laid out.
@@ -117,199 +150,104 @@ impl Tracer<'_> {
         places: &[(f64, f64)],
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, Option<&Hit>),
+        mut take: impl FnMut(usize, Sample, &[FourHits]),
     ) {
         if !self.search(places, size, scratch) {
             for (number, &(x, y)) in places.iter().enumerate() {
                 let sample = self.pixel(x, y, size.0, size.1, &mut scratch.single);
-                take(number, sample, None);
+                take(number, sample, &[]);
             }
             return;
         }
-        let lights = self.world.lights.len();
-        scratch.known.clear();
-        scratch.known.resize(lights * places.len(), Known::NOTHING);
-        if self.quality.has_shadows && self.quality.has_light {
-            for light in (0u32..).take(lights) {
-                self.light_block(light, scratch);
-            }
-        }
-        let origin = self.world.camera.location();
-        for (number, &(x, y)) in places.iter().enumerate() {
-            let single = &mut scratch.single;
-            let dir = scratch.dirs[number];
-            let known = &scratch.known[number * lights..][..lights];
-            let hit = scratch.hits[number].as_ref();
-            let sample = self.plain_view(hit, dir, known, single).unwrap_or_else(|| {
-                begin_sample(x, y, single);
-                self.trace(
-                    self.camera_path(Ray::new(origin, dir)),
-                    Some((hit.copied(), known)),
-                    single,
-                )
-            });
-            take(number, sample, hit);
-        }
+        self.light_all(places.len(), scratch);
+        with_widest(
+            #[inline(always)]
+            |_| {
+                for (four, places) in places.chunks(4).enumerate() {
+                    let seen = self.plain_four(four, places.len(), scratch);
+                    for (lane, &place) in places.iter().enumerate() {
+                        let sample = seen.sample(lane);
+                        let sample = sample
+                            .unwrap_or_else(|| self.seen_singly(4 * four + lane, place, scratch));
+                        take(4 * four + lane, sample, &scratch.hits);
+                    }
+                }
+            },
+        );
+    }
+
+    /// What the camera sees at the place of this number, of which all that can be found out together is known.
+    #[inline(never)]
+    fn seen_singly(&self, number: usize, (x, y): (f64, f64), scratch: &mut BlockScratch) -> Sample {
+        let known = scratch.known(number);
+        let hits = &scratch.hits[number / 4];
+        let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
+        begin_sample(x, y, &mut scratch.single);
+        self.trace(
+            self.camera_path(Ray::new(self.world.camera.location(), dir)),
+            Some((hit, &known)),
+            &mut scratch.single,
+        )
     }
 
     /// Searches for what the camera sees; false if its rays do not start in one
     /// point.
-    fn search(
-        &self,
-        places: &[(f64, f64)],
-        (width, height): (u32, u32),
-        scratch: &mut BlockScratch,
-    ) -> bool {
+    fn search(&self, places: &[(f64, f64)], size: (u32, u32), scratch: &mut BlockScratch) -> bool {
         let camera = &self.world.camera;
         if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
         }
-        scratch.dirs.clear();
-        for &(x, y) in places {
-            let Some(ray) = camera.primary_ray(x, y, width, height) else {
-                return false;
-            };
-            scratch.dirs.push(ray.dir);
+        let hits = &mut scratch.hits;
+        hits.resize(places.len().div_ceil(4), FourHits::NOTHING);
+        let are_aimed = with_widest(
+            #[inline(always)]
+            |lanes| {
+                let fours = places.chunks(4).zip(&mut *hits);
+                fours.fold(true, |are_aimed, (places, hits)| {
+                    are_aimed && aim(lanes, camera, places, size, hits)
+                })
+            },
+        );
+        if !are_aimed {
+            return false;
         }
-        scratch.hits.clear();
         let mut first = 0;
         for &end in &scratch.parts {
-            let dirs = &scratch.dirs[first..end];
-            self.world.nearest_of(
-                camera.location(),
-                dirs,
-                &mut scratch.single,
-                &mut scratch.hits,
-            );
+            let origin = camera.location();
+            let hits = &mut scratch.hits[first / 4..end.div_ceil(4)];
+            self.world
+                .see(origin, end - first, hits, &mut scratch.single);
             first = end;
         }
         true
     }
+}
 
-    /// Finds out what lies between a light and the points that it may light, if its rays start in one point.
-    fn light_block(&self, number: u32, scratch: &mut BlockScratch) {
-        let lights = &self.world.lights;
-        let light = lights.get(number);
-        let is_one_point = light.area.is_none() && !light.is_parallel;
-        if !is_one_point || light.is_shadowless() || lights.is_projected(number) {
-            return;
-        }
-        scratch.asked.clear();
-        for (place, hit) in scratch.hits.iter().enumerate() {
-            let Some(hit) = hit else { continue };
-            let normal = facing_normal(hit, scratch.dirs[place]);
-            let known = self.light_at(number, hit, normal);
-            if known.share == 0.0 {
-                continue;
-            }
-            scratch.known[place * lights.len() + number as usize] = known;
-            #[allow(clippy::cast_possible_truncation, reason = "a block has few places")]
-            scratch.asked.push(Asked {
-                place: place as u16,
-                cell: 0,
-                leaf: hit.departure.leaf,
-                to_light: known.arrival.to_light,
-            });
-        }
-        scratch.sort_for_light();
-        scratch.shadows.clear();
-        for &place in &scratch.sorted {
-            let place = usize::from(place);
-            if let Some(hit) = &scratch.hits[place] {
-                let known = &scratch.known[place * lights.len() + number as usize];
-                let query = known.shadow_query(self.world, hit);
-                scratch.shadows.push(query);
-            }
-        }
-        let (single, answers) = (&mut scratch.single, &mut scratch.answers);
-        answers.clear();
-        let mut singly = 0;
-        for queries in scratch.shadows.chunks(LIT_TOGETHER) {
-            if singly > 0 {
-                singly -= 1;
-                let ways = queries.iter();
-                answers.extend(ways.map(|query| self.world.way(query, number, single)));
-                continue;
-            }
-            let centre = light.centre;
-            if !self.world.ways_of(queries, centre, number, single, answers) {
-                singly = LIT_SINGLY;
-            }
-        }
-        for (place, way) in scratch.sorted.iter().zip(&scratch.answers) {
-            let known = &mut scratch.known[usize::from(*place) * lights.len() + number as usize];
-            known.way = Some(*way);
-        }
+/// Aims four rays of a camera at up to four places; the last stands again for those that are missing. False if there is
+/// no ray to some of them.
+#[inline(always)]
+fn aim(
+    lanes: Lanes,
+    camera: &Camera,
+    places: &[(f64, f64)],
+    size: (u32, u32),
+    hits: &mut FourHits,
+) -> bool {
+    let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
+    for lane in 0..4 {
+        (x[lane], y[lane]) = places[lane.min(places.len() - 1)];
     }
-}
-
-/// A place that a light may light.
-#[derive(Clone, Copy, Debug)]
-struct Asked {
-    place: u16,
-    /// Where the light sees it, along a curve that keeps neighbours together.
-    cell: u16,
-    leaf: u32,
-    to_light: DVec3,
-}
-
-/// The number of cells on each axis by which a light tells points apart.
-const CELLS: u32 = 64;
-
-impl BlockScratch {
-    /// Brings the places that are asked about into the order in which the light sees them, if they jump about.
-    fn sort_for_light(&mut self) {
-        self.sorted.clear();
-        let asked = &mut self.asked;
-        let changes = asked.windows(2).filter(|pair| pair[0].leaf != pair[1].leaf);
-        let jumps = changes.count() * SORTED_BELOW >= asked.len();
-        let sum: DVec3 = asked.iter().map(|asked| asked.to_light).sum();
-        let Some(axis) = sum.try_normalize().filter(|_| jumps) else {
-            self.sorted.extend(asked.iter().map(|asked| asked.place));
-            return;
+    if let Some(dirs) = camera.four_dirs(lanes, (&x, &y), size) {
+        hits.dir = dirs;
+        return true;
+    }
+    for lane in 0..4 {
+        let Some(ray) = camera.primary_ray(x[lane], y[lane], size.0, size.1) else {
+            return false;
         };
-        let (across, up) = axis.any_orthonormal_pair();
-        let seen = |asked: &Asked| DVec2::new(asked.to_light.dot(across), asked.to_light.dot(up));
-        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for asked in &*asked {
-            let seen = seen(asked);
-            (low, high) = (low.min(seen), high.max(seen));
-        }
-        let most = f64::from(CELLS) - 1.0;
-        let scale = most / (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
-        // Counting sort: how many lie in each cell, where each cell begins, and then all into their places.
-        self.cells.clear();
-        self.cells.resize((CELLS * CELLS) as usize, 0);
-        for asked in &mut *asked {
-            let cell = ((seen(asked) - low) * scale)
-                .as_uvec2()
-                .min(UVec2::splat(CELLS - 1));
-            asked.cell = interleaved(cell.x, cell.y);
-            self.cells[usize::from(asked.cell)] += 1;
-        }
-        let mut next = 0;
-        for count in &mut self.cells {
-            (*count, next) = (next, next + *count);
-        }
-        self.sorted.resize(asked.len(), 0);
-        for asked in asked {
-            let next = &mut self.cells[usize::from(asked.cell)];
-            self.sorted[usize::from(*next)] = asked.place;
-            *next += 1;
-        }
+        hits.aim(lane, ray.dir);
     }
-}
-
-/// The bits of two numbers below [`CELLS`] in turn.
-fn interleaved(x: u32, y: u32) -> u16 {
-    let spread = |x: u32| {
-        let x = (x | x << 4) & 0x0f0f;
-        let x = (x | x << 2) & 0x3333;
-        (x | x << 1) & 0x5555
-    };
-    #[allow(clippy::cast_possible_truncation, reason = "twice six bits")]
-    let cell = (spread(x) | spread(y) << 1) as u16;
-    cell
+    true
 }
 
 /// A range in pieces of this length; the last may be shorter.

@@ -4,7 +4,7 @@ use super::area::Lamps;
 use super::surface::facing_normal;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, Query, Scratch, Seen, Surface, Way, World};
+use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Seen, Surface, Way, World};
 use crate::light::Arrival;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
@@ -12,7 +12,7 @@ use glam::DVec3;
 use std::f64::consts::FRAC_2_PI;
 
 /// Below this a colour counts as no light, and the cosine of light as grazing; POV-Ray's value.
-const NOTHING: f64 = 1e-10;
+pub(super) const NOTHING: f64 = 1e-10;
 /// From this `phong_size` on, small highlights are cut off.
 const SMALL_PHONG: f32 = 60.0;
 /// The cosine at which they are cut off.
@@ -77,6 +77,22 @@ impl Known {
         share: 0.0,
         way: None,
     };
+
+    /// What is known of one of four ways.
+    pub(super) fn of(ways: &FourWays, lane: usize) -> Known {
+        if ways.ways[lane].is_none() {
+            return Known::NOTHING;
+        }
+        Known {
+            arrival: Arrival {
+                to_light: ways.to_light(lane),
+                distance: ways.distance[lane],
+            },
+            cosine: ways.cosine[lane],
+            share: ways.share[lane],
+            way: ways.ways[lane],
+        }
+    }
 
     /// The question what is in the way.
     #[inline]
@@ -315,7 +331,7 @@ impl Tracer<'_> {
             sum += coat.rgb * arriving * strength;
         }
         if has_highlights {
-            let strength = phong(finish, at, to_light) + specular(finish, at, to_light);
+            let strength = highlight(finish, at, to_light);
             if strength != 0.0 {
                 let shine = metallic(finish.metallic, coat.rgb, cosine);
                 sum += arriving * shine * strength;
@@ -361,7 +377,7 @@ pub(super) fn shadow_query(
 }
 
 /// Bumps hardly ever let a surface face a light that is farther behind it.
-const MOST_TILTED: f64 = -0.5;
+pub(super) const MOST_TILTED: f64 = -0.5;
 
 /// Whether light at this cosine to the normal can matter to a surface.
 #[inline]
@@ -382,6 +398,12 @@ fn power(base: f64, exponent: f32) -> f64 {
     } else {
         base.powf(f64::from(exponent))
     }
+}
+
+/// The highlights of light from one direction.
+#[inline]
+pub(super) fn highlight(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
+    phong(finish, at, to_light) + specular(finish, at, to_light)
 }
 
 /// Phong's highlight: the cosine between mirrored view and light.

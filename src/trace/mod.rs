@@ -13,6 +13,8 @@ mod light;
 mod media;
 mod passage;
 mod plain;
+mod plain_four;
+mod shadows;
 mod spectrum;
 mod surface;
 #[cfg(test)]
@@ -26,7 +28,7 @@ use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
 use air::Air;
-pub use block::{BLOCK, BlockScratch};
+pub use block::{BLOCK, BlockScratch, Met};
 use glam::DVec3;
 use light::Known;
 use smallvec::SmallVec;
@@ -116,6 +118,8 @@ pub struct Tracer<'w> {
     minds_interiors: bool,
     /// Whether rays meet media.
     has_media: bool,
+    /// Whether light that arrives from behind may matter to some surface.
+    minds_backs: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
     /// The interiors around the camera, if all rays start in one point.
@@ -150,10 +154,12 @@ impl<'w> Tracer<'w> {
             has_reflection: quality >= 8,
             has_normals: quality >= 8,
         };
+        let minds_back = |surface: &Surface| surface.is_lit_from_behind() || surface.is_bumpy();
         Tracer {
             world,
             quality,
             has_media,
+            minds_backs: world.surfaces.iter().any(minds_back),
             takes_plain: !has_media && plain::suits(world, quality),
             minds_interiors,
             around_camera,

@@ -4,12 +4,22 @@
 //! It is the way of all others ([`Tracer::trace`]) without what cannot happen here: the sums are the same, in the same
 //! order. Where light is on its way through something transparent, all turn to that.
 
-use super::light::{Known, Shining, Viewed, is_nothing};
+use super::light::{Coat, Known, Shining, Viewed, is_nothing};
 use super::surface::spot;
 use super::{Quality, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch, Seen, Way, World};
+use crate::compile::{Hit, Scratch, Surface, Way, World};
 use glam::DVec3;
+
+/// Light of a lamp that arrives.
+struct Lit {
+    number: u32,
+    to_light: DVec3,
+    /// The cosine between its direction and the normal on the side of the viewer.
+    cosine: f64,
+    /// The share of the light that arrives.
+    share: f64,
+}
 
 /// Whether plain surfaces of a world may be coloured the short way.
 pub(super) fn suits(world: &World, quality: Quality) -> bool {
@@ -29,23 +39,30 @@ pub(super) fn suits(world: &World, quality: Quality) -> bool {
 }
 
 impl Tracer<'_> {
-    /// What a ray of the camera in this direction sees, if that is plain. It is known what it meets, and what can be known
-    /// of the lights there.
-    #[inline]
-    pub(super) fn plain_view(
+    /// What light that nothing stops gives to a layer.
+    #[inline(always)]
+    fn plain_light(
         &self,
-        hit: Option<&Hit>,
-        dir: DVec3,
-        known: &[Known],
+        lit: &Lit,
+        surface: &Surface,
+        at: &Viewed,
+        coat: &Coat,
         scratch: &mut Scratch,
-    ) -> Option<Sample> {
-        if !self.takes_plain || self.stop.is_asked() {
-            return None;
+    ) -> Rgb {
+        let Some(side) = coat.side(lit.cosine, surface.flags.double_illuminate) else {
+            return Rgb::BLACK;
+        };
+        let arriving = self.world.lights.get(lit.number).color * lit.share;
+        if is_nothing(arriving) {
+            return Rgb::BLACK;
         }
-        match hit {
-            Some(hit) => self.plain(hit, dir, known, scratch),
-            None => Some(self.behind_everything(dir, Seen::Image)),
-        }
+        let shining = Shining {
+            to_light: lit.to_light,
+            side,
+            arriving,
+            has_highlights: side.is_in_front,
+        };
+        self.shine(&shining, at, coat, scratch)
     }
 
     /// What a ray in this direction sees at a hit, if that is plain. Of each light either what can be known is known, or
@@ -82,20 +99,13 @@ impl Tracer<'_> {
                 Some(Way::Filtered) => return None,
                 Some(Way::Blocked) | None => continue,
             }
-            let Some(side) = coat.side(known.cosine, surface.flags.double_illuminate) else {
-                continue;
-            };
-            let arriving = self.world.lights.get(number).color * known.share;
-            if is_nothing(arriving) {
-                continue;
-            }
-            let shining = Shining {
+            let lit = Lit {
+                number,
                 to_light: known.arrival.to_light,
-                side,
-                arriving,
-                has_highlights: side.is_in_front,
+                cosine: known.cosine,
+                share: known.share,
             };
-            sum += self.shine(&shining, &at, &coat, scratch);
+            sum += self.plain_light(&lit, surface, &at, &coat, scratch);
         }
         Some(Sample {
             rgb: Rgb::BLACK + (own + sum),

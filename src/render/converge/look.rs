@@ -178,9 +178,9 @@ impl Eye<'_> {
                 places,
                 self.size,
                 &mut scratch.block,
-                |number, seen, hit| {
-                    let (leaf, normal) = hit.map_or((NO_SURFACE, [0.0; 3]), |hit| {
-                        (hit.departure.leaf, hit.shading_normal.as_vec3().to_array())
+                |number, seen, met| {
+                    let (leaf, normal) = met.map_or((NO_SURFACE, [0.0; 3]), |met| {
+                        (met.leaf, met.normal.as_vec3().to_array())
                     });
                     looks[first + number] = Look {
                         channels: [seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit],

@@ -1,0 +1,339 @@
+//! What many rays meet, and how light of a lamp comes to it: four by four, in the form in which lanes work on them.
+
+use super::csg::Found;
+use super::query::{Best, Departure, Hit, Query, Seen, Way};
+use super::search::BLUR;
+use super::world::World;
+use crate::math::Ray;
+use crate::math::lanes::three::{Three, dot, largest, load, minus, plus, scaled, store};
+use crate::math::lanes::{Four, FourKernel, Lanes, four};
+use crate::shape::{Crossing, Shape};
+use glam::DVec3;
+
+/// The number of no leaf.
+pub const NO_LEAF: u32 = u32::MAX;
+
+/// Four rays and what they meet. Numbers of rays that meet nothing mean nothing.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct FourHits {
+    /// The unit directions of the rays.
+    pub dir: [[f64; 4]; 3],
+    /// The distances along them.
+    pub t: [f64; 4],
+    /// The points in the world.
+    pub point: [[f64; 4]; 3],
+    /// The outward geometric unit normals.
+    pub normal: [[f64; 4]; 3],
+    /// The unit normals for shading on the side of the rays, before any `normal` pattern.
+    pub facing: [[f64; 4]; 3],
+    /// Bounds on the errors of the coordinates.
+    pub blur: [f64; 4],
+    /// The leaves; [`NO_LEAF`] where nothing is met.
+    pub leaf: [u32; 4],
+    /// The pieces of their surfaces.
+    pub face: [u32; 4],
+    /// Indices into [`World::surfaces`].
+    pub surface: [u32; 4],
+    /// What the rays do there.
+    pub crossing: [Crossing; 4],
+    /// Which rays meet something, one bit each.
+    pub met: u32,
+    /// Whose normals for shading are turned towards them.
+    turned: u32,
+}
+
+impl FourHits {
+    /// Rays that have met nothing yet, in no direction.
+    pub const NOTHING: FourHits = FourHits {
+        dir: [[0.0; 4]; 3],
+        t: [f64::INFINITY; 4],
+        point: [[0.0; 4]; 3],
+        normal: [[0.0; 4]; 3],
+        facing: [[0.0; 4]; 3],
+        blur: [0.0; 4],
+        leaf: [NO_LEAF; 4],
+        face: [0; 4],
+        surface: [0; 4],
+        crossing: [Crossing::Touch; 4],
+        met: 0,
+        turned: 0,
+    };
+
+    /// The direction of a ray.
+    #[must_use]
+    #[inline(always)]
+    pub fn dir(&self, lane: usize) -> DVec3 {
+        one_of(&self.dir, lane)
+    }
+
+    /// Gives a ray its direction.
+    #[inline(always)]
+    pub fn aim(&mut self, lane: usize, dir: DVec3) {
+        put(&mut self.dir, lane, dir);
+    }
+
+    /// Where a ray meets something.
+    #[must_use]
+    #[inline(always)]
+    pub fn point(&self, lane: usize) -> DVec3 {
+        one_of(&self.point, lane)
+    }
+
+    /// The unit normal for shading on the side of the ray.
+    #[must_use]
+    #[inline(always)]
+    pub fn facing(&self, lane: usize) -> DVec3 {
+        one_of(&self.facing, lane)
+    }
+
+    /// Whether a ray meets something.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_met(&self, lane: usize) -> bool {
+        self.met >> lane & 1 == 1
+    }
+
+    /// The unit normal for shading, the outward one.
+    #[must_use]
+    #[inline]
+    pub fn shading_normal(&self, lane: usize) -> DVec3 {
+        let facing = self.facing(lane);
+        if self.turned >> lane & 1 == 1 {
+            -facing
+        } else {
+            facing
+        }
+    }
+
+    /// For the rays that leave from where a ray meets something.
+    #[must_use]
+    #[inline]
+    pub fn departure(&self, lane: usize) -> Departure {
+        Departure {
+            leaf: self.leaf[lane],
+            face: self.face[lane],
+            normal: one_of(&self.normal, lane),
+            crossing: self.crossing[lane],
+            blur: self.blur[lane],
+        }
+    }
+
+    /// What a ray meets.
+    #[must_use]
+    pub fn hit(&self, lane: usize) -> Option<Hit> {
+        self.is_met(lane).then(|| Hit {
+            t: self.t[lane],
+            point: self.point(lane),
+            shading_normal: self.shading_normal(lane),
+            surface: self.surface[lane],
+            departure: self.departure(lane),
+        })
+    }
+}
+
+/// The ways from four hits to a lamp.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct FourWays {
+    /// The unit directions to it.
+    pub to_light: [[f64; 4]; 3],
+    /// How far it is.
+    pub distance: [f64; 4],
+    /// The cosines between the directions and the normals on the side of the viewer.
+    pub cosine: [f64; 4],
+    /// The shares of its light that arrive if nothing is in the way.
+    pub share: [f64; 4],
+    /// Up to where things cast shadows.
+    pub far: [f64; 4],
+    /// Which of them go to the outer side of the surface, one bit each.
+    pub goes_out: u32,
+    /// What lies on them; nothing is known where the light does not matter.
+    pub ways: [Option<Way>; 4],
+}
+
+impl FourWays {
+    /// Nothing is known.
+    pub const NOTHING: FourWays = FourWays {
+        to_light: [[0.0; 4]; 3],
+        distance: [0.0; 4],
+        cosine: [0.0; 4],
+        share: [0.0; 4],
+        far: [0.0; 4],
+        goes_out: 0,
+        ways: [None; 4],
+    };
+
+    /// The direction to the lamp.
+    #[must_use]
+    #[inline(always)]
+    pub fn to_light(&self, lane: usize) -> DVec3 {
+        one_of(&self.to_light, lane)
+    }
+}
+
+/// The question what lies on the way from a hit to a lamp.
+#[must_use]
+#[inline(always)]
+pub(super) fn shadow_query(hits: &FourHits, ways: &FourWays, lane: usize) -> Query {
+    Query {
+        ray: Ray::new(hits.point(lane), ways.to_light(lane)),
+        from: Some(hits.departure(lane)),
+        far: ways.far[lane],
+        seen: Seen::Shadow,
+    }
+}
+
+#[inline(always)]
+fn one_of(of: &[[f64; 4]; 3], lane: usize) -> DVec3 {
+    DVec3::new(of[0][lane], of[1][lane], of[2][lane])
+}
+
+#[inline(always)]
+fn put(to: &mut [[f64; 4]; 3], lane: usize, v: DVec3) {
+    for axis in 0..3 {
+        to[axis][lane] = v[axis];
+    }
+}
+
+/// Where four rays are at their distances, and what follows if that lies on balls.
+struct OnBalls<'a> {
+    origin: &'a [[f64; 4]; 3],
+    hits: &'a FourHits,
+    centre: [[f64; 4]; 3],
+}
+
+struct Places {
+    point: [[f64; 4]; 3],
+    blur: [f64; 4],
+    /// The outward unit normals of the balls.
+    normal: [[f64; 4]; 3],
+    /// Whose numbers need no care, one bit each: first of the points, then of the normals.
+    sure: [u32; 2],
+}
+
+impl FourKernel for OnBalls<'_> {
+    type Answer = Places;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> Places {
+        let t = F::load(&self.hits.t);
+        let way: Three<F> = scaled(load(&self.hits.dir), t);
+        let point = plus(load(self.origin), way);
+        let size = largest(point).larger(t);
+        let [x, y, z] = [point[0].size(), point[1].size(), point[2].size()];
+        let is_finite = x.plus(y).plus(z).below(F::all(f64::INFINITY));
+        let normal = minus(point, load(&self.centre));
+        let length_sq = dot(normal, normal);
+        let is_normal = F::both(
+            F::all(f64::MIN_POSITIVE).not_above(length_sq),
+            length_sq.below(F::all(f64::INFINITY)),
+        );
+        Places {
+            point: store(point),
+            blur: F::all(BLUR).times(size).store(),
+            normal: store(scaled(normal, F::all(1.0).over(length_sq.root()))),
+            sure: [F::bits(is_finite), F::bits(is_normal)],
+        }
+    }
+}
+
+/// Turns the normals of four hits to the side of the viewer.
+struct Turning<'a> {
+    hits: &'a FourHits,
+}
+
+impl FourKernel for Turning<'_> {
+    type Answer = ([[f64; 4]; 3], u32);
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> ([[f64; 4]; 3], u32) {
+        let normal: Three<F> = load(&self.hits.facing);
+        let is_turned = F::all(0.0).below(dot(normal, load(&self.hits.dir)));
+        let turned = [
+            F::pick(is_turned, normal[0].negated(), normal[0]),
+            F::pick(is_turned, normal[1].negated(), normal[1]),
+            F::pick(is_turned, normal[2].negated(), normal[2]),
+        ];
+        (store(turned), F::bits(is_turned))
+    }
+}
+
+impl World {
+    /// Notes what up to four rays from these origins have found: to the bit what [`World::hit`] says of each.
+    #[inline(always)]
+    pub(super) fn note_hits(
+        &self,
+        lanes: Lanes,
+        origin: &[[f64; 4]; 3],
+        bests: &[Option<Best>],
+        hits: &mut FourHits,
+    ) {
+        hits.met = 0;
+        hits.leaf = [NO_LEAF; 4];
+        let mut centre = [[0.0; 4]; 3];
+        let mut balls = 0;
+        for (lane, best) in bests.iter().enumerate().take(4) {
+            let Some(Best { found, .. }) = best else {
+                continue;
+            };
+            hits.met |= 1 << lane;
+            hits.t[lane] = found.root.t;
+            hits.leaf[lane] = found.leaf;
+            hits.face[lane] = found.root.face;
+            hits.surface[lane] = found.surface;
+            hits.crossing[lane] = found.root.crossing;
+            if let Some(leaf) = self.model.leaves.get(found.leaf as usize)
+                && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
+            {
+                put(&mut centre, lane, sphere.centre);
+                balls |= 1 << lane;
+            }
+        }
+        if hits.met == 0 {
+            return;
+        }
+        let on_balls = OnBalls {
+            origin,
+            hits,
+            centre,
+        };
+        let places = four(lanes, &on_balls);
+        hits.point = places.point;
+        hits.blur = places.blur;
+        hits.normal = places.normal;
+        hits.facing = places.normal;
+        let mut left = hits.met & !(balls & places.sure[0] & places.sure[1]);
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % 4;
+            left &= left - 1;
+            if let Some(Some(Best { found, .. })) = bests.get(lane) {
+                self.note_hit(origin, found, places.sure[0] >> lane & 1 == 1, hits, lane);
+            }
+        }
+        (hits.facing, hits.turned) = four(lanes, &Turning { hits });
+    }
+
+    /// The same for one of them, the point of which is known or not.
+    fn note_hit(
+        &self,
+        origin: &[[f64; 4]; 3],
+        found: &Found,
+        knows_point: bool,
+        hits: &mut FourHits,
+        lane: usize,
+    ) {
+        if knows_point {
+            let face = found.root.face;
+            let (normal, shading) = self.model.normals(found.leaf, hits.point(lane), face);
+            put(&mut hits.normal, lane, normal);
+            put(&mut hits.facing, lane, shading);
+            return;
+        }
+        let hit = self.hit(&Ray::new(one_of(origin, lane), hits.dir(lane)), found);
+        put(&mut hits.point, lane, hit.point);
+        put(&mut hits.normal, lane, hit.departure.normal);
+        put(&mut hits.facing, lane, hit.shading_normal);
+        hits.blur[lane] = hit.departure.blur;
+    }
+}

@@ -1,0 +1,224 @@
+//! The short way to a colour ([`super::plain`]) for four places of a block at once. A place that needs more than diffuse
+//! light and highlights is left to the way for single ones.
+
+use super::block::BlockScratch;
+use super::light::{Coat, NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::{Sample, Tracer};
+use crate::color::Rgb;
+use crate::compile::{FourHits, FourWays, LightList, Seen, Way};
+use crate::light::Light;
+use crate::pattern::Spot;
+use crate::texture::Finish;
+
+/// What is seen at four places.
+pub(super) struct FourSeen {
+    rgb: [[f32; 4]; 3],
+    transmit: [f32; 4],
+    /// At which of them it is known, one bit each.
+    known: u32,
+}
+
+impl FourSeen {
+    const NOTHING: FourSeen = FourSeen {
+        rgb: [[0.0; 4]; 3],
+        transmit: [0.0; 4],
+        known: 0,
+    };
+
+    /// What is seen at one of them, if that is known.
+    #[inline(always)]
+    pub(super) fn sample(&self, lane: usize) -> Option<Sample> {
+        (self.known >> lane & 1 == 1).then(|| Sample {
+            rgb: one_of(&self.rgb, lane),
+            transmit: self.transmit[lane],
+        })
+    }
+}
+
+/// The outermost layers at four hits.
+struct FourCoats<'w> {
+    /// What they shine of themselves.
+    own: [[f32; 4]; 3],
+    rgb: [[f32; 4]; 3],
+    /// How much of white light from straight above they scatter.
+    diffuse: [f64; 4],
+    finishes: [Option<&'w Finish>; 4],
+    /// Which of them have highlights, one bit each.
+    shiny: u32,
+    /// The lights that shine on all of them.
+    lights: LightList,
+}
+
+#[inline(always)]
+fn one_of(of: &[[f32; 4]; 3], lane: usize) -> Rgb {
+    Rgb::new(of[0][lane], of[1][lane], of[2][lane])
+}
+
+#[inline(always)]
+fn put(to: &mut [[f32; 4]; 3], lane: usize, rgb: Rgb) {
+    for (to, channel) in to.iter_mut().zip([rgb.r, rgb.g, rgb.b]) {
+        to[lane] = channel;
+    }
+}
+
+/// Calls `visit` with the number of each bit that is set.
+#[inline(always)]
+fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
+    while bits != 0 {
+        visit(bits.trailing_zeros() as usize % 4);
+        bits &= bits - 1;
+    }
+}
+
+impl Tracer<'_> {
+    /// What the camera sees at the first `count` of these four places of a block, where that is plain.
+    #[inline(always)]
+    pub(super) fn plain_four(&self, four: usize, count: usize, scratch: &BlockScratch) -> FourSeen {
+        let mut seen = FourSeen::NOTHING;
+        if !self.takes_plain || self.stop.is_asked() {
+            return seen;
+        }
+        let hits = &scratch.hits[four];
+        let there = 0b1111 >> (4 - count.min(4));
+        each_lane(there & !hits.met, |lane| {
+            let behind = self.behind_everything(hits.dir(lane), Seen::Image);
+            put(&mut seen.rgb, lane, behind.rgb);
+            seen.transmit[lane] = behind.transmit;
+            seen.known |= 1 << lane;
+        });
+        if there & hits.met == 0 {
+            return seen;
+        }
+        let (coats, mut lit) = self.coats(hits, there & hits.met);
+        let mut sum = [[0.0; 4]; 3];
+        for &number in self.world.lights.of(coats.lights) {
+            let ways = &scratch.ways[number as usize * scratch.hits.len() + four];
+            let mut free = 0;
+            for (lane, way) in ways.ways.iter().enumerate() {
+                let is_lit_from_behind = || self.minds_backs && ways.cosine[lane] < NOTHING;
+                match way {
+                    Some(Way::Free) if !is_lit_from_behind() => free |= 1 << lane,
+                    Some(Way::Free | Way::Filtered) => lit &= !(1 << lane),
+                    Some(Way::Blocked) | None => {}
+                }
+            }
+            if free & lit != 0 {
+                let light = self.world.lights.get(number);
+                add_light(light, ways, hits, &coats, free & lit, &mut sum);
+            }
+        }
+        each_lane(lit, |lane| {
+            let rgb = Rgb::BLACK + (one_of(&coats.own, lane) + one_of(&sum, lane));
+            put(&mut seen.rgb, lane, rgb);
+        });
+        seen.known |= lit;
+        seen
+    }
+
+    /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.
+    #[inline(always)]
+    fn coats(&self, hits: &FourHits, asked: u32) -> (FourCoats<'_>, u32) {
+        let first = hits.surface[asked.trailing_zeros() as usize % 4];
+        let mut coats = FourCoats {
+            own: [[0.0; 4]; 3],
+            rgb: [[0.0; 4]; 3],
+            diffuse: [0.0; 4],
+            finishes: [None; 4],
+            shiny: 0,
+            lights: self.world.surfaces[first as usize].lights,
+        };
+        let mut plain = 0;
+        each_lane(asked, |lane| {
+            let surface = &self.world.surfaces[hits.surface[lane] as usize];
+            let layer = match surface.texture.layers().first() {
+                Some(layer) if surface.is_plain() && surface.lights == coats.lights => layer,
+                _ => return,
+            };
+            let finish = &*layer.finish;
+            if finish.diffuse == 0.0 || finish.brilliance != 1.0 {
+                return;
+            }
+            let color = layer.pigment.color(&Spot {
+                point: hits.point(lane),
+                normal: hits.facing(lane),
+                dir: hits.dir(lane),
+            });
+            let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color);
+            put(&mut coats.own, lane, own);
+            put(&mut coats.rgb, lane, rgb);
+            coats.diffuse[lane] = f64::from(finish.diffuse) * opacity;
+            coats.finishes[lane] = Some(finish);
+            let is_shiny = finish.phong != 0.0 || finish.specular != 0.0;
+            coats.shiny |= u32::from(is_shiny) << lane;
+            plain |= 1 << lane;
+        });
+        (coats, plain)
+    }
+}
+
+/// Adds the light of one lamp, of which nothing is stopped on its way to these hits.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "colours are single precision, as in POV-Ray"
+)]
+fn add_light(
+    light: &Light,
+    ways: &FourWays,
+    hits: &FourHits,
+    coats: &FourCoats,
+    mut lit: u32,
+    sum: &mut [[f32; 4]; 3],
+) {
+    let mut arriving = [[light.color.r; 4], [light.color.g; 4], [light.color.b; 4]];
+    if light.has_even_share() {
+        if is_nothing(light.color) {
+            return;
+        }
+    } else {
+        each_lane(lit, |lane| {
+            let share = light.color * ways.share[lane];
+            put(&mut arriving, lane, share);
+            lit &= !(u32::from(is_nothing(share)) << lane);
+        });
+    }
+    let mut strength = [0.0; 4];
+    for (lane, strength) in strength.iter_mut().enumerate() {
+        *strength = coats.diffuse[lane] * ways.cosine[lane];
+    }
+    let mut given = [[0.0; 4]; 3];
+    for channel in 0..3 {
+        for lane in 0..4 {
+            let tinted = coats.rgb[channel][lane] * arriving[channel][lane];
+            given[channel][lane] = (f64::from(tinted) * strength[lane]) as f32;
+        }
+    }
+    each_lane(lit & coats.shiny, |lane| {
+        let Some(finish) = coats.finishes[lane] else {
+            return;
+        };
+        let at = Viewed {
+            point: hits.point(lane),
+            normal: hits.facing(lane),
+            view: hits.dir(lane),
+        };
+        let strength = highlight(finish, &at, ways.to_light(lane));
+        if strength != 0.0 {
+            let pigment = one_of(&coats.rgb, lane);
+            let shine = metallic(finish.metallic, pigment, ways.cosine[lane]);
+            let shine = one_of(&arriving, lane) * shine * strength;
+            let both = one_of(&given, lane) + shine;
+            put(&mut given, lane, both);
+        }
+    });
+    for channel in 0..3 {
+        for lane in 0..4 {
+            let given = if lit >> lane & 1 == 1 {
+                given[channel][lane]
+            } else {
+                0.0
+            };
+            sum[channel][lane] += given;
+        }
+    }
+}
