@@ -72,7 +72,7 @@ struct Split {
     upper: Wide,
 }
 
-/// The nodes for a range of items, the root first.
+/// The nodes for a list of items, the root first.
 pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(expected(entries.len()));
     if entries.len() > VERY_MANY {
@@ -96,43 +96,30 @@ fn expected(items: usize) -> usize {
 /// from the end of the list on, which is given back piece by piece.
 fn part_by_part(mut entries: Vec<Entry>, nodes: &mut Vec<Node>) {
     let list = entries.as_ptr().addr();
-    let parts = split_to_width(Part::new(&mut entries), 0);
     let start = |part: &Part| (part.entries.as_ptr().addr() - list) / size_of::<Entry>();
+    let parts = split_to_width(Part::new(&mut entries), 0);
+    let parts = parts.iter().enumerate();
     let mut parts: Vec<(usize, usize, Wide, Wide)> = parts
-        .iter()
-        .enumerate()
         .map(|(place, part)| (start(part), place, part.whole, part.middles))
         .collect();
-    parts.sort_unstable_by_key(|&(start, ..)| start);
+    parts.sort_unstable_by_key(|part| part.0);
     let root = nodes.len();
     nodes.push(Node::empty());
     while let Some((start, place, whole, middles)) = parts.pop() {
-        let mut part = Part {
+        let part = Part {
             entries: &mut entries[start..],
             whole,
             middles,
         };
-        let below = build_parts(std::slice::from_mut(&mut part), 0);
-        below
-            .into_iter()
-            .for_each(|below| hang(below, &whole, (root, place), nodes));
+        append(build_part(part, 0), &whole, (root, place), nodes);
         entries.truncate(start);
         entries.shrink_to_fit();
     }
 }
 
-/// Appends the nodes of a part, and hangs them below a place in a node.
-fn hang(mut below: Vec<Node>, whole: &Wide, (above, place): (usize, usize), nodes: &mut Vec<Node>) {
-    let first = index(nodes.len());
-    for node in &mut below {
-        node.shift(first);
-    }
-    nodes.append(&mut below);
-    nodes[above].set(place, &whole.cell(), Child::of_node(first));
-}
-
 /// Appends the node of a range and all below it.
 fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
+    use rayon::prelude::*;
     let root = nodes.len();
     nodes.push(Node::empty());
     if part.entries.len() <= WIDTH {
@@ -142,11 +129,14 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
         return;
     }
     let is_large = part.entries.len() > PARALLEL;
-    let mut parts = split_to_width(part, depth);
+    let parts = split_to_width(part, depth);
     if is_large {
-        let built = build_parts(&mut parts, depth);
-        for (place, (part, below)) in parts.iter().zip(built).enumerate() {
-            hang(below, &part.whole, (root, place), nodes);
+        let built: Vec<(Wide, Vec<Node>)> = parts
+            .into_par_iter()
+            .map(|part| (part.whole, build_part(part, depth)))
+            .collect();
+        for (place, (whole, below)) in built.into_iter().enumerate() {
+            append(below, &whole, (root, place), nodes);
         }
         return;
     }
@@ -158,18 +148,27 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
     }
 }
 
-/// The nodes of each range.
-fn build_parts(parts: &mut [Part], depth: u32) -> Vec<Vec<Node>> {
-    use rayon::prelude::*;
-    parts
-        .par_iter_mut()
-        .map(|part| {
-            let mut nodes = Vec::new();
-            nodes.reserve_exact(expected(part.entries.len()));
-            subtree(part.reborrowed(), depth + 1, &mut nodes);
-            nodes
-        })
-        .collect()
+/// The nodes of a range below a node at this depth.
+fn build_part(part: Part, depth: u32) -> Vec<Node> {
+    let mut nodes = Vec::new();
+    nodes.reserve_exact(expected(part.entries.len()));
+    subtree(part, depth + 1, &mut nodes);
+    nodes
+}
+
+/// Appends the nodes of a range with this box, and hangs them below a place in a node.
+fn append(
+    mut below: Vec<Node>,
+    whole: &Wide,
+    (above, place): (usize, usize),
+    nodes: &mut Vec<Node>,
+) {
+    let first = index(nodes.len());
+    for node in &mut below {
+        node.shift(first);
+    }
+    nodes.append(&mut below);
+    nodes[above].set(place, &whole.cell(), Child::of_node(first));
 }
 
 fn index(i: usize) -> u32 {
@@ -269,14 +268,6 @@ impl<'e> Part<'e> {
             entries,
             whole,
             middles,
-        }
-    }
-
-    fn reborrowed(&mut self) -> Part<'_> {
-        Part {
-            entries: &mut *self.entries,
-            whole: self.whole,
-            middles: self.middles,
         }
     }
 

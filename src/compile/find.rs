@@ -6,7 +6,7 @@ use super::model::{Item, Model};
 use super::query::{Departure, Scratch};
 use crate::math::Ray;
 use crate::math::lanes::Lanes;
-use crate::shape::{Geometry, Root};
+use crate::shape::{Geometry, Root, Shape};
 
 /// Which surfaces a question is about.
 pub(super) trait Wants {
@@ -180,6 +180,10 @@ fn nearest_but(
     least: f64,
     roots: &mut Vec<Root>,
 ) -> Option<Root> {
+    if let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world) {
+        let root = sphere.beside(ray, left.normal.dot(ray.dir) > 0.0)?;
+        return (root.t > least).then_some(root);
+    }
     // From a convex solid outward: the one place where the line leaves it is the one just left.
     if left.normal.dot(ray.dir) > 0.0 && leaf.is_left_behind(ray) {
         return None;

@@ -73,6 +73,16 @@ impl Sphere {
         F::both(is_known, F::all(0.0).below(dot(p, rays.dir)))
     }
 
+    /// The root of a ray that starts on the surface and goes outward or inward besides the one it starts on.
+    #[inline]
+    pub(crate) fn beside(&self, ray: &Ray, goes_out: bool) -> Option<Root> {
+        if goes_out && self.is_left_behind(ray) {
+            return None;
+        }
+        let [enter, leave] = self.span(ray)?;
+        Some(if goes_out { enter } else { leave })
+    }
+
     /// Whether the ray begins outside and goes away: what it would meet lies behind.
     #[inline(always)]
     fn is_behind(&self, ray: &Ray) -> bool {

@@ -52,6 +52,7 @@ pub(crate) fn four<K: FourKernel>(lanes: Lanes, kernel: &K) -> K::Answer {
         // SAFETY: lanes are wide only where the machine has the instructions.
         return unsafe { four_wide(kernel) };
     }
+    debug_assert!(!lanes.are_wide, "wide lanes are known on x86-64 alone");
     kernel.run::<[f64; 4]>()
 }
 
