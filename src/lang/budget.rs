@@ -184,7 +184,10 @@ impl Reader<'_> {
         if self.options.stop.is_asked() {
             return Err(self.stopped(at));
         }
-        let budget = &mut self.budget;
+        let budget = &self.budget;
+        if budget.again <= self.options.patience {
+            return self.take_memory_at(limits::ROUND_BYTES, |reader| reader.span_of(at));
+        }
         let most = self.options.patience
             + self.options.patience / limits::PATIENCE_FOR_OBJECT * budget.objects
             + limits::TOKENS_FOR_BYTE * self.files.written();

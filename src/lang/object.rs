@@ -63,6 +63,24 @@ impl Reader<'_> {
         }
     }
 
+    /// The same where a vector may stand as well: an item of an array may be either.
+    fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        let name = token.symbol().and_then(|name| self.scopes.get(name));
+        if !matches!(name, Some(Value::Array(_))) {
+            return self.object_of_name();
+        }
+        let (before, streams) = (self.here.clone(), self.streams.clone());
+        match self.array_or_item()? {
+            Value::Object(object) => Ok(Some(object)),
+            _ => {
+                // It is read once more, as a number.
+                (self.here, self.streams) = (before, streams);
+                Ok(None)
+            }
+        }
+    }
+
     /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
     fn object_block(&mut self) -> Parse<Object> {
         self.pass();
@@ -84,7 +102,7 @@ impl Reader<'_> {
         let start = self.start_taken();
         self.open_block()?;
         let depth = self.blocks.len();
-        let mut object = match self.object_of_name()? {
+        let mut object = match self.object_in_shape()? {
             Some(object) => (*object).clone(),
             None => match Shape::read(word, self) {
                 Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),

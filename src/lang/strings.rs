@@ -57,12 +57,14 @@ impl Reader<'_> {
             || self.version < 3.5
             || self.last.tokens.string_raw(value).is_ascii();
         if is_plain {
-            return Ok(self.last.tokens.string(value));
+            return Ok(up_to_nul(self.last.tokens.string(value)));
         }
         let message = "blanks stand here for letters beyond ASCII, as in POV-Ray";
         let hint = "Write `global_settings { charset utf8 }` above, or `\\uXXXX` for the letters.";
         self.warning(Diagnostic::warning(self.taken_span(), message).with_hint(hint));
-        Ok(self.last.tokens.string_in_ascii(value))
+        let is_latin1 = self.sources.is_latin1(self.last.tokens.file);
+        let text = self.last.tokens.string_in_ascii(value, is_latin1);
+        Ok(up_to_nul(text))
     }
 
     fn bad_escape(&self, escape: Span) -> Box<Diagnostic> {
@@ -102,7 +104,7 @@ impl Reader<'_> {
                 )]
                 let letter = char::from_u32(code as u32).filter(|_| (0.0..65536.0).contains(&code));
                 match letter {
-                    Some(letter) => String::from(letter),
+                    Some(letter) => up_to_nul(String::from(letter)),
                     None => return Err(self.error_taken(format!("no letter has the code {code}"))),
                 }
             }
@@ -194,6 +196,14 @@ impl Reader<'_> {
         let (from, length) = (from as usize - 1, length as usize);
         Ok(text[from..from + length].iter().collect())
     }
+}
+
+/// A string ends where its code is 0.
+fn up_to_nul(mut text: String) -> String {
+    if let Some(end) = text.find('\0') {
+        text.truncate(end);
+    }
+    text
 }
 
 /// As C's `%*.*f`: negative width pads with zeros, negative digits mean six.

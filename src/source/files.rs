@@ -42,6 +42,8 @@ struct Source {
     name: String,
     path: Option<PathBuf>,
     text: Arc<String>,
+    /// Whether letters of its bytes were Latin-1, one byte each.
+    is_latin1: bool,
     /// Where each line begins; made when first asked for.
     lines: OnceLock<Vec<u32>>,
 }
@@ -97,10 +99,12 @@ impl Sources {
 
     fn push(&mut self, name: String, path: Option<PathBuf>, bytes: Vec<u8>) -> FileId {
         let id = FileId(u32::try_from(self.texts.len()).expect("a run has under 2³² files"));
+        let (text, is_latin1) = decode(bytes);
         self.texts.push(Source {
             name,
             path,
-            text: decode(bytes).into(),
+            text: text.into(),
+            is_latin1,
             lines: OnceLock::new(),
         });
         id
@@ -231,6 +235,11 @@ impl Sources {
             }
         }
         folders
+    }
+
+    /// Whether letters of a file beyond ASCII are one byte long in it.
+    pub(crate) fn is_latin1(&self, file: FileId) -> bool {
+        self.texts[file.0 as usize].is_latin1
     }
 
     /// A text.

@@ -1,23 +1,23 @@
 //! From the bytes of a file to a text.
 
-/// The text that bytes mean.
+/// The text that bytes mean, and whether some of them were Latin-1.
 ///
 /// UTF-8 stays as it is, but for a byte-order mark at the start, which goes; a text that begins with the mark of
 /// UTF-16 is that. A byte that is no UTF-8 becomes the character of the same code, as in Latin-1, which is what old
 /// scenes are written in; so lines and columns (in characters) are those an editor shows, `°` and `ü` are printed as
 /// they were meant, and only byte offsets differ from those of the file. All spans count bytes of this text.
-pub(super) fn decode(bytes: Vec<u8>) -> String {
+pub(super) fn decode(bytes: Vec<u8>) -> (String, bool) {
     match bytes.as_slice() {
         [0xef, 0xbb, 0xbf, rest @ ..] => from_utf8_or_latin1(rest.to_vec()),
-        [0xff, 0xfe, rest @ ..] => from_utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => from_utf16(rest, u16::from_be_bytes),
+        [0xff, 0xfe, rest @ ..] => (from_utf16(rest, u16::from_le_bytes), false),
+        [0xfe, 0xff, rest @ ..] => (from_utf16(rest, u16::from_be_bytes), false),
         _ => from_utf8_or_latin1(bytes),
     }
 }
 
-fn from_utf8_or_latin1(bytes: Vec<u8>) -> String {
+fn from_utf8_or_latin1(bytes: Vec<u8>) -> (String, bool) {
     let bytes = match String::from_utf8(bytes) {
-        Ok(text) => return text,
+        Ok(text) => return (text, false),
         Err(error) => error.into_bytes(),
     };
     let mut out = String::with_capacity(bytes.len() + bytes.len() / 8);
@@ -25,7 +25,7 @@ fn from_utf8_or_latin1(bytes: Vec<u8>) -> String {
         out.push_str(chunk.valid());
         out.extend(chunk.invalid().iter().copied().map(char::from));
     }
-    out
+    (out, true)
 }
 
 fn from_utf16(bytes: &[u8], unit: impl Fn([u8; 2]) -> u16) -> String {
@@ -50,7 +50,8 @@ mod tests {
             (b"\xfe\xff\0g\0\xfc\xd8\x00", "gü\u{fffd}"),
             (b"", ""),
         ] {
-            assert_eq!(decode(bytes.to_vec()), text);
+            let is_latin1 = bytes.contains(&0xb0);
+            assert_eq!(decode(bytes.to_vec()), (text.to_owned(), is_latin1));
         }
     }
 }

@@ -171,19 +171,19 @@ impl Tokens {
         unescaped(self.written(value))
     }
 
-    /// As [`Tokens::string`], with as many blanks for each letter beyond ASCII as it has bytes; those that escapes
-    /// stand for stay.
+    /// As [`Tokens::string`], with as many blanks for each letter beyond ASCII as it has bytes in the file: one in
+    /// Latin-1. Those that escapes stand for stay.
     ///
     /// # Panics
     /// When `value` is not the value of a string token.
     #[must_use]
-    pub fn string_in_ascii(&self, value: u32) -> String {
+    pub fn string_in_ascii(&self, value: u32, is_latin1: bool) -> String {
         let written = self.written(value).chars();
         let blank = |c: char| {
             if c.is_ascii() {
                 (c, 1)
             } else {
-                (' ', c.len_utf8())
+                (' ', if is_latin1 { 1 } else { c.len_utf8() })
             }
         };
         let plain = written

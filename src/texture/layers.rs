@@ -1,7 +1,7 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
 use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
-use crate::args::{Args, Parse, Word, transform_step};
+use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::Color;
 use crate::math::Step;
 use crate::pattern::Settings;
@@ -64,6 +64,20 @@ impl Layer {
         Ok(true)
     }
 
+    /// The name of a pigment, normal or finish, which may stand without its word; false for anything else.
+    fn read_named(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        if let Some(pigment) = declared::<Pigment>(args)? {
+            self.pigment = (*pigment).clone();
+        } else if let Some(normal) = declared::<Arc<Normal>>(args)? {
+            self.normal = Some(Arc::clone(&normal));
+        } else if let Some(finish) = declared::<Finish>(args)? {
+            self.finish = finish;
+        } else {
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
     /// Whether it is a pigment without modifiers, and a finish.
     #[must_use]
     pub(crate) fn is_bare(&self) -> bool {
@@ -112,7 +126,7 @@ impl Texture {
         }
         match args.word()? {
             Some(word) => self.top_mut().read_part(word, args),
-            None => Ok(false),
+            None => self.top_mut().read_named(args),
         }
     }
 

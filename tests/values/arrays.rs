@@ -35,6 +35,24 @@ fn items_of_all_kinds() {
 }
 
 #[test]
+fn items_that_begin_an_object() {
+    agree(
+        "arrays/items_that_begin_an_object",
+        &[
+            r#"#declare Q = array[2] { <1, 2, 3>, <2, 2, 5> } #declare S = seed(1); #declare T = seed(1);
+#declare A = sphere { Q[1], 0.5 }
+#debug concat("= ", vstr(3, min_extent(A), " ", 0, 3), "\n")
+#declare A = cylinder { Q[0] + x, Q[1], 1 }
+#declare A = box { Q[rand(S)*2], Q[0] + 9 }
+#debug concat("= ", vstr(3, min_extent(A), " ", 0, 3), " ", str(rand(S), 0, 6), "\n")
+#declare O = array[1] { sphere { z, 2 } }
+#declare A = sphere { O[0] translate x }
+#debug concat("= ", vstr(3, min_extent(A), " ", 0, 3), "\n")"#,
+        ],
+    );
+}
+
+#[test]
 fn indices() {
     refused(
         "arrays/indices_refused",

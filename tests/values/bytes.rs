@@ -57,6 +57,33 @@ fn letters_beyond_ascii_stand_in_comments_and_in_no_name() {
 }
 
 #[test]
+fn a_letter_of_one_byte_is_one_blank() {
+    agree(
+        "bytes/latin_in_strings",
+        &[
+            "#debug concat(\"= \", str(strlen(\"\u{f7e9}\"), 0, 0), \" \", str(asc(\"\u{f7e9}\"), 0, 0), \"\\n\")",
+            "#debug concat(\"= \", str(strlen(\"\u{f7e9}\u{f7e9}a\"), 0, 0), substr(\"a\u{f7e9}b\", 3, 1), \"\\n\")",
+            "#debug concat(\"= \", strupr(\"a\u{f7e9}b\"), \"|\\n\")",
+        ],
+    );
+}
+
+#[test]
+fn a_string_ends_at_a_code_of_zero() {
+    agree(
+        "bytes/nul_in_strings",
+        &[
+            "#debug concat(\"= \", str(strlen(concat(\"a\", chr(0), \"b\")), 0, 0), \"\\n\")",
+            "#debug concat(\"= \", concat(\"a\", chr(0), \"b\"), \"|\\n\")",
+            "#debug concat(\"= \", str(strlen(\"a\\u0000b\"), 0, 0), \" \", str(asc(chr(0)), 0, 0), \"\\n\")",
+            "#debug concat(\"= \", str(val(concat(\"1\", chr(0), \"2\")), 0, 0), strlwr(concat(\"A\", chr(0), \"B\")), \"\\n\")",
+            "#debug concat(\"= \", str(strcmp(concat(\"a\", chr(0), \"b\"), \"ab\"), 0, 0), \"\\n\")",
+        ],
+    );
+    refused("bytes/nul_refused", &["#debug substr(\"a\\u0000b\", 3, 1)"]);
+}
+
+#[test]
 fn lines_may_end_as_on_an_old_macintosh() {
     agree(
         "bytes/returns",

@@ -31,6 +31,20 @@ fn are_refused(topic: &str, values: &[&str]) {
 }
 
 #[test]
+fn parts_of_a_texture_by_their_names_alone() {
+    are_read(
+        "textures/names_alone",
+        &[
+            "texture { P0 }",
+            "texture { P0 N0 }",
+            "texture { N0 }",
+            "texture { P0 pigment { rgb 1 } scale 2 }",
+            "texture { N0 P0 finish { ambient 1 } }",
+        ],
+    );
+}
+
+#[test]
 fn normals() {
     are_read(
         "textures/normals",

@@ -6,14 +6,16 @@
 
 use super::quiet::color_of;
 use super::{Known, Level, Replays};
-use crate::args::Word;
+use crate::args::{Parse, Word};
 use crate::color::Color;
 use crate::lang::bulk::literal_at;
+use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::value::Number;
 use crate::shape::Sphere;
 use crate::syntax::Tokens;
 use crate::texture::Layer;
+use std::rc::Rc;
 
 /// A sphere, of one colour or with the default texture.
 #[derive(Debug)]
@@ -129,5 +131,36 @@ impl Ball {
             radius: radius.v[0].abs(),
         };
         Some((sphere, color))
+    }
+}
+
+impl Reader<'_> {
+    /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
+    pub(super) fn replay_ball(&mut self, index: u32) -> Parse<Option<(Sphere, Option<Color>)>> {
+        let ball = Rc::clone(&self.replays.balls[index as usize]);
+        self.replays.begin();
+        let (scopes, streams) = (&self.scopes, &mut self.streams);
+        let read = ball.read(&mut self.replays, &self.default_layer, scopes, streams);
+        if read.is_none() {
+            self.replays.give_up(&mut self.streams);
+            return Ok(None);
+        }
+        self.count_replayed()?;
+        self.here.at = ball.after - 1;
+        self.pass();
+        Ok(read)
+    }
+
+    /// The sphere at hand if its numbers are all known.
+    #[inline]
+    pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
+        if !self.is_repeated() || !self.may_replay() {
+            return Ok(None);
+        }
+        let (file, start) = (self.here.tokens.file, self.here.at);
+        match self.replays.known(file, start, Level::Object) {
+            Known::Ball(index) => self.replay_ball(index),
+            _ => Ok(None),
+        }
     }
 }

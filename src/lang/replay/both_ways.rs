@@ -368,3 +368,35 @@ fn scenes_at_random() {
         ));
     }
 }
+
+#[test]
+fn numbers_declared_over_others() {
+    for change in [
+        "#declare Z = 0;",
+        "#declare N = <1, 2, 3>;",
+        "#declare N = \"text\";",
+        "#undef N",
+        "#declare V = 1;",
+        "#local N = 7;",
+        "#declare Angle = 1e308*10;",
+    ] {
+        agree(&format!(
+            "#declare N = 1; #declare Z = 2; #declare V = <1, 2>; #declare Angle = 0.5;
+            #declare List = array[2] {{ 1, 2 }}
+            #macro Count(A) #declare A = A + 1; #end
+            #macro Own(A) #declare A = A*2; #local A = A + 1; #local Z = A; sphere {{ A, Z }} #end
+            #for (I, 1, 12)
+              Count(N) Count(List[1]) Own(N) Own(N + 0)
+              #declare Q = N/Z;
+              #declare W = Z/3;
+              #declare V = V + 1;
+              #declare Angle = sin(Angle) + cos(Angle*2) - sin(cos(Angle));
+              #if (N - I) #declare N = N - 1; #end
+              #while (Z > 5) #declare Z = Z - 1; #end
+              sphere {{ <Q, W, Angle>, 1 + List[1] + V.x }}
+              #debug concat(str(Q, 0, 6), str(Angle, 0, 12))
+              #if (I = 7) {change} #end
+            #end"
+        ));
+    }
+}

@@ -99,7 +99,7 @@ impl Replayed for Option<Value> {
 /// A recorded expression.
 #[derive(Debug)]
 struct Program {
-    ops: Box<[Op]>,
+    steps: Steps,
     /// How many components it gives.
     len: u8,
     /// The token behind it.
@@ -110,13 +110,31 @@ struct Program {
     calls: Box<[(Symbol, Rc<Macro>)]>,
     again: usize,
     misses: u8,
+    /// Whether there are no macros to look at.
+    is_plain: bool,
 }
 
-impl Program {
-    /// Whether there are no macros to look at.
-    #[inline]
-    fn is_plain(&self) -> bool {
-        self.behind.is_none() && self.calls.is_empty()
+/// What a recorded expression does. Most are short, and need no stack.
+#[derive(Debug)]
+enum Steps {
+    Float(f64),
+    /// What an identifier holds, which is to have so many components.
+    Name(Symbol, u8),
+    /// The float that an identifier holds, with another one on its right.
+    NameAnd(Symbol, Binary, f64),
+    Many(Box<[Op]>),
+}
+
+impl From<Box<[Op]>> for Steps {
+    fn from(ops: Box<[Op]>) -> Self {
+        match *ops {
+            [Op::Float(float)] => Steps::Float(float),
+            [Op::Name(name, len)] => Steps::Name(name, len),
+            [Op::Name(name, 1), Op::WithFloat(binary, right)] => {
+                Steps::NameAnd(name, binary, right)
+            }
+            _ => Steps::Many(ops),
+        }
     }
 }
 
@@ -172,9 +190,9 @@ impl Replays {
         self.stack.give_up(streams);
     }
 
-    /// A recorded expression whose macros are what they were.
-    #[inline]
-    fn program(&self, index: u32, scopes: &Scopes) -> Option<&Program> {
+    /// Whether the macros of a recorded expression are what they were; counts what they come to.
+    #[inline(never)]
+    fn look_at_macros(&mut self, index: u32, scopes: &Scopes) -> Option<()> {
         let program = &self.programs[index as usize];
         if program.behind.is_some_and(|name| scopes.is_macro(name)) {
             return None;
@@ -183,24 +201,26 @@ impl Replays {
             Some(Value::Macro(now)) => Rc::ptr_eq(now, called),
             _ => false,
         };
-        program.calls.iter().all(is_still).then_some(program)
+        if !program.calls.iter().all(is_still) {
+            return None;
+        }
+        self.again += program.again;
+        Some(())
     }
 
     /// The value of a recorded expression that gives a float; `None` if it has to be read.
     #[inline]
     fn float(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<f64> {
-        let program = &self.programs[index as usize];
-        match *program.ops {
-            [Op::Name(name, 1)] if program.is_plain() => stack::float(scopes, name),
-            [Op::Name(name, 1), Op::WithFloat(binary, right)]
-                if program.is_plain() && binary != Binary::Divide =>
-            {
-                let left = stack::float(scopes, name)?;
-                Some(binary.of(left, right))
+        if !self.programs[index as usize].is_plain {
+            self.look_at_macros(index, scopes)?;
+        }
+        match &self.programs[index as usize].steps {
+            Steps::Float(float) => Some(*float),
+            Steps::Name(name, _) => stack::float(scopes, *name),
+            Steps::NameAnd(name, binary, right) => {
+                stack::combined(*binary, stack::float(scopes, *name)?, *right)
             }
-            _ => {
-                self.again += self.program(index, scopes)?.again;
-                let ops = &self.programs[index as usize].ops;
+            Steps::Many(ops) => {
                 self.stack.run(ops, scopes, streams)?;
                 Some(self.stack.first())
             }
@@ -210,26 +230,25 @@ impl Replays {
     /// The value of a recorded expression; `None` if it has to be read.
     #[inline]
     fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<Number> {
-        let again = self.program(index, scopes)?.again;
-        self.again += again;
-        let program = &self.programs[index as usize];
-        // Most expressions are short, and need no stack.
-        match *program.ops {
-            [Op::Float(float)] => return Some(Number::float(float)),
-            [Op::Name(name, len)] => {
-                return match scopes.get(name) {
-                    Some(Value::Number(number)) if number.len == len => Some(*number),
-                    _ => None,
-                };
-            }
-            [Op::Name(name, 1), Op::WithFloat(binary, right)] if binary != Binary::Divide => {
-                let left = stack::float(scopes, name)?;
-                return Some(Number::float(binary.of(left, right)));
-            }
-            _ => {}
+        if !self.programs[index as usize].is_plain {
+            self.look_at_macros(index, scopes)?;
         }
-        self.stack.run(&program.ops, scopes, streams)?;
-        Some(self.stack.number(program.len))
+        let program = &self.programs[index as usize];
+        match &program.steps {
+            Steps::Float(float) => Some(Number::float(*float)),
+            Steps::Name(name, len) => match scopes.get(*name) {
+                Some(Value::Number(number)) if number.len == *len => Some(*number),
+                _ => None,
+            },
+            Steps::NameAnd(name, binary, right) => {
+                let left = stack::float(scopes, *name)?;
+                stack::combined(*binary, left, *right).map(Number::float)
+            }
+            Steps::Many(ops) => {
+                self.stack.run(ops, scopes, streams)?;
+                Some(self.stack.number(program.len))
+            }
+        }
     }
 
     #[inline]
@@ -332,10 +351,11 @@ impl Reader<'_> {
         };
         let is_whole = recording.is_whole(len, self.frames.len());
         (is_quiet && is_whole).then(|| Program {
-            ops: op::fused(recording.ops),
+            steps: op::fused(recording.ops).into(),
             len,
             after: self.here.at,
             behind: behind.symbol(),
+            is_plain: behind.symbol().is_none() && recording.calls.is_empty(),
             calls: recording.calls.into(),
             again: recording.again,
             misses: 0,

@@ -14,7 +14,7 @@ use crate::lang::plain::{Read, plain_object};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::value::{Number, Value};
-use crate::shape::{Shape, Sphere};
+use crate::shape::Shape;
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Class, Kind, Symbol, Token, Tokens};
 use crate::texture::{Layer, Pigment};
@@ -45,35 +45,6 @@ struct Quiet<'a> {
 }
 
 impl Reader<'_> {
-    /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
-    fn replay_ball(&mut self, index: u32) -> Parse<Option<(Sphere, Option<Color>)>> {
-        let ball = Rc::clone(&self.replays.balls[index as usize]);
-        self.replays.begin();
-        let (scopes, streams) = (&self.scopes, &mut self.streams);
-        let read = ball.read(&mut self.replays, &self.default_layer, scopes, streams);
-        if read.is_none() {
-            self.replays.give_up(&mut self.streams);
-            return Ok(None);
-        }
-        self.count_replayed()?;
-        self.here.at = ball.after - 1;
-        self.pass();
-        Ok(read)
-    }
-
-    /// The sphere at hand if its numbers are all known.
-    #[inline]
-    pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
-        if !self.is_repeated() || !self.may_replay() {
-            return Ok(None);
-        }
-        let (file, start) = (self.here.tokens.file, self.here.at);
-        match self.replays.known(file, start, Level::Object) {
-            Known::Ball(index) => self.replay_ball(index),
-            _ => Ok(None),
-        }
-    }
-
     /// The object at hand if it can be replayed.
     pub(in crate::lang) fn replay_object(&mut self) -> Parse<Option<Read>> {
         if !self.is_repeated() || !self.may_replay() {

@@ -78,6 +78,14 @@ impl Stack {
                     let left = &mut self.floats[top.wrapping_sub(1) % DEPTH];
                     *left = combined(binary, *left, right)?;
                 }
+                Op::One(Word::Sin) => {
+                    let float = &mut self.floats[top.wrapping_sub(1) % DEPTH];
+                    *float = float.sin();
+                }
+                Op::One(Word::Cos) => {
+                    let float = &mut self.floats[top.wrapping_sub(1) % DEPTH];
+                    *float = float.cos();
+                }
                 op => {
                     self.top = top;
                     self.step(op, scopes, streams)?;
@@ -295,7 +303,7 @@ impl Stack {
 
 /// Two floats combined; `None` if the second is a divisor of zero.
 #[inline(always)]
-fn combined(binary: Binary, left: f64, right: f64) -> Option<f64> {
+pub(super) fn combined(binary: Binary, left: f64, right: f64) -> Option<f64> {
     match binary {
         Binary::Add => Some(left + right),
         Binary::Subtract => Some(left - right),
