@@ -1,10 +1,13 @@
 //! The picture while it is linear: one pixel after the other, in the working space of the scene. Of a picture that is
 //! only to be written, the levels of its file take the place of its light as soon as a part of it is drawn.
 
-use std::ops::Range;
+pub(crate) mod levels;
+
+pub(crate) use levels::Leveller;
+pub use levels::Levels;
 
 use crate::color::Rgb;
-use crate::output::Levels;
+use std::ops::Range;
 
 /// What one camera ray, or the mean of several, brought back.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -23,6 +23,8 @@
 //!   elementary inverses. The forward matrix is gone then.
 //! * Shapes report spans on the whole line of a ray. CSG sorts and counts them; it tests no point for being inside.
 //! * A ray that leaves a surface carries which root it left ([`compile::Departure`]), not a smallest distance.
+//! * What the camera sees of a block of pixels is searched for, lit and coloured together: eight rays in single precision to
+//!   find out what may be met, four in double to meet it. One ray at a time gives the same bits.
 //! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order in which a tree is walked.
 
 pub mod accel;
@@ -36,6 +38,7 @@ pub mod color;
 pub mod compare;
 pub mod compile;
 pub mod curve;
+pub mod encoding;
 pub mod film;
 pub mod function;
 pub mod interior;
@@ -55,10 +58,10 @@ pub mod texture;
 pub mod trace;
 
 use compile::World;
+use encoding::EncodeOptions;
 use glam::DVec3;
 use lang::{Heard, Lexicon, Texts};
 use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling};
-use output::EncodeOptions;
 use render::{Found, Unfinished};
 use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};

@@ -11,8 +11,8 @@ use std::time::Duration;
 use serde::Serialize;
 
 use crate::color::Gamma;
+use crate::encoding::EncodeOptions;
 use crate::film::Film;
-use crate::output::EncodeOptions;
 use crate::source::{Dependency, Message};
 
 /// What reading and drawing say while they are at work.

@@ -7,9 +7,8 @@ mod unfinished;
 pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, Scratch, World};
-use crate::film::{Film, Pixel};
+use crate::film::{Film, Leveller, Levels, Pixel};
 use crate::options::{Reached, RenderOptions, Sampling};
-use crate::output::{Leveller, Levels};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use rayon::prelude::*;

@@ -1,5 +1,6 @@
-//! A block of pixels at once: what the camera sees at all of them is searched for together, and then, for each light,
-//! what stands between it and all the points seen. Everything else goes one pixel at a time, as for a single one.
+//! A block of pixels at once: what the camera sees at all of them is searched for together, then, for each light, what
+//! stands between it and all the points seen ([`super::shadows`]), and plain places are coloured four at a time
+//! ([`super::plain_four`]). Everything else goes one pixel at a time, as for a single one.
 
 use super::light::Known;
 use super::shadows::LightOrder;

@@ -2,7 +2,7 @@
 //!
 //! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
-//! at most `max_trace_level` deep. Missing: media, radiosity, photons, normals, blended textures.
+//! at most `max_trace_level` deep. Missing: radiosity, photons, light below the surface.
 
 mod air;
 mod area;

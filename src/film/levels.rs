@@ -9,13 +9,13 @@ use std::borrow::Cow;
 
 use rayon::prelude::*;
 
-use super::{EncodeOptions, Format};
+use super::{Film, Pixel};
 use crate::color::{Gamma, Rgb};
-use crate::film::{Film, Pixel};
+use crate::encoding::{EncodeOptions, Format};
 
 /// What a stored pixel consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Channels {
+pub(crate) enum Channels {
     Grey,
     GreyAlpha,
     Rgb,
@@ -24,7 +24,7 @@ pub(super) enum Channels {
 
 impl Channels {
     /// Of a file that holds encoded values.
-    pub(super) fn of(options: &EncodeOptions) -> Channels {
+    pub(crate) fn of(options: &EncodeOptions) -> Channels {
         let has_grey = matches!(options.format, Format::Png | Format::Ppm);
         let is_grey = has_grey && options.grayscale;
         match (is_grey, options.alpha && options.format.has_alpha()) {
@@ -47,7 +47,7 @@ impl Channels {
 
 /// How many bits a level has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Depth {
+pub(crate) enum Depth {
     Byte,
     /// Two bytes, the higher one first.
     Word,
@@ -55,7 +55,7 @@ pub(super) enum Depth {
 
 impl Depth {
     /// Of a file that holds encoded values.
-    pub(super) fn of(options: &EncodeOptions) -> Depth {
+    pub(crate) fn of(options: &EncodeOptions) -> Depth {
         match options.format {
             Format::Png | Format::Ppm if options.bits > 8 => Depth::Word,
             _ => Depth::Byte,
@@ -166,10 +166,10 @@ impl Leveller {
 }
 
 /// Why a picture cannot be written.
-pub(super) const OF_ANOTHER: &str = "it was drawn for another kind of file";
+pub(crate) const OF_ANOTHER: &str = "it was drawn for another kind of file";
 
 /// The levels of a picture for a file that holds encoded values.
-pub(super) fn of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, [u8]>, String> {
+pub(crate) fn of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, [u8]>, String> {
     if let Some(levels) = &film.levels {
         return match levels.options == *options {
             true => Ok(Cow::Borrowed(&levels.bytes)),
@@ -188,7 +188,7 @@ pub(super) fn of<'a>(film: &'a Film, options: &EncodeOptions) -> Result<Cow<'a, 
 }
 
 /// A channel in linear light, for the formats that hold that.
-pub(super) fn to_linear(working: Option<Gamma>) -> impl Fn(f32) -> f32 {
+pub(crate) fn to_linear(working: Option<Gamma>) -> impl Fn(f32) -> f32 {
     let working = working.unwrap_or(Gamma::Srgb);
     move |c| working.decode(c)
 }
@@ -393,7 +393,7 @@ mod tests {
                     Curve::of(&EncodeOptions {
                         working: Some(working),
                         file_gamma: file,
-                        ..EncodeOptions::new(super::super::Format::Png)
+                        ..EncodeOptions::new(Format::Png)
                     })
                 })
             })
