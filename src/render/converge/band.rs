@@ -26,6 +26,8 @@ use std::time::Instant;
 const ROUNDS: u32 = 8;
 /// How far away a pixel may lie that decides about another.
 pub(super) const MARGIN: u32 = ROUNDS + 4;
+/// The most samples that a pixel gets first.
+pub(super) const FIRST_AT_MOST: u32 = 32;
 /// How many times as many samples there are at edges.
 pub(super) const FINER: u32 = 4;
 /// The side of the squares of pixels that are sampled first together.
@@ -51,7 +53,7 @@ impl Target {
         let first = FIRST.iter().find(|(least, _)| error >= *least);
         Target {
             error,
-            first: first.map_or(32, |&(_, first)| first),
+            first: first.map_or(FIRST_AT_MOST, |&(_, first)| first),
             deadline,
         }
     }

@@ -6,6 +6,7 @@ use super::estimate::Estimate;
 use super::kinds::Kinds;
 use super::look::Look;
 use super::parts::Parts;
+use super::sides::Sides;
 use super::slope::Sums;
 use super::strip::Strip;
 
@@ -14,6 +15,20 @@ const MOST_AT_STRIPS: usize = 16;
 /// So many samples are put on an edge at most, and so many at once.
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
+/// Twice as many where the variance is so many times what is aimed at.
+const FAR: f64 = 64.0;
+
+/// A sample and its place in pixels.
+pub(super) type Placed = ([f64; 2], Look);
+
+/// Which error is to be reached.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aim {
+    /// What is aimed at.
+    pub(super) best: f64,
+    /// What will do where the parts of the pixel are not of one colour each, so that many more samples would be needed.
+    pub(super) most: f64,
+}
 
 /// Buffers for the beginning of a division.
 #[derive(Default)]
@@ -25,12 +40,14 @@ pub(super) struct Buffers {
 /// A pixel and the lines that divide it.
 #[derive(Default)]
 pub(super) struct Dividing {
+    /// The sides of surfaces in the parts, if these are three and tell them apart; otherwise there are two kinds.
+    sides: Option<Sides>,
     kinds: Option<Kinds>,
     /// If two lines bound a strip, whether that is the brighter kind.
     strip_is_bright: Option<bool>,
     /// Where the samples of each part lie: before the first line, behind it, and behind the second.
     groups: [Vec<[f64; 2]>; 3],
-    wedges: [Wedge; 2],
+    lines: [Line; 2],
     sums: [Sums; 3],
     needs_test: bool,
     /// How many samples were put on lines.
@@ -39,6 +56,14 @@ pub(super) struct Dividing {
     /// Which line samples are put on, and where.
     line: usize,
     pub(super) places: Vec<[f64; 2]>,
+}
+
+/// A line: the directions that it may have, and what lies next to it before it and behind it.
+#[derive(Default)]
+struct Line {
+    wedge: Wedge,
+    before: Vec<[f64; 2]>,
+    behind: Vec<[f64; 2]>,
 }
 
 /// What comes next of a pixel that is being divided.
@@ -55,82 +80,113 @@ pub(super) enum Next {
 
 impl Dividing {
     /// Finds lines between the samples; false if there are none. `needs_test` if what is found is to be tested.
-    pub(super) fn begin<'a>(
+    pub(super) fn begin(
         &mut self,
-        placed: impl Iterator<Item = ([f64; 2], &'a Look)> + Clone,
+        placed: &[Placed],
         (own, channels): (usize, usize),
         needs_test: bool,
         buffers: &mut Buffers,
     ) -> bool {
-        let looks = placed.clone().map(|(_, look)| look);
-        let Some(kinds) = Kinds::of(looks, channels) else {
-            return false;
-        };
-        self.kinds = Some(kinds);
         self.needs_test = needs_test;
         self.taken = 0;
-        buffers.told.clear();
-        let told = placed.clone();
-        buffers
-            .told
-            .extend(told.map(|(place, look)| (place, kinds.is_bright(look).unwrap_or(false))));
-        self.strip_is_bright = None;
-        let told = &buffers.told;
-        buffers.groups.clear();
-        buffers
-            .groups
-            .extend(told.iter().map(|told| u8::from(told.1)));
-        if !self.separate(told, &buffers.groups) {
-            if own > MOST_AT_STRIPS {
-                return false;
-            }
-            let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
-                return false;
-            };
-            buffers.groups.clear();
-            buffers
-                .groups
-                .extend(told.iter().map(|told| strip.group(told)));
-            self.strip_is_bright = Some(strip.is_bright);
-            if !self.separate(told, &buffers.groups) {
-                return false;
-            }
+        if !self.tell_by_sides(placed, &mut buffers.groups)
+            && !self.tell_by_kinds(placed, (own, channels), buffers)
+        {
+            return false;
         }
         self.sums = [Sums::default(); 3];
-        for ((place, look), &group) in placed.zip(&buffers.groups) {
-            self.sums[usize::from(group)].add(place, &look.channels);
+        for ((place, look), &group) in placed.iter().zip(&buffers.groups) {
+            self.sums[usize::from(group)].add(*place, &look.channels);
         }
         true
     }
 
-    fn lines(&self) -> usize {
-        1 + usize::from(self.strip_is_bright.is_some())
+    /// Finds two lines between three sides of surfaces.
+    fn tell_by_sides(&mut self, placed: &[Placed], groups: &mut Vec<u8>) -> bool {
+        self.sides = None;
+        let Some(sides) = Sides::of(placed) else {
+            return false;
+        };
+        groups.clear();
+        for (_, look) in placed {
+            // Each was counted among the three.
+            let number = sides.number(look).unwrap_or(0);
+            groups.push(u8::try_from(number).unwrap_or(0));
+        }
+        self.strip_is_bright = None;
+        self.sides = Some(sides);
+        if !self.separate(placed, groups) {
+            self.sides = None;
+        }
+        self.sides.is_some()
+    }
+
+    /// Finds a line between two kinds of samples, or two that bound a strip of one of them.
+    fn tell_by_kinds(
+        &mut self,
+        placed: &[Placed],
+        (own, channels): (usize, usize),
+        Buffers { told, groups }: &mut Buffers,
+    ) -> bool {
+        let Some(kinds) = Kinds::of(placed.iter().map(|(_, look)| look), channels) else {
+            return false;
+        };
+        self.kinds = Some(kinds);
+        told.clear();
+        told.extend(
+            placed
+                .iter()
+                .map(|(place, look)| (*place, kinds.is_bright(look).unwrap_or(false))),
+        );
+        self.strip_is_bright = None;
+        groups.clear();
+        groups.extend(told.iter().map(|told| u8::from(told.1)));
+        if self.separate(placed, groups) {
+            return true;
+        }
+        if own > MOST_AT_STRIPS {
+            return false;
+        }
+        let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
+            return false;
+        };
+        groups.clear();
+        groups.extend(told.iter().map(|told| strip.group(told)));
+        self.strip_is_bright = Some(strip.is_bright);
+        self.separate(placed, groups)
+    }
+
+    fn count_of_lines(&self) -> usize {
+        1 + usize::from(self.strip_is_bright.is_some() || self.sides.is_some())
     }
 
     /// Puts samples into their groups; whether lines separate these.
-    fn separate(&mut self, told: &[Told], groups: &[u8]) -> bool {
+    fn separate(&mut self, placed: &[Placed], groups: &[u8]) -> bool {
         for group in &mut self.groups {
             group.clear();
         }
-        for ((place, _), &group) in told.iter().zip(groups) {
+        for ((place, _), &group) in placed.iter().zip(groups) {
             self.groups[usize::from(group)].push(*place);
         }
-        for line in 0..self.lines() {
+        for line in 0..self.count_of_lines() {
             let (before, behind) = self.groups.split_at(line + 1);
             let Some(wedge) = Wedge::between(before, behind) else {
                 return false;
             };
-            self.wedges[line] = wedge;
+            let line = &mut self.lines[line];
+            line.wedge = wedge;
+            wedge.front(before.iter().flatten(), false, &mut line.before);
+            wedge.front(behind.iter().flatten(), true, &mut line.behind);
         }
         true
     }
 
-    /// What comes next: samples, or what was found for an error of `target`.
-    pub(super) fn next(&mut self, channels: usize, target: f64) -> Next {
-        let lines = self.lines();
+    /// What comes next: samples, or what was found.
+    pub(super) fn next(&mut self, channels: usize, aim: Aim) -> Next {
+        let lines = self.count_of_lines();
         let division = |line: usize| {
-            let (before, behind) = self.groups.split_at(line + 1);
-            Division::of(self.wedges[line], before, behind)
+            let line = &self.lines[line];
+            Division::of(line.wedge, &line.before, &line.behind)
         };
         let Some(first) = division(0) else {
             return Next::Nothing;
@@ -142,35 +198,46 @@ impl Dividing {
         let Some(parts) = Parts::of(&first, second.as_ref(), &self.sums) else {
             return Next::Nothing;
         };
-        let (mut rest, mut whole) = (0.0, 0.0);
+        let (mut rest, mut whole, mut by_line) = (0.0, 0.0, [0.0; 2]);
         for c in 0..channels {
             let (of_parts, of_lines) = parts.variances(c, &first, second.as_ref());
             rest = f64::max(rest, of_parts);
-            whole = f64::max(whole, of_parts + of_lines);
+            whole = f64::max(whole, of_parts + of_lines[0] + of_lines[1]);
+            by_line = [0, 1].map(|line| f64::max(by_line[line], of_lines[line]));
         }
         self.first = Some(first);
-        if rest > target * target {
+        let (best, most) = (aim.best * aim.best, aim.most * aim.most);
+        if rest > most / 2.0 {
             return Next::Nothing;
         }
-        if whole <= target * target {
-            if std::mem::take(&mut self.needs_test) {
-                return Next::Test;
-            }
+        // Lines need not be known much better than colours.
+        let aimed = best.max(2.0 * rest).min(most);
+        let is_last = self.taken >= MOST_ON_AN_EDGE << (lines - 1);
+        let is_enough = whole <= if is_last { most } else { aimed };
+        if (is_enough || rest > best) && std::mem::take(&mut self.needs_test) {
+            return Next::Test;
+        }
+        if is_enough {
             return Next::Found(Estimate {
                 mean: parts.mean(),
                 error: whole.sqrt(),
             });
         }
-        if self.taken >= MOST_ON_AN_EDGE << (lines - 1) {
+        if is_last {
             return Next::Nothing;
         }
-        // The line that is known worse.
-        self.line = usize::from(second.is_some_and(|second| second.error > first.error));
+        // The line that leaves more to be known.
+        self.line = usize::from(by_line[1] > by_line[0]);
         let division = match second {
             Some(second) if self.line == 1 => second,
             _ => first,
         };
-        let numbers = self.taken..self.taken + ON_AN_EDGE_TOGETHER;
+        // Every place about halves what is possible on a line.
+        let together = match whole > FAR * aimed {
+            true => 2 * ON_AN_EDGE_TOGETHER,
+            false => ON_AN_EDGE_TOGETHER,
+        };
+        let numbers = self.taken..self.taken + together;
         self.taken = numbers.end;
         self.places.clear();
         self.places
@@ -195,27 +262,37 @@ impl Dividing {
             .all(|(i, look)| self.take(look, self.places[i], 2 * self.line))
     }
 
-    /// Takes a sample, which belongs to a group of its kind or to `beside` if it lies beside a strip.
-    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
-        let is_bright = self.kinds.and_then(|kinds| kinds.is_bright(look));
-        let Some(is_bright) = is_bright else {
-            return false;
-        };
-        let group = match self.strip_is_bright {
+    /// The group of a sample: that of its side or kind, or `beside` if it lies beside a strip.
+    fn group(&self, look: &Look, beside: usize) -> Option<usize> {
+        if let Some(sides) = &self.sides {
+            return sides.number(look);
+        }
+        let is_bright = self.kinds?.is_bright(look)?;
+        Some(match self.strip_is_bright {
             None => usize::from(is_bright),
             Some(strip) if strip == is_bright => 1,
             Some(_) => beside,
+        })
+    }
+
+    /// Takes a sample; false if it shows that no lines divide the pixel.
+    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
+        let Some(group) = self.group(look, beside) else {
+            return false;
         };
         self.sums[group].add(place, &look.channels);
-        for line in 0..self.lines() {
-            let (before, behind) = self.groups.split_at(line + 1);
+        for line in 0..self.count_of_lines() {
             let is_behind = group > line;
-            let others = if is_behind { before } else { behind };
-            if !self.wedges[line].take(place, is_behind, others) {
+            let line = &mut self.lines[line];
+            let (own, others) = match is_behind {
+                true => (&mut line.behind, &line.before),
+                false => (&mut line.before, &line.behind),
+            };
+            if !line.wedge.take(place, is_behind, others.iter()) {
                 return false;
             }
+            own.push(place);
         }
-        self.groups[group].push(place);
         true
     }
 }

@@ -37,11 +37,7 @@ pub(super) struct Division {
 
 impl Division {
     /// The lines in a wedge between the dark samples and the bright ones; `None` if rounding leaves none.
-    pub(super) fn of(
-        wedge: Wedge,
-        dark: &[Vec<[f64; 2]>],
-        bright: &[Vec<[f64; 2]>],
-    ) -> Option<Division> {
+    pub(super) fn of(wedge: Wedge, dark: &[[f64; 2]], bright: &[[f64; 2]]) -> Option<Division> {
         let [first, last] = wedge.ends();
         let (mut weight, mut sum, mut squares) = (0.0, 0.0, 0.0);
         let mut middle = None;
@@ -113,21 +109,21 @@ impl Wedge {
         };
         let mut places = bright.iter().flatten();
         places
-            .all(|&place| wedge.take(place, true, dark))
+            .all(|&place| wedge.take(place, true, dark.iter().flatten()))
             .then_some(wedge)
     }
 
     /// Takes in one place more, bright or not, of which `others` are those of the other kind; false if then no line
     /// separates them.
     #[inline]
-    pub(super) fn take(
+    pub(super) fn take<'a>(
         &mut self,
         place: [f64; 2],
         is_bright: bool,
-        others: &[Vec<[f64; 2]>],
+        others: impl Iterator<Item = &'a [f64; 2]>,
     ) -> bool {
         let sign = if is_bright { 1.0 } else { -1.0 };
-        for other in others.iter().flatten() {
+        for other in others {
             let way = [sign * (place[0] - other[0]), sign * (place[1] - other[1])];
             let (left, right) = (cross(self.left, way), cross(self.right, way));
             if left < 0.0 && right > 0.0 {
@@ -146,6 +142,35 @@ impl Wedge {
             }
         }
         true
+    }
+
+    /// Those of some places, bright or not, that lie next to the other kind in some direction that separates. The others
+    /// will never matter again, for the directions become fewer with every place.
+    pub(super) fn front<'a>(
+        &self,
+        places: impl Iterator<Item = &'a [f64; 2]>,
+        is_bright: bool,
+        front: &mut Vec<[f64; 2]>,
+    ) {
+        let sign = if is_bright { -1.0 } else { 1.0 };
+        let first = [sign * self.left[1], -sign * self.left[0]];
+        let last = [-sign * self.right[1], sign * self.right[0]];
+        let far = |[x, y]: [f64; 2]| [x * first[0] + y * first[1], x * last[0] + y * last[1]];
+        front.clear();
+        for &place in places {
+            let here = far(place);
+            let is_hidden = front.iter().any(|&other| {
+                let other = far(other);
+                other[0] >= here[0] && other[1] >= here[1]
+            });
+            if !is_hidden {
+                front.retain(|&other| {
+                    let other = far(other);
+                    other[0] > here[0] || other[1] > here[1]
+                });
+                front.push(place);
+            }
+        }
     }
 
     /// The first and the last angle of the directions that separate.
@@ -184,9 +209,10 @@ impl Along {
     fn area_below(&self, mut offset: f64) -> f64 {
         let Along { cos, sin } = *self;
         // Mirrored so that both are positive.
-        offset -= cos.min(0.0) + sin.min(0.0);
+        let below = |v: f64| if v < 0.0 { v } else { 0.0 };
+        offset -= below(cos) + below(sin);
         let (a, b) = (cos.abs(), sin.abs());
-        let (small, large) = (a.min(b), a.max(b));
+        let (small, large) = if a < b { (a, b) } else { (b, a) };
         if offset <= 0.0 {
             return 0.0;
         }
@@ -197,8 +223,8 @@ impl Along {
             return ((offset - small / 2.0) / large).clamp(0.0, 1.0);
         }
         let beyond = |side: f64| {
-            let beyond = (offset - side).max(0.0);
-            beyond * beyond
+            let beyond = offset - side;
+            if beyond > 0.0 { beyond * beyond } else { 0.0 }
         };
         (offset * offset - beyond(a) - beyond(b)) / (2.0 * a * b)
     }
@@ -211,14 +237,14 @@ struct Gap {
 }
 
 impl Gap {
-    fn between(dark: &[Vec<[f64; 2]>], bright: &[Vec<[f64; 2]>], along: &Along) -> Gap {
+    fn between(dark: &[[f64; 2]], bright: &[[f64; 2]], along: &Along) -> Gap {
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         // What `min` does about numbers that are none takes longer than all the rest.
-        for place in bright.iter().flatten() {
+        for place in bright {
             let here = along.of(*place);
             least = if here < least { here } else { least };
         }
-        for place in dark.iter().flatten() {
+        for place in dark {
             let here = along.of(*place);
             most = if here > most { here } else { most };
         }
@@ -302,7 +328,15 @@ mod tests {
             groups[usize::from(is_bright)].push(place);
         }
         let (dark, bright) = groups.split_at(1);
-        Division::of(Wedge::between(dark, bright)?, dark, bright)
+        let wedge = Wedge::between(dark, bright)?;
+        let whole = Division::of(wedge, &groups[0], &groups[1])?;
+        let mut fronts = [Vec::new(), Vec::new()];
+        wedge.front(groups[0].iter(), false, &mut fronts[0]);
+        wedge.front(groups[1].iter(), true, &mut fronts[1]);
+        let by_fronts = Division::of(wedge, &fronts[0], &fronts[1])?;
+        assert!((by_fronts.dark - whole.dark).abs() < 1e-12);
+        assert!((by_fronts.error - whole.error).abs() < 1e-12);
+        Some(whole)
     }
 
     #[test]

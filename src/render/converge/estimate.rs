@@ -97,15 +97,15 @@ impl Reach {
 }
 
 /// What the first samples of a pixel tell, a power of two of them and at least two, on a surface with these slopes.
-/// `cells` is a buffer.
+/// `grid` is a buffer.
 pub(super) fn estimate(
     looks: &[Look],
     channels: usize,
     slopes: &Slopes,
-    cells: &mut Vec<u32>,
+    grid: &mut Vec<[f64; 4]>,
 ) -> Estimate {
-    let whole = of_all(looks, channels, slopes, cells);
-    let half = of_all(&looks[..looks.len() / 2], channels, slopes, cells);
+    let whole = of_all(looks, channels, slopes, grid);
+    let half = of_all(&looks[..looks.len() / 2], channels, slopes, grid);
     Estimate {
         error: whole
             .error
@@ -120,37 +120,37 @@ pub(super) fn of_all(
     looks: &[Look],
     channels: usize,
     slopes: &Slopes,
-    cells: &mut Vec<u32>,
+    grid: &mut Vec<[f64; 4]>,
 ) -> Estimate {
     let bits = looks.len().ilog2();
     let (across, down) = (bits.div_ceil(2), bits / 2);
-    cells.clear();
-    cells.resize(looks.len(), 0);
+    grid.clear();
+    grid.resize(looks.len(), [0.0; 4]);
     let mut sum = [0.0; 4];
-    for (number, look) in (0u32..).zip(looks) {
+    for look in looks {
         let column = u32::from(look.place.0) >> (16 - across);
         let row = u32::from(look.place.1) >> (16 - down);
-        cells[(row << across | column) as usize] = number;
-        for (sum, c) in sum.iter_mut().zip(slopes.levelled(look)) {
-            *sum += c;
-        }
+        let color = slopes.levelled(look);
+        grid[(row << across | column) as usize] = color;
+        sum = [0, 1, 2, 3].map(|c| sum[c] + color[c]);
     }
     let (width, height) = (1usize << across, 1usize << down);
     let mut apart = [0.0; 4];
-    let mut compare = |a: usize, b: usize| {
-        let [a, b] = [a, b].map(|cell| slopes.levelled(&looks[cells[cell] as usize]));
-        for (sum, (a, b)) in apart.iter_mut().zip(a.iter().zip(b)).take(channels) {
-            let d = a - b;
-            *sum += d * d;
+    let mut compare = |a: &[f64; 4], b: &[f64; 4]| {
+        for c in 0..4 {
+            let d = a[c] - b[c];
+            apart[c] += d * d;
         }
     };
     for row in 0..height {
-        for cell in row * width..(row + 1) * width {
-            if cell + 1 < (row + 1) * width {
-                compare(cell, cell + 1);
+        let here = &grid[row * width..(row + 1) * width];
+        let below = grid.get((row + 1) * width..(row + 2) * width);
+        for (column, own) in here.iter().enumerate() {
+            if let Some(next) = here.get(column + 1) {
+                compare(own, next);
             }
-            if row + 1 < height {
-                compare(cell, cell + width);
+            if let Some(below) = below {
+                compare(own, &below[column]);
             }
         }
     }

@@ -4,7 +4,7 @@
 //! together cost a fraction of what they cost one by one.
 
 use super::band::{Band, Done};
-use super::dividing::{Buffers, Dividing, Next};
+use super::dividing::{Aim, Buffers, Dividing, Next, Placed};
 use super::estimate::{Estimate, estimate, of_all};
 use super::look::{EyeScratch, Look, TOGETHER, pixel};
 use super::near::first_estimate;
@@ -30,6 +30,9 @@ const CLOSE: f64 = 0.25;
 /// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
 /// samples together, since halving their error costs little.
 const EVEN: f64 = 0.25;
+/// The same of pixels of which their first samples tell that straight lines divide them, but of parts that are not of one
+/// colour each.
+const UNEVEN: f64 = 0.5;
 
 /// What is wanted of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,9 +68,9 @@ pub(super) struct Finishing {
 /// Buffers that cases use one after the other.
 #[derive(Default)]
 struct Gathered {
-    /// Samples around the pixel, and their places.
-    ring: Vec<(Look, [f64; 2])>,
-    order: Vec<u32>,
+    /// The samples of the pixel and just around it.
+    placed: Vec<Placed>,
+    grid: Vec<[f64; 4]>,
     dividing: Buffers,
 }
 
@@ -183,17 +186,16 @@ impl Case {
                 if let Some(settled) = band.settled_at(at) {
                     return self.outcome(Some(settled));
                 }
-                self.looks.clear();
-                self.looks.extend_from_slice(band.looks_of(at));
                 let is_calm = !band.is_finer(at) && !band.is_broken_at(at);
                 if is_calm {
                     // It was found so by comparison with those around it.
-                    let channels = band.eye.channels;
-                    let level = Slopes::default();
-                    let found = of_all(&self.looks, channels, &level, &mut buffers.order);
+                    let (looks, channels) = (band.first_of(at), band.eye.channels);
+                    let found = of_all(looks, channels, &Slopes::default(), &mut buffers.grid);
                     let error = found.error.min(band.target.error);
                     return self.outcome(Some(done(&found, error)));
                 }
+                self.looks.clear();
+                self.looks.extend_from_slice(band.looks_of(at));
                 self.found = self.estimate(band, &Slopes::default(), buffers);
                 if !band.is_finer(at) {
                     // The time is over.
@@ -235,7 +237,7 @@ impl Case {
                 };
                 match holds {
                     true => self.divide(band),
-                    false => self.is_not_divided(),
+                    false => self.is_not_divided(band),
                 }
             }
         }
@@ -263,25 +265,21 @@ impl Case {
         if band.may_hide(x, y) {
             return self.outcome(None);
         }
-        let looks = band.first_of(at);
         self.looks.clear();
-        self.looks.extend_from_slice(looks);
-        gather_ring(
+        self.looks.extend_from_slice(band.first_of(at));
+        let placed = &mut buffers.placed;
+        gather(
             band,
-            self.pixel,
+            (self.pixel, &self.looks),
             RING,
             |at| band.first_of(at),
-            &mut buffers.ring,
+            placed,
         );
-        let around = buffers.ring.iter().map(|(look, _)| look);
-        let all_alike = looks
-            .iter()
-            .chain(around)
-            .all(|look| look.is_same_side(&looks[0]));
-        if all_alike {
+        let first = &self.looks[0];
+        if placed.iter().all(|(_, look)| look.is_same_side(first)) {
             let mut sums = Sums::default();
-            for (place, look) in placed(&self.looks, &buffers.ring) {
-                sums.add(place, &look.channels);
+            for (place, look) in placed {
+                sums.add(*place, &look.channels);
             }
             let slopes = sums.plane().map(|plane| plane.slopes()).unwrap_or_default();
             let (found, _) = first_estimate(band, self.pixel, &slopes);
@@ -299,26 +297,26 @@ impl Case {
 
     /// What is to be done with all the samples that there are.
     fn refine(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> Option<Outcome> {
-        let target = band.target.error;
         let count = self.looks.len();
         let error = self.found.error.max(self.hidden(UNSEEN));
         let is_last = count >= MOST_SAMPLES || band.target.is_over();
-        if error <= target || is_last {
+        if error <= band.target.error * EVEN || is_last {
             return self.outcome(Some(done(&self.found, error)));
         }
-        if self.hidden(HIDDEN) <= target && count <= MOST_AT_EDGES {
-            gather_ring(
+        // A few samples on lines lower the error far more than many others.
+        if self.hidden(HIDDEN) <= band.target.error && count <= MOST_AT_EDGES {
+            gather(
                 band,
-                self.pixel,
+                (self.pixel, &self.looks),
                 CLOSE,
                 |at| band.looks_of(at),
-                &mut buffers.ring,
+                &mut buffers.placed,
             );
             if self.begin_dividing(band, buffers) {
                 return self.divide(band);
             }
         }
-        self.is_not_divided()
+        self.is_not_divided(band)
     }
 
     /// The error that something unseen may make, if a share of the contrast around may hide between the samples.
@@ -328,7 +326,7 @@ impl Case {
 
     fn begin_dividing(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> bool {
         self.dividing.begin(
-            placed(&self.looks, &buffers.ring),
+            &buffers.placed,
             (self.looks.len(), band.eye.channels),
             self.settles,
             &mut buffers.dividing,
@@ -337,10 +335,18 @@ impl Case {
 
     /// What is to be done with the lines that are known.
     fn divide(&mut self, band: &Band<'_>) -> Option<Outcome> {
-        let target = band.target.error * EVEN;
+        let target = band.target.error;
+        let aim = Aim {
+            best: target * EVEN,
+            most: if self.settles {
+                target * UNEVEN
+            } else {
+                target
+            },
+        };
         self.step = Step::Divided;
-        match self.dividing.next(band.eye.channels, target) {
-            Next::Nothing => self.is_not_divided(),
+        match self.dividing.next(band.eye.channels, aim) {
+            Next::Nothing => self.is_not_divided(band),
             Next::Places => {
                 self.wish = Wish::Places;
                 None
@@ -360,10 +366,14 @@ impl Case {
         }
     }
 
-    /// No lines divide the pixel: it is sampled on.
-    fn is_not_divided(&mut self) -> Option<Outcome> {
+    /// No lines divide the pixel: it is sampled on if that is needed.
+    fn is_not_divided(&mut self, band: &Band<'_>) -> Option<Outcome> {
         if self.settles {
             return self.outcome(None);
+        }
+        let error = self.found.error.max(self.hidden(UNSEEN));
+        if error <= band.target.error {
+            return self.outcome(Some(done(&self.found, error)));
         }
         let count = count_of(&self.looks);
         self.step = Step::Sampled;
@@ -372,7 +382,7 @@ impl Case {
     }
 
     fn estimate(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
-        estimate(&self.looks, band.eye.channels, slopes, &mut buffers.order)
+        estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid)
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]
@@ -401,24 +411,16 @@ pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
     found.error <= target * EVEN
 }
 
-/// The samples of a pixel and around it with their places.
-fn placed<'a>(
-    looks: &'a [Look],
-    ring: &'a [(Look, [f64; 2])],
-) -> impl Iterator<Item = ([f64; 2], &'a Look)> + Clone {
-    let own = looks.iter().map(|look| (look.share(), look));
-    own.chain(ring.iter().map(|(look, place)| (*place, look)))
-}
-
-/// Gathers the samples just around a pixel.
-fn gather_ring<'a>(
+/// Gathers the samples of a pixel and just around it.
+fn gather<'a>(
     band: &'a Band<'_>,
-    (x, y): (u32, u32),
+    ((x, y), own): ((u32, u32), &[Look]),
     width: f64,
     looks_of: impl Fn(usize) -> &'a [Look],
-    ring: &mut Vec<(Look, [f64; 2])>,
+    placed: &mut Vec<Placed>,
 ) {
-    ring.clear();
+    placed.clear();
+    placed.extend(own.iter().map(|look| (look.share(), *look)));
     for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
         let from = [
             f64::from(other_x) - f64::from(x),
@@ -428,7 +430,7 @@ fn gather_ring<'a>(
             let share = look.share();
             let place = [from[0] + share[0], from[1] + share[1]];
             if place.iter().all(|v| (-width..=1.0 + width).contains(v)) {
-                ring.push((*look, place));
+                placed.push((place, *look));
             }
         }
     }

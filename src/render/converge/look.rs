@@ -36,16 +36,29 @@ impl Look {
     };
 
     /// Whether both met the same side of the same surface.
+    #[inline]
     pub(super) fn is_same_side(&self, other: &Look) -> bool {
+        if self.leaf != other.leaf || self.leaf == NO_SURFACE {
+            return self.leaf == other.leaf;
+        }
         let [a, b] = [self, other].map(|look| look.normal);
-        let product: f32 = a.iter().zip(b).map(|(a, b)| a * b).sum();
-        self.leaf == other.leaf && (self.leaf == NO_SURFACE || product >= SAME_SIDE)
+        a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>() >= SAME_SIDE
     }
 
     /// Where in the pixel it lies, as shares of its side.
     pub(super) fn share(&self) -> [f64; 2] {
         let (x, y) = self.place;
         [x, y].map(|v| (f64::from(v) + 0.5) / 65536.0)
+    }
+
+    /// Of a surface with this number.
+    #[cfg(test)]
+    pub(super) fn on_side(leaf: u32) -> Look {
+        Look {
+            leaf,
+            normal: [0.0, 1.0, 0.0],
+            ..Look::NONE
+        }
     }
 
     #[cfg(test)]

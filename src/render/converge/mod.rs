@@ -17,6 +17,7 @@ mod kinds;
 mod look;
 mod near;
 mod parts;
+mod sides;
 mod slope;
 mod specks;
 mod strip;

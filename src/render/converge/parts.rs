@@ -43,18 +43,18 @@ impl Parts {
         Some(parts)
     }
 
-    /// Of a channel: the variance of the mean that is due to the colours of the parts, and that due to the lines.
+    /// Of a channel: the variance of the mean that is due to the colours of the parts, and that due to each line.
     pub(super) fn variances(
         &self,
         c: usize,
         first: &Division,
         second: Option<&Division>,
-    ) -> (f64, f64) {
+    ) -> (f64, [f64; 2]) {
         let of_parts = (0..3).map(|part| self.shares[part].powi(2) * self.variances[part][c]);
         let contrast = |a: usize, b: usize| self.colors[a][c].min(1.0) - self.colors[b][c].min(1.0);
         let of_first = (contrast(0, 1) * first.error).powi(2);
         let of_second = second.map_or(0.0, |second| (contrast(1, 2) * second.error).powi(2));
-        (of_parts.sum(), of_first + of_second)
+        (of_parts.sum(), [of_first, of_second])
     }
 
     pub(super) fn mean(&self) -> [f64; 4] {

@@ -7,22 +7,27 @@ const MIDDLE: f64 = 0.5;
 /// The determinant of places on a line, over that of places all around.
 const ON_A_LINE: f64 = 1e-3;
 
-/// How much each channel changes across a pixel and down it.
+/// How much each channel changes across a pixel and down it; nothing if none does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Slopes([[f64; 2]; 4]);
+pub(super) struct Slopes(Option<[[f64; 2]; 4]>);
 
 impl Slopes {
     /// What a sample would have seen in the middle of the pixel.
+    #[inline]
     pub(super) fn levelled(&self, look: &Look) -> [f64; 4] {
         self.levelled_at(look, [0.0; 2])
     }
 
     /// The same of a sample of the pixel so many columns and rows away.
+    #[inline]
     pub(super) fn levelled_at(&self, look: &Look, away: [f64; 2]) -> [f64; 4] {
+        let mut channels = look.channels.map(f64::from);
+        let Some(slopes) = &self.0 else {
+            return channels;
+        };
         let [x, y] = look.share();
         let [x, y] = [x + away[0], y + away[1]];
-        let mut channels = look.channels.map(f64::from);
-        for (c, slope) in channels.iter_mut().zip(self.0) {
+        for (c, slope) in channels.iter_mut().zip(slopes) {
             *c -= slope[0] * (x - MIDDLE) + slope[1] * (y - MIDDLE);
         }
         channels
@@ -120,6 +125,6 @@ impl Plane {
 
     /// Its slopes.
     pub(super) fn slopes(&self) -> Slopes {
-        Slopes(self.slopes)
+        Slopes(Some(self.slopes))
     }
 }

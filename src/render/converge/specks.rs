@@ -211,14 +211,14 @@ impl Specks {
     ) -> Added {
         let mut added = Added::default();
         for (number, rectangle) in (1u32..).zip(self.of_pixel(at).0) {
-            let mut cells = Vec::new();
+            let mut grid = Vec::new();
             looks.clear();
             let mut taken = 0;
             let found = loop {
                 let numbers = taken..(2 * taken).max(FIRST);
                 taken = numbers.end;
                 self.differences(band.eye, at, (number, rectangle), numbers, scratch, looks);
-                let found = of_all(looks, band.eye.channels, &Slopes::default(), &mut cells);
+                let found = of_all(looks, band.eye.channels, &Slopes::default(), &mut grid);
                 let is_enough = found.error <= band.target.error * SHARE;
                 if is_enough || taken >= MOST_SAMPLES || band.target.is_over() {
                     break found;
