@@ -54,7 +54,8 @@ fn link_for_little_memory(out: &Path) {
     let mut script =
         "SECTIONS {\n  .text.first : {\n    *(.text.startup .text.startup.*)\n".to_owned();
     for name in names.lines().filter(|line| line.starts_with('_')) {
-        writeln!(script, "    *(.text.{name})").expect("strings grow");
+        // Those that seldom run have another name.
+        writeln!(script, "    *(.text.{name} .text.unlikely.{name})").expect("strings grow");
     }
     script.push_str("  }\n}\nINSERT BEFORE .text;\n");
     let file = out.join("order.ld");
