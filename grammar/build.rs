@@ -15,8 +15,8 @@ fn main() {
     link_for_little_memory(Path::new(&out));
 }
 
-/// What a program reads of its own file counts as its memory: 12 MB for one sphere, and 6 MB so. All of it can be done
-/// without, and is left out where it is not known to work.
+/// What a program reads of its own file counts as its memory: one sphere takes 12 MB in all without this, and about 8 so.
+/// All of it can be done without, and is left out where it is not known to work.
 fn link_for_little_memory(out: &Path) {
     println!("cargo::rerun-if-changed={ORDER}");
     let setting = |name: &str| env::var(name).unwrap_or_default();

@@ -7,6 +7,7 @@ use super::four::{
 use super::torus::{CLIP, REFINEMENT, SPHERE, Torus};
 use crate::math::conditioning::is_comfortable_size;
 use crate::math::lanes::Four;
+use crate::math::lanes::three::over;
 use crate::math::quartic::{LAST_STEP, MAX_STEPS};
 
 /// The quartics of four stretches by rising power.
@@ -214,11 +215,6 @@ fn off_axis<F: Four>(across: F, outward: F, height_sq: F, rise: F) -> (F, F) {
 #[inline(always)]
 fn flat<F: Four>(v: Three<F>) -> Three<F> {
     [v[0], F::all(0.0), v[2]]
-}
-
-#[inline(always)]
-fn over<F: Four>(v: Three<F>, by: F) -> Three<F> {
-    [v[0].over(by), v[1].over(by), v[2].over(by)]
 }
 
 /// As [`crate::math::polynomial::is_quartic_positive`].
