@@ -12,7 +12,7 @@ use super::query::{Query, Scratch};
 use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
-use crate::shape::{Crossing, FourRays, FourSpans, Root, Shape, Sphere};
+use crate::shape::{Crossing, FourRays, FourSpans, Root};
 
 /// Combinations of up to so many operands are tried end by end; the work grows with the square.
 const MOST_OPERANDS: usize = 8;
@@ -142,11 +142,13 @@ impl FourKernel for Passing<'_> {
 }
 
 /// Four rays on their way to a primitive.
-struct FourOfLeaf<'a> {
+struct FourOfLeaf<'a, const ANY: bool> {
     leaf: &'a Leaf,
     rays: &'a FourQueries,
     /// Which have just left a root of it that enters, and which one that leaves, one bit each.
     left: [u32; 2],
+    /// Which rays there are.
+    there: u32,
 }
 
 /// The first roots of four rays.
@@ -157,7 +159,7 @@ struct NearestOfFour {
     unknown: u32,
 }
 
-impl FourKernel for FourOfLeaf<'_> {
+impl<const ANY: bool> FourKernel for FourOfLeaf<'_, ANY> {
     type Answer = NearestOfFour;
 
     #[inline(always)]
@@ -167,7 +169,12 @@ impl FourKernel for FourOfLeaf<'_> {
             rays = rays.to_object(matrix);
         }
         let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
-        let nearest = self.leaf.shape.nearest_of_four(&rays, from, far, self.left);
+        let nearest = self.leaf.shape.nearest_of_four::<F, ANY>(
+            &rays,
+            (from, far),
+            self.left,
+            self.there,
+        );
         NearestOfFour {
             t: nearest.t.store(),
             leaves: nearest.leaves,
@@ -177,9 +184,9 @@ impl FourKernel for FourOfLeaf<'_> {
     }
 }
 
-/// Asks which of four rays have left a ball for good, one bit each.
+/// Asks which of four rays that go out from a leaf have left it for good, one bit each.
 struct LeftBehind<'a> {
-    ball: &'a Sphere,
+    leaf: &'a Leaf,
     rays: &'a FourQueries,
 }
 
@@ -188,7 +195,11 @@ impl FourKernel for LeftBehind<'_> {
 
     #[inline(always)]
     fn run<F: Four>(&self) -> u32 {
-        F::bits(self.ball.four_left_behind(&self.rays.load::<F>()))
+        let mut rays: FourRays<F> = self.rays.load();
+        if let Some(matrix) = &self.leaf.object_from_world {
+            rays = rays.to_object(matrix);
+        }
+        F::bits(self.leaf.shape.four_left_behind(&rays))
     }
 }
 
@@ -289,9 +300,10 @@ impl World {
     }
 
     /// What some of four rays find of a primitive up to and including where they end: calls `take` with the lane of
-    /// each ray that meets it. Gives those that must be asked for singly, one bit each.
+    /// each ray that meets it; if `ANY` will do perhaps with some place in it. Gives those that must be asked for singly,
+    /// one bit each.
     #[inline(always)]
-    pub(super) fn ask_four_of_leaf(
+    pub(super) fn ask_four_of_leaf<const ANY: bool>(
         &self,
         lanes: Lanes,
         number: u32,
@@ -301,16 +313,16 @@ impl World {
     ) -> u32 {
         let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
-        let mut asked = FourOfLeaf {
+        let mut asked = FourOfLeaf::<ANY> {
             leaf,
             rays,
             left: [0, 0],
+            there,
         };
         let mut own = rays.have_left(number) & there;
-        if own != 0
-            && let (Shape::Sphere(ball), None) = (&leaf.shape, &leaf.object_from_world)
-        {
-            let gone = own & rays.goes_out & four(lanes, &LeftBehind { ball, rays });
+        let is_told = leaf.shape.tells_left_behind();
+        if own & rays.goes_out != 0 && is_told {
+            let gone = own & rays.goes_out & four(lanes, &LeftBehind { leaf, rays });
             there &= !gone;
             own &= !gone;
         }
@@ -321,7 +333,7 @@ impl World {
             if let Some(left) = &query.from {
                 let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
                 let leaves = left.normal.dot(query.ray.dir) > 0.0;
-                if leaves && leaf.is_left_behind(&query.ray) {
+                if leaves && !is_told && leaf.is_left_behind(&query.ray) {
                     there &= !(1 << lane);
                     continue;
                 }
@@ -332,6 +344,7 @@ impl World {
         if there == 0 {
             return 0;
         }
+        asked.there = there;
         let found = four(lanes, &asked);
         let mut unknown = (found.unknown | unclear) & there;
         let mut met = found.met & there & !unknown;

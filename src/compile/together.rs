@@ -322,7 +322,12 @@ impl World {
                 Item::Program(program) => {
                     self.ask_four::<ASKS_FACE>(lanes, program, asked, query, scratch, take)
                 }
-                Item::Leaf(leaf) => self.ask_four_of_leaf(lanes, leaf, asked, query, take),
+                Item::Leaf(leaf) if ASKS_FACE => {
+                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, query, take)
+                }
+                Item::Leaf(leaf) => {
+                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, query, take)
+                }
                 Item::Instance(_) => some,
             };
             left |= unknown << half;
