@@ -25,7 +25,7 @@ use rayon::prelude::*;
 pub struct Bvh {
     nodes: Vec<Node>,
     frame: Frame,
-    /// For bundles, the balls of items that are balls; empty if none is known to be one.
+    /// For bundles, the balls of items that are or nearly fill one; empty if no item does.
     balls: Vec<Option<Ball>>,
 }
 
@@ -144,8 +144,8 @@ impl Bvh {
     }
 
     /// The tree over so many boxes, and the items in the order of the tree. That order is what it then knows them by, so that
-    /// neighbours can be kept together. `radius` gives the radius of an item that is a ball about the middle of its box,
-    /// which helps bundles of rays.
+    /// neighbours can be kept together. `ball` gives the radius of a ball about the middle of an item's box that holds it,
+    /// where that helps bundles of rays, and whether the item is that ball.
     ///
     /// # Panics
     /// For 2³¹ − 1 boxes or more.
@@ -153,7 +153,7 @@ impl Bvh {
     pub fn build_in_order(
         count: usize,
         bounds: impl Fn(usize) -> Bounds + Sync,
-        radius: impl Fn(usize) -> Option<f64>,
+        ball: impl Fn(usize) -> Option<(f64, bool)>,
     ) -> (Self, Vec<u32>) {
         let mut tree = Bvh::build_of(count, &bounds);
         let mut order = Vec::with_capacity(count);
@@ -162,8 +162,8 @@ impl Bvh {
         }
         let balls = || {
             order.iter().map(|&item| {
-                let radius = radius(item as usize)?;
-                Some(Ball::new(&tree.frame, &bounds(item as usize), radius))
+                let ball = ball(item as usize)?;
+                Some(Ball::new(&tree.frame, &bounds(item as usize), ball))
             })
         };
         if balls().any(|ball| ball.is_some()) {

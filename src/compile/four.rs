@@ -7,7 +7,7 @@
 
 use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
-use super::lot::FourQueries;
+use super::lot::{FourQueries, Lot};
 use super::query::{Query, Scratch};
 use super::search::SKIN;
 use super::world::World;
@@ -169,12 +169,10 @@ impl<const ANY: bool> FourKernel for FourOfLeaf<'_, ANY> {
             rays = rays.to_object(matrix);
         }
         let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
-        let nearest = self.leaf.shape.nearest_of_four::<F, ANY>(
-            &rays,
-            (from, far),
-            self.left,
-            self.there,
-        );
+        let nearest =
+            self.leaf
+                .shape
+                .nearest_of_four::<F, ANY>(&rays, (from, far), self.left, self.there);
         NearestOfFour {
             t: nearest.t.store(),
             leaves: nearest.leaves,
@@ -214,14 +212,14 @@ impl Passing<'_> {
     }
 }
 
-/// Whether a ray may start on the surface that it meets at `t`.
+/// Whether a ray for which nothing counts up to `from` may start on the surface that it meets at `t`.
 #[inline(always)]
-fn may_be_left(rays: &FourQueries, lane: usize, t: f64) -> bool {
-    SKIN * t <= rays.from[lane]
+fn may_be_left(from: f64, t: f64) -> bool {
+    SKIN * t <= from
 }
 
 impl World {
-    /// What some of four rays find of a combination up to and including where they end: calls `take` with the lane of
+    /// What some of four rays from `start` on find of a combination up to and including where they end: calls `take` with the number of
     /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
     /// told of a root than its distance.
     #[inline(always)]
@@ -229,11 +227,13 @@ impl World {
         &self,
         lanes: Lanes,
         number: u32,
-        (rays, there): (&FourQueries, u32),
+        (lot, start, there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
-        mut take: impl FnMut(usize, Found),
+        mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
+        let rays = lot.four(start);
+        let (from, left) = (rays.from, rays.left);
         let program = &self.model.programs[number as usize];
         let passing = Passing {
             program,
@@ -253,12 +253,12 @@ impl World {
             )]
             let leaf = program.first + found.operand[lane] as u32;
             // A surface on which the ray may start is for the search that looks behind it.
-            if may_be_left(rays, lane, found.t[lane]) {
+            if may_be_left(from[lane], found.t[lane]) {
                 found.unknown |= 1 << lane;
                 continue;
             }
             // The root that the ray has just left is none; what lies behind it only a single ray finds.
-            if rays.left[lane] == leaf && self.left_at(&query(lane), scratch) == found.t[lane] {
+            if left[lane] == leaf && self.left_at(&query(start + lane), scratch) == found.t[lane] {
                 found.unknown |= 1 << lane;
                 continue;
             }
@@ -272,7 +272,8 @@ impl World {
                     is_visible: true,
                 };
                 take(
-                    lane,
+                    lot,
+                    start + lane,
                     Found {
                         root,
                         leaf,
@@ -283,10 +284,11 @@ impl World {
             }
             let roots = &mut scratch.roots;
             roots.clear();
-            found_leaf.roots(&query(lane).ray, roots);
+            found_leaf.roots(&query(start + lane).ray, roots);
             match roots.iter().find(|root| root.t == found.t[lane]) {
                 Some(&root) => take(
-                    lane,
+                    lot,
+                    start + lane,
                     Found {
                         root,
                         leaf,
@@ -299,7 +301,7 @@ impl World {
         found.unknown
     }
 
-    /// What some of four rays find of a primitive up to and including where they end: calls `take` with the lane of
+    /// What some of four rays from `start` on find of a primitive up to and including where they end: calls `take` with the number of
     /// each ray that meets it; if `ANY` will do perhaps with some place in it. Gives those that must be asked for singly,
     /// one bit each.
     #[inline(always)]
@@ -307,10 +309,12 @@ impl World {
         &self,
         lanes: Lanes,
         number: u32,
-        (rays, mut there): (&FourQueries, u32),
+        (lot, start, mut there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
-        mut take: impl FnMut(usize, Found),
+        mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
+        let rays = lot.four(start);
+        let from = rays.from;
         let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
         let mut asked = FourOfLeaf::<ANY> {
@@ -329,7 +333,7 @@ impl World {
         while own != 0 {
             let lane = own.trailing_zeros() as usize % 4;
             own &= own - 1;
-            let query = query(lane);
+            let query = query(start + lane);
             if let Some(left) = &query.from {
                 let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
                 let leaves = left.normal.dot(query.ray.dir) > 0.0;
@@ -351,7 +355,7 @@ impl World {
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;
-            if may_be_left(rays, lane, found.t[lane]) {
+            if may_be_left(from[lane], found.t[lane]) {
                 unknown |= 1 << lane;
                 continue;
             }
@@ -367,7 +371,8 @@ impl World {
             };
             let surface = leaf.surface;
             take(
-                lane,
+                lot,
+                start + lane,
                 Found {
                     root,
                     leaf: number,

@@ -3,7 +3,10 @@
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::shape::{Geometry, Root, Shape, Shares, Start};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
+
+/// More than the roundings of what is worked out from a matrix, as a share.
+const CARE: f64 = 1e-9;
 
 /// Which bounds of a shape are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,6 +152,46 @@ impl Leaf {
         }
     }
 
+    /// A ball about the middle of its bounds that holds the leaf and not much else, and whether the leaf fills it.
+    #[must_use]
+    pub(super) fn ball(&self) -> Option<(f64, bool)> {
+        match (&self.shape, &self.object_from_world) {
+            (Shape::Sphere(sphere), None) => Some((sphere.radius, true)),
+            (Shape::Torus(torus), None) => Some((torus.rim(), false)),
+            (Shape::Torus(torus), Some(matrix)) => {
+                let scale = similarity(&matrix.matrix3)?;
+                let radius = torus.rim() / scale * (1.0 + CARE);
+                radius.is_normal().then_some((radius, false))
+            }
+            _ => None,
+        }
+    }
+
+    /// Bounds of the leaf that are no larger than `bounds`: smaller where it is a torus that is turned. The box of a
+    /// turned box, by which POV-Ray knows things, may have twice the surface.
+    #[must_use]
+    pub(super) fn tightened(&self, bounds: &Bounds) -> Bounds {
+        let (Shape::Torus(torus), Some(matrix)) = (&self.shape, &self.object_from_world) else {
+            return *bounds;
+        };
+        let world_from_object = matrix.inverse();
+        let there_and_back = world_from_object.matrix3 * matrix.matrix3;
+        if !there_and_back.abs_diff_eq(DMat3::IDENTITY, 0.5 * CARE) {
+            return *bounds;
+        }
+        let Some(reach) = torus.reach_under(&world_from_object.matrix3) else {
+            return *bounds;
+        };
+        let centre = world_from_object.transform_point3(torus.centre);
+        let reach = reach * (1.0 + CARE) + CARE * centre.abs().max_element();
+        let tight = Bounds::new(centre - reach, centre + reach);
+        if tight.is_finite() {
+            tight.intersection(bounds)
+        } else {
+            *bounds
+        }
+    }
+
     /// The memory of this leaf in bytes, its matrix included.
     #[must_use]
     pub fn bytes(&self) -> usize {
@@ -158,4 +201,14 @@ impl Leaf {
                 .as_ref()
                 .map_or(0, |_| size_of::<DAffine3>())
     }
+}
+
+/// The factor of a matrix that turns and scales evenly.
+fn similarity(matrix: &DMat3) -> Option<f64> {
+    let squares = matrix.transpose() * *matrix;
+    let size = squares.x_axis.x;
+    let even = DMat3::from_diagonal(DVec3::splat(size));
+    squares
+        .abs_diff_eq(even, 0.1 * CARE * size)
+        .then(|| size.sqrt())
 }

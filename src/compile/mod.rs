@@ -1,5 +1,6 @@
 //! From the description of a scene to the world that rays need.
 
+mod cluster;
 mod combine;
 mod csg;
 mod find;

@@ -4,6 +4,7 @@
 //! Numbers of leaves go on from the model's own ones through its instances, one stretch for each, so that a number
 //! tells every copy of every primitive apart however deep instances lie in each other.
 
+use super::cluster::Cluster;
 use super::csg::Program;
 use super::instance::Instance;
 use super::leaf::Leaf;
@@ -49,6 +50,8 @@ pub(super) struct Model {
     /// In the order of their numbers.
     pub(super) instances: Vec<Instance>,
     pub(super) finder: Finder,
+    /// All items, if they are few and round.
+    pub(super) cluster: Option<Cluster>,
     /// For each program, whether four rays can be asked about at once.
     suits_four: Vec<bool>,
 }
@@ -61,6 +64,7 @@ impl Model {
         projectors: impl Iterator<Item = &'p mut Program>,
     ) -> (Model, Vec<Item>) {
         let finder = Finder::new(&mut parts, projectors);
+        let cluster = finder.cluster(&parts);
         let suits_four = parts.programs.iter();
         let model = Model {
             suits_four: suits_four
@@ -70,6 +74,7 @@ impl Model {
             programs: parts.programs,
             instances: parts.instances,
             finder,
+            cluster,
         };
         (model, parts.items)
     }

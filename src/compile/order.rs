@@ -1,6 +1,7 @@
 //! The tree over the items of a model, and their leaves in its order: what lies together in space lies together in
 //! memory.
 
+use super::cluster::Cluster;
 use super::csg::Program;
 use super::instance::Instance;
 use super::model::{Item, Parts};
@@ -35,12 +36,16 @@ impl Finder {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
             .take(parts.items.len())
             .partition(|&number| parts.bounds[number as usize].is_finite());
-        let radius = |place: usize| match parts.items[bounded[place] as usize] {
-            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_radius(),
+        let leaf = |place: usize| match parts.items[bounded[place] as usize] {
+            Item::Leaf(leaf) => Some(&parts.leaves[leaf as usize]),
             Item::Program(_) | Item::Instance(_) => None,
         };
-        let bounds = |place: usize| parts.bounds[bounded[place] as usize];
-        let (tree, order) = Bvh::build_in_order(bounded.len(), bounds, radius);
+        let ball = |place: usize| leaf(place)?.ball();
+        let bounds = |place: usize| {
+            let bounds = &parts.bounds[bounded[place] as usize];
+            leaf(place).map_or(*bounds, |leaf| leaf.tightened(bounds))
+        };
+        let (tree, order) = Bvh::build_in_order(bounded.len(), bounds, ball);
         let bounded: Vec<u32> = order
             .into_iter()
             .map(|place| bounded[place as usize])
@@ -55,6 +60,23 @@ impl Finder {
             bounded: bounded.iter().map(numbered).collect(),
             unbounded: unbounded.iter().map(numbered).collect(),
         }
+    }
+
+    /// All items together, if they are few and round.
+    pub(super) fn cluster(&self, parts: &Parts) -> Option<Cluster> {
+        if !self.unbounded.is_empty() || parts.leaves.len() != self.bounded.len() {
+            return None;
+        }
+        Cluster::new(self.bounded.len(), |place| match self.bounded[place].item {
+            Item::Leaf(leaf) => {
+                let leaf = &parts.leaves[leaf as usize];
+                let radius = leaf
+                    .ball_radius()
+                    .filter(|_| leaf.shape.has_roots_of_four())?;
+                Some((parts.bounds[self.bounded[place].number as usize], radius))
+            }
+            Item::Program(_) | Item::Instance(_) => None,
+        })
     }
 
     /// The items that may hold a point.

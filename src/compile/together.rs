@@ -314,19 +314,16 @@ impl World {
                 continue;
             }
             let start = first + half;
-            let four = *lot.four(start);
-            let asked = (&four, some);
-            let query = |lane| query(start + lane);
-            let take = |lane, found| take(lot, start + lane, found);
+            let asked = (&mut *lot, start, some);
             let unknown = match item.item {
                 Item::Program(program) => {
-                    self.ask_four::<ASKS_FACE>(lanes, program, asked, query, scratch, take)
+                    self.ask_four::<ASKS_FACE>(lanes, program, asked, &query, scratch, &mut take)
                 }
                 Item::Leaf(leaf) if ASKS_FACE => {
-                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, query, take)
+                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, &query, &mut take)
                 }
                 Item::Leaf(leaf) => {
-                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, query, take)
+                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, &query, &mut take)
                 }
                 Item::Instance(_) => some,
             };

@@ -207,9 +207,7 @@ impl Shape {
     ) -> FourNearest<F> {
         match self {
             Shape::Sphere(sphere) if left == [0, 0] => sphere.four(rays).nearest(from, far),
-            Shape::Torus(torus) => {
-                torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there)
-            }
+            Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }
     }
@@ -308,9 +306,9 @@ pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F,
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::Bounds;
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
-    use crate::math::Bounds;
     use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;
 

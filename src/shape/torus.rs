@@ -25,11 +25,11 @@ use super::four::FourRays;
 use super::{Crossing, Geometry, Root, Start, even_scale, first_visible, read};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
 use crate::math::polynomial::{Places, is_quartic_positive};
 use crate::math::quartic::quartic_sign_changes;
 use crate::math::{Bounds, Ray, Step};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
@@ -58,7 +58,7 @@ pub struct Torus {
 }
 
 /// The roots on one ray.
-type Crossings = SmallVec<[Root; 4]>;
+pub(super) type Crossings = SmallVec<[Root; 4]>;
 
 /// A stretch of a ray about the origin, in units of the minor radius: `middle + x · half` for `-1 <= x <= 1`.
 struct Stretch {
@@ -86,6 +86,30 @@ impl Torus {
         })
     }
 
+    /// From the centre to the outermost points.
+    pub(crate) fn rim(&self) -> f64 {
+        self.major + self.minor
+    }
+
+    /// How far it reaches from its centre along each axis where a matrix has turned it; `None` if squares are too large or
+    /// too small to tell.
+    pub(crate) fn reach_under(&self, turn: &DMat3) -> Option<DVec3> {
+        let rows = turn.transpose();
+        let mut reach = [0.0; 3];
+        for (reach, row) in reach
+            .iter_mut()
+            .zip([rows.x_axis, rows.y_axis, rows.z_axis])
+        {
+            let size = row.length();
+            if !is_comfortable_size(size) {
+                return None;
+            }
+            let across = (row.x * row.x + row.z * row.z).sqrt();
+            *reach = self.major * across + self.minor * size;
+        }
+        Some(DVec3::from_array(reach))
+    }
+
     fn is_empty(&self) -> bool {
         self.major < 0.0 || self.minor <= 0.0
     }
@@ -104,7 +128,7 @@ impl Torus {
 
     /// The roots by the way of four rays at once, if it knows them.
     #[inline]
-    fn quick_crossings(&self, ray: &Ray) -> Option<Crossings> {
+    pub(super) fn quick_crossings(&self, ray: &Ray) -> Option<Crossings> {
         let found = self.roots_of_four(&FourRays::<f64>::of(ray));
         let mut roots = Crossings::new();
         for (place, &t) in found.t.iter().enumerate() {
@@ -117,7 +141,7 @@ impl Torus {
     }
 
     #[inline(never)]
-    fn careful_crossings(&self, ray: &Ray) -> Crossings {
+    pub(super) fn careful_crossings(&self, ray: &Ray) -> Crossings {
         let about = Ray::new(ray.origin - self.centre, ray.dir);
         let size = self.major + self.minor;
         if is_comfortable(size, ray.dir.dot(ray.dir), about.origin.dot(about.origin)) {

@@ -229,16 +229,9 @@ impl Torus {
         let inverse = F::all(1.0).over(across_sq);
         let axis = p[0].times(dir[0]).plus(p[2].times(dir[2]));
         let axis = axis.times(inverse).negated();
-        let (x, z) = (
-            p[0].plus(axis.times(dir[0])),
-            p[2].plus(axis.times(dir[2])),
-        );
+        let (x, z) = (p[0].plus(axis.times(dir[0])), p[2].plus(axis.times(dir[2])));
         let distance = x.times(x).plus(z.times(z)).root();
-        let off = |radius: f64| {
-            let radius = F::all(radius);
-            radius.minus(distance).times(radius.plus(distance))
-        };
-        let in_rim = off(rim);
+        let in_rim = within(rim, distance);
         let reach = in_rim.times(inverse).root();
         let rise = F::all(1.0).over(dir[1]);
         let down = F::all(-height).minus(p[1]).times(rise);
@@ -253,7 +246,7 @@ impl Torus {
         let (mut part_end, mut part_start) = (last, last);
         let hole = self.major - height;
         if hole > 0.0 {
-            let in_hole = off(hole);
+            let in_hole = within(hole, distance);
             let reach = in_hole.times(inverse).root();
             let is_in_hole = none.below(in_hole);
             part_end = F::pick(is_in_hole, axis.minus(reach).smaller(last), last);
@@ -341,7 +334,9 @@ impl<F: Four> Stretches<F> {
         let c = [
             s[0].times(s[0]).plus(b[0]),
             two.times(s[0].times(s[1]).plus(b[1])),
-            s[1].times(s[1]).plus(two.times(s[0]).times(s[2])).plus(b[2]),
+            s[1].times(s[1])
+                .plus(two.times(s[0]).times(s[2]))
+                .plus(b[2]),
             two.times(s[1]).times(s[2]),
             s[2].times(s[2]),
         ];
@@ -400,12 +395,9 @@ impl<F: Four> Quartics<F> {
         // Half the second derivative.
         let three_c3 = F::all(3.0).times(c[3]);
         let six_c4 = F::all(6.0).times(c[4]);
-        let mut bends = F::both(
-            three_c3.size().below(c[2].plus(six_c4)),
-            six_c4.below(c[2]),
-        );
+        let mut bends = F::both(three_c3.size().below(c[2].plus(six_c4)), six_c4.below(c[2]));
         let lowest = c[1].over(c[2]).times(F::all(-0.5));
-        let lowest = lowest.larger(one.negated()).smaller(one);
+        let lowest = on_stretch(lowest);
         (quartics.low, quartics.high) = (lowest, lowest);
         if asked & !F::bits(bends) != 0 {
             // Where half the second derivative is zero.
@@ -418,8 +410,7 @@ impl<F: Four> Quartics<F> {
             let sum = F::pick(is_right, three_c3.minus(root), three_c3.plus(root));
             let sum = sum.times(F::all(-0.5));
             let (x, other) = (sum.over(six_c4), c[2].over(sum));
-            let inside = |x: F| x.larger(one.negated()).smaller(one);
-            let (low, high) = (inside(x.smaller(other)), inside(x.larger(other)));
+            let (low, high) = (on_stretch(x.smaller(other)), on_stretch(x.larger(other)));
             quartics.low = F::pick(bends, lowest, low);
             quartics.high = F::pick(bends, lowest, high);
             quartics.at_high = quartics.level(quartics.high);
@@ -512,7 +503,8 @@ impl<F: Four> Quartics<F> {
         // Each of a pair is there, or neither.
         first.unknown |= asked & low.is_negative & !first.found;
         last.unknown |= asked & high.is_negative & !last.found;
-        second.unknown |= (first.found ^ second.found) & asked & !(low.is_negative & high.is_negative);
+        second.unknown |=
+            (first.found ^ second.found) & asked & !(low.is_negative & high.is_negative);
         third.unknown |= (last.found ^ third.found) & asked & !(low.is_negative & high.is_negative);
         third.unknown |= (second.found ^ third.found) & asked & low.is_negative & high.is_negative;
         [first, second, third, last]
@@ -587,6 +579,20 @@ impl<F: Four> Quartics<F> {
     }
 }
 
+/// The difference of the squares of a radius and of distances.
+#[inline(always)]
+fn within<F: Four>(radius: f64, distance: F) -> F {
+    let radius = F::all(radius);
+    radius.minus(distance).times(radius.plus(distance))
+}
+
+/// The nearest place of a stretch.
+#[inline(always)]
+fn on_stretch<F: Four>(x: F) -> F {
+    let one = F::all(1.0);
+    x.larger(one.negated()).smaller(one)
+}
+
 impl<F: Four> Level<F> {
     /// Of nobody.
     #[inline(always)]
@@ -598,5 +604,95 @@ impl<F: Four> Level<F> {
             value: F::all(0.0),
             slope: F::all(0.0),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Ray;
+    use crate::math::random::Random;
+    use crate::shape::Geometry;
+    use glam::DVec3;
+
+    /// Rays at a torus: through its tube for the most part, from near and far.
+    fn rays(torus: &Torus, rng: &mut Random) -> Vec<Ray> {
+        let size = torus.major + torus.minor;
+        let ray = |number: usize| {
+            let origin = rng.vector(1.0) * size * [2.0, 5.0, 100.0, 1e5][number % 4];
+            let (around, across) = (rng.vector(1.0), rng.vector(1.2 * torus.minor));
+            let on_circle = DVec3::new(around.x, 0.0, around.z).normalize() * torus.major;
+            let aim = if number % 3 == 0 {
+                around * size
+            } else {
+                on_circle + across
+            };
+            Ray::new(origin, (aim - origin).normalize())
+        };
+        (0..20_000).map(ray).collect()
+    }
+
+    #[test]
+    fn the_quick_way_finds_what_the_careful_way_finds() {
+        let mut rng = Random::new(41);
+        for (major, minor) in [(1.0, 0.3), (1.0, 1.0), (2.0, 0.01), (1.0, 1e-5)] {
+            let torus = Torus {
+                centre: DVec3::ZERO,
+                major,
+                minor,
+            };
+            let (mut unknown, mut crossed, mut twice) = (0, 0, 0);
+            for ray in rays(&torus, &mut rng) {
+                let careful = torus.careful_crossings(&ray);
+                let Some(quick) = torus.quick_crossings(&ray) else {
+                    unknown += 1;
+                    continue;
+                };
+                assert_eq!(quick.len(), careful.len(), "{torus:?} {ray:?}");
+                for (quick, careful) in quick.iter().zip(&careful) {
+                    assert_eq!(quick.crossing, careful.crossing);
+                    // Grazing rays: where the surface is nearly along them little is known of the place.
+                    let off = (quick.t - careful.t).abs();
+                    assert!(off < 1e-6 * (1.0 + careful.t.abs()), "{ray:?} {off:e}");
+                }
+                let nearest = torus.nearest(&ray, 0.0, f64::INFINITY);
+                let first = quick.iter().find(|root| root.t > 0.0).copied();
+                assert_eq!(nearest, first, "{torus:?} {ray:?}");
+                crossed += usize::from(!quick.is_empty());
+                twice += usize::from(quick.len() == 4);
+            }
+            assert!(unknown < 20 && crossed > 4000, "{unknown} {crossed}");
+            assert!(twice > 20 || minor < 0.01, "{twice}");
+        }
+    }
+
+    #[test]
+    fn from_the_outer_half_outward_nothing_is_met() {
+        let torus = Torus {
+            centre: DVec3::new(0.5, -1.0, 2.0),
+            major: 1.0,
+            minor: 0.4,
+        };
+        let mut rng = Random::new(42);
+        let (mut left, mut met) = (0, 0);
+        for _ in 0..20_000 {
+            let outward = rng.vector(1.0).normalize();
+            let around = rng.vector(1.0);
+            let around = DVec3::new(around.x, 0.0, around.z).normalize();
+            let outward = around * outward.x + DVec3::Y * outward.y;
+            let outward = outward.normalize();
+            let point = torus.centre + torus.major * around + torus.minor * outward;
+            let dir = rng.vector(1.0).normalize();
+            let dir = if dir.dot(outward) > 0.0 { dir } else { -dir };
+            let ray = Ray::new(point, dir);
+            let nearest = torus.nearest(&ray, 1e-9, f64::INFINITY);
+            if torus.is_left_behind(&ray) {
+                left += 1;
+                assert!(nearest.is_none_or(|root| root.t < 1e-6), "{ray:?}");
+            } else {
+                met += usize::from(nearest.is_some());
+            }
+        }
+        assert!(left > 8000 && met > 1000, "{left} {met}");
     }
 }
