@@ -306,15 +306,12 @@ impl Flat {
 
 /// What holds the parts of a model: one piece for each, if they are few.
 fn hull(parts: &Parts) -> Vec<Piece> {
-    let radius = |item: &Item| match item {
-        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball_radius(),
+    let ball = |item: &Item| match item {
+        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
         Item::Program(_) | Item::Instance(_) => None,
     };
-    let piece = |(item, bounds): (&Item, &Bounds)| match radius(item) {
-        Some(radius) => Piece::Ball {
-            middle: 0.5 * (bounds.min + bounds.max),
-            radius,
-        },
+    let piece = |(item, bounds): (&Item, &Bounds)| match ball(item) {
+        Some((middle, radius)) => Piece::Ball { middle, radius },
         None => Piece::Box(*bounds),
     };
     if parts.items.len() <= HULL {

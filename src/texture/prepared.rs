@@ -139,6 +139,13 @@ impl PreparedTexture {
         }
     }
 
+    /// Whether each of its layers has one colour.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        let is_plain = |layer: &PreparedLayer| matches!(layer.pigment, PreparedPigment::Plain(_));
+        self.choice.is_none() && self.layers.iter().all(is_plain)
+    }
+
     /// Whether some layer has a mirror image.
     #[must_use]
     pub fn has_reflection(&self) -> bool {
