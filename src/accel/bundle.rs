@@ -78,9 +78,9 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// Around the points within a radius of the middle of the bounds, which are all of the item or not.
-    pub(super) fn new(frame: &Frame, bounds: &Bounds, (radius, is_filled): (f64, bool)) -> Self {
-        let centre = frame.place(0.5 * bounds.min + 0.5 * bounds.max);
+    /// Around the points within a radius of a centre, which are all of the item or not.
+    pub(super) fn new(frame: &Frame, (centre, radius, is_filled): (DVec3, f64, bool)) -> Self {
+        let centre = frame.place(centre);
         let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
         let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();

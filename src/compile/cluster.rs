@@ -76,17 +76,12 @@ impl Kernel for LineAndBalls<'_> {
 }
 
 impl Cluster {
-    /// The balls about the middles of so many boxes; `None` if there are none or too many, or if something is no ball.
-    pub(super) fn new(count: usize, ball: impl Fn(usize) -> Option<(Bounds, f64)>) -> Option<Self> {
+    /// So many balls, by centre and radius; `None` if there are none or too many, or if something is no ball.
+    pub(super) fn new(count: usize, ball: impl Fn(usize) -> Option<(DVec3, f64)>) -> Option<Self> {
         if !(1..=MOST).contains(&count) {
             return None;
         }
-        let balls: Vec<(DVec3, f64)> = (0..count)
-            .map(|place| {
-                let (bounds, radius) = ball(place)?;
-                Some((0.5 * bounds.min + 0.5 * bounds.max, radius))
-            })
-            .collect::<Option<_>>()?;
+        let balls: Vec<(DVec3, f64)> = (0..count).map(ball).collect::<Option<_>>()?;
         let whole = balls.iter().fold(Bounds::EMPTY, |whole, (centre, radius)| {
             whole.union(&Bounds::new(*centre - *radius, *centre + *radius))
         });
@@ -193,10 +188,7 @@ mod tests {
             let balls: Vec<(DVec3, f64)> = (0..20)
                 .map(|_| (at + rng.vector(size), size * (0.01 + 0.2 * rng.share())))
                 .collect();
-            let ball = |place: usize| {
-                let (centre, radius) = balls[place];
-                Some((Bounds::new(centre - radius, centre + radius), radius))
-            };
+            let ball = |place: usize| Some(balls[place]);
             let cluster = Cluster::new(balls.len(), ball).unwrap();
             let (mut met, mut visits) = (0, 0);
             for round in 0..4000 {
@@ -229,7 +221,7 @@ mod tests {
 
     #[test]
     fn a_ray_without_direction_is_left_to_the_tree() {
-        let ball = |_| Some((Bounds::new(DVec3::NEG_ONE, DVec3::ONE), 1.0));
+        let ball = |_| Some((DVec3::ZERO, 1.0));
         let cluster = Cluster::new(1, ball).unwrap();
         let ray = Ray::new(DVec3::X, DVec3::ZERO);
         assert!(!cluster.each(Lanes::NARROW, &ray, 1.0, |_| false));

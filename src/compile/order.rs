@@ -4,6 +4,7 @@
 use super::cluster::Cluster;
 use super::csg::Program;
 use super::instance::Instance;
+use super::leaf::Leaf;
 use super::model::{Item, Parts};
 use crate::accel::Bvh;
 use glam::DVec3;
@@ -40,12 +41,13 @@ impl Finder {
             Item::Leaf(leaf) => Some(&parts.leaves[leaf as usize]),
             Item::Program(_) | Item::Instance(_) => None,
         };
-        let ball = |place: usize| leaf(place)?.ball();
         let bounds = |place: usize| {
             let bounds = &parts.bounds[bounded[place] as usize];
             leaf(place).map_or(*bounds, |leaf| leaf.tightened(bounds))
         };
-        let (tree, order) = Bvh::build_in_order(bounded.len(), bounds, ball);
+        let (mut tree, order) = Bvh::build_in_order(bounded.len(), bounds);
+        // In large scenes the room is needed.
+        parts.bounds = Vec::new();
         let bounded: Vec<u32> = order
             .into_iter()
             .map(|place| bounded[place as usize])
@@ -55,9 +57,14 @@ impl Finder {
             number,
             item: parts.items[number as usize],
         };
+        let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
+        tree.know_balls(bounded.iter().map(|item| match item.item {
+            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_around(),
+            Item::Program(_) | Item::Instance(_) => None,
+        }));
         Finder {
             tree,
-            bounded: bounded.iter().map(numbered).collect(),
+            bounded,
             unbounded: unbounded.iter().map(numbered).collect(),
         }
     }
@@ -70,10 +77,7 @@ impl Finder {
         Cluster::new(self.bounded.len(), |place| match self.bounded[place].item {
             Item::Leaf(leaf) => {
                 let leaf = &parts.leaves[leaf as usize];
-                let radius = leaf
-                    .ball_radius()
-                    .filter(|_| leaf.shape.has_roots_of_four())?;
-                Some((parts.bounds[self.bounded[place].number as usize], radius))
+                leaf.ball().filter(|_| leaf.shape.has_roots_of_four())
             }
             Item::Program(_) | Item::Instance(_) => None,
         })
@@ -145,11 +149,12 @@ fn sort_leaves<'n, 'p>(
             *leaf = places[*leaf as usize];
         }
     }
-    for at in 0..places.len() {
-        while places[at] as usize != at {
-            let to = places[at] as usize;
-            parts.leaves.swap(at, to);
-            places.swap(at, to);
-        }
+    let mut leaves_at = vec![0; places.len()];
+    for (leaf, &place) in (0..).zip(&places) {
+        leaves_at[place as usize] = leaf;
     }
+    drop(places);
+    let mut unsorted = std::mem::take(&mut parts.leaves);
+    let take = |&leaf: &u32| std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
+    parts.leaves = leaves_at.iter().map(take).collect();
 }
