@@ -214,7 +214,7 @@ impl Passing<'_> {
 
 /// Whether a ray for which nothing counts up to `from` may start on the surface that it meets at `t`.
 #[inline(always)]
-fn may_be_left(from: f64, t: f64) -> bool {
+pub(super) fn may_be_left(from: f64, t: f64) -> bool {
     SKIN * t <= from
 }
 

@@ -6,6 +6,7 @@ mod csg;
 mod find;
 mod flatten;
 mod four;
+mod four_of_copy;
 mod hits;
 mod instance;
 mod interiors;

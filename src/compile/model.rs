@@ -50,7 +50,7 @@ pub(super) struct Model {
     /// In the order of their numbers.
     pub(super) instances: Vec<Instance>,
     pub(super) finder: Finder,
-    /// All items, if they are few and round.
+    /// All items, if they are leaves, few and round; four rays can then be asked about them at once.
     pub(super) cluster: Option<Cluster>,
     /// For each program, whether four rays can be asked about at once.
     suits_four: Vec<bool>,
@@ -93,7 +93,7 @@ impl Model {
         match item {
             Item::Program(program) => self.suits_four[program as usize],
             Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
-            Item::Instance(_) => false,
+            Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
     }
 
@@ -103,8 +103,7 @@ impl Model {
     pub(super) fn suits_one(&self, item: Item) -> bool {
         match item {
             Item::Leaf(leaf) => !matches!(self.leaves[leaf as usize].shape, Shape::Sphere(_)),
-            Item::Program(_) => true,
-            Item::Instance(_) => false,
+            Item::Program(_) | Item::Instance(_) => true,
         }
     }
 

@@ -325,7 +325,12 @@ impl World {
                 Item::Leaf(leaf) => {
                     self.ask_four_of_leaf::<true>(lanes, leaf, asked, &query, &mut take)
                 }
-                Item::Instance(_) => some,
+                Item::Instance(copy) if ASKS_FACE => {
+                    self.ask_four_of_copy::<false>(lanes, copy, asked, &mut take)
+                }
+                Item::Instance(copy) => {
+                    self.ask_four_of_copy::<true>(lanes, copy, asked, &mut take)
+                }
             };
             left |= unknown << half;
         }

@@ -49,7 +49,7 @@ impl<F: Four> FourSpans<F> {
 impl<F: Four> FourSpans<F> {
     /// The first ends with `from < t <= far`.
     #[inline(always)]
-    fn nearest(&self, from: F, far: F) -> FourNearest<F> {
+    pub(super) fn nearest(&self, from: F, far: F) -> FourNearest<F> {
         let within = F::both(from.below(self.enter), self.enter.not_above(far));
         let enters = F::both(self.is_met, within);
         let within = F::both(from.below(self.leave), self.leave.not_above(far));
@@ -206,7 +206,7 @@ impl Shape {
         there: u32,
     ) -> FourNearest<F> {
         match self {
-            Shape::Sphere(sphere) if left == [0, 0] => sphere.four(rays).nearest(from, far),
+            Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
             Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }

@@ -8,7 +8,7 @@
 //! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
 use super::four::{
-    FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
+    FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
 };
 use super::{Geometry, Root, Start, even_scale, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
@@ -63,6 +63,17 @@ impl Sphere {
         let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         FourSpans::new((enter, leave), is_met, is_known)
+    }
+
+    /// The first surfaces on four rays with `from < t <= far`.
+    #[inline(always)]
+    pub(crate) fn nearest_of_four<F: Four>(
+        &self,
+        rays: &FourRays<F>,
+        from: F,
+        far: F,
+    ) -> FourNearest<F> {
+        self.four(rays).nearest(from, far)
     }
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
