@@ -133,7 +133,8 @@ pub trait Geometry {
     }
 
     /// Whether all that the line enters lies before the start of the ray: the solid is convex, and the ray, where it is
-    /// near, goes away from it. What is not known is false.
+    /// near, goes away from it. For a ray that goes out from the surface it is enough that it starts where that is a part
+    /// of the hull. What is not known is false.
     fn is_left_behind(&self, _ray: &Ray) -> bool {
         false
     }

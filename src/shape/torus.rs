@@ -13,8 +13,8 @@
 //! Of 360,000 rays in 36 families (`tools/stability`) 999 in a thousand have 0.44 roundings at most, and the worst, which
 //! leaves the surface at a grazing angle, 12.1.
 //!
-//! Most rays are answered by a quicker way to the same roots, which can be gone by four at once: [`super::torus_of_four`].
-//! What follows is the careful way for the rest.
+//! That is the careful way. Most rays are answered by a quicker one to the same roots, which four can go at once
+//! ([`super::torus_of_four`]).
 //!
 //! A spindle torus (`r > R`) is solid where `g <= 0`. Its inner lemon, `k = 0`, lies in the solid and can be seen, as
 //! in POV-Ray: a crossing that leaves the inside as it is. `sturm` is accepted and changes nothing; there is one solver.
