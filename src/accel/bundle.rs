@@ -135,9 +135,9 @@ impl Bundle {
                 let (dir, end) = four((2 * number + half).min(last));
                 let at = 4 * half;
                 // Spelt out: `map` is not always inlined.
-                for axis in 0..3 {
-                    for lane in 0..4 {
-                        group.dir[axis][at + lane] = nearest(dir[axis][lane]);
+                for (to, from) in group.dir.iter_mut().zip(&dir) {
+                    for (to, from) in to[at..at + 4].iter_mut().zip(from) {
+                        *to = nearest(*from);
                     }
                 }
                 for (to, from) in group.end[at..at + 4].iter_mut().zip(end) {

@@ -622,7 +622,7 @@ mod tests {
             let origin = rng.vector(1.0) * size * [2.0, 5.0, 100.0, 1e5][number % 4];
             let (around, across) = (rng.vector(1.0), rng.vector(1.2 * torus.minor));
             let on_circle = DVec3::new(around.x, 0.0, around.z).normalize() * torus.major;
-            let aim = if number % 3 == 0 {
+            let aim = if number.is_multiple_of(3) {
                 around * size
             } else {
                 on_circle + across
