@@ -3,10 +3,11 @@
 use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
 use super::lights::LightList;
-use super::surface::{Flags, Surface};
+use super::leaf::Absorb;
+use super::surface::{Flags, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
-use crate::shape::Skin;
+use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use std::sync::Arc;
 
@@ -37,6 +38,13 @@ pub(super) struct Placed {
 }
 
 impl Heritage {
+    /// Whether what inherits it asks for texture coordinates.
+    pub(super) fn uses_uv(&self) -> bool {
+        let textures = [&self.texture, &self.inside_texture];
+        let mut textures = textures.into_iter().flatten();
+        self.flags.uv_mapping || textures.any(|placed| placed.texture.uses_uv())
+    }
+
     /// Whether what inherits the one looks like what inherits the other, wherever the two stand. `is_opaque`: all that
     /// inherits them is, so that interiors which no scene has written are alike.
     pub(super) fn looks_as(&self, other: &Heritage, is_opaque: bool) -> bool {
@@ -70,7 +78,7 @@ impl Flat {
         let place = |own: &Option<Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
             Some(own) => Some(Placed {
                 texture: Arc::clone(&own.what),
-                steps: joined(&object.steps[own.after..], &above.steps),
+                steps: texture_steps(object, own.after, above),
             }),
             None => inherited.clone(),
         };
@@ -105,6 +113,7 @@ impl Flat {
                 no_reflection: own.no_reflection || above.flags.no_reflection,
                 hollow: is_hollow,
                 double_illuminate: own.double_illuminate || above.flags.double_illuminate,
+                uv_mapping: own.uv_mapping || above.flags.uv_mapping,
             },
             steps: joined(&object.steps, &above.steps),
             slot: 0,
@@ -125,12 +134,27 @@ impl Flat {
         }
     }
 
-    /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    pub(super) fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
+    /// The number of the surface of a shape with these looks, and whether the shape has to stay as it is, all its
+    /// transforms outside of it.
+    pub(super) fn surface_of(&mut self, shape: &Shape, looks: &Heritage) -> (u32, Absorb) {
+        let loses_uv = shape.loses_uv() && !looks.steps.is_empty();
         if let Some(slots) = &mut self.slots {
-            return slots.shape(looks, skins);
+            let absorb = if loses_uv && self.keeps_uv {
+                Absorb::Nothing
+            } else {
+                Absorb::AllItCan
+            };
+            return (slots.shape(looks, shape.skins()), absorb);
         }
-        let surface = self.new_surface(looks, skins);
+        let mut surface = self.new_surface(looks, shape.skins());
+        if loses_uv && surface.uses_uv() {
+            surface.unmoved = Some(Arc::new(Unmoved::new(shape, &looks.steps)));
+        }
+        (self.number_of(surface), Absorb::AllItCan)
+    }
+
+    /// The number of a surface. Neighbours in the file often share theirs.
+    pub(super) fn number_of(&mut self, surface: Surface) -> u32 {
         if let Some(last) = self
             .last_surface
             .filter(|&last| self.surfaces[last as usize].is_same(&surface))
@@ -158,9 +182,14 @@ impl Flat {
             .as_ref()
             .map(|placed| self.prepare(placed));
         let skin = |skin: &Skin| {
+            let steps = if looks.flags.uv_mapping {
+                Arc::default()
+            } else {
+                Arc::clone(&looks.steps)
+            };
             self.prepare(&Placed {
                 texture: Arc::clone(&skin.0),
-                steps: Arc::clone(&looks.steps),
+                steps,
             })
         };
         let skins = skins.iter().map(skin).collect();
@@ -182,6 +211,16 @@ impl Flat {
             return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
         }
         Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
+    }
+}
+
+/// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
+/// where they are: the transforms of what has `uv_mapping` do not move its textures.
+fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
+    match (object.flags.uv_mapping, above.flags.uv_mapping) {
+        (true, _) => Arc::default(),
+        (false, true) => object.steps[after..].into(),
+        (false, false) => joined(&object.steps[after..], &above.steps),
     }
 }
 

@@ -35,6 +35,14 @@ impl Skin {
     }
 }
 
+impl Skin {
+    /// Whether it asks for texture coordinates.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        self.0.uses_uv()
+    }
+}
+
 impl PartialEq for Skin {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)

@@ -356,7 +356,7 @@ impl Geometry for Sor {
 
     /// Around the axis from +x towards +z, and up the curve by the number of the ring; a cap goes on below 0 or above 1
     /// as far as it is wide.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let profile = &self.profile;
         let around = point.z.atan2(point.x) / TAU;
         let around = if around < 0.0 { around + 1.0 } else { around };
@@ -364,7 +364,7 @@ impl Geometry for Sor {
         let ring = &profile.rings[number];
         let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
         let share = (0.5 * (ring.place(point.y) + 1.0)).clamp(0.0, 1.0);
-        [around, (count(number) + share) / count(profile.rings.len())]
+        Some([around, (count(number) + share) / count(profile.rings.len())])
     }
 }
 

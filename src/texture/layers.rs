@@ -1,6 +1,6 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
-use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
+use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::Color;
 use crate::math::Step;
@@ -199,6 +199,21 @@ impl Texture {
             || self.layers.iter().any(|layer| {
                 layer.normal.is_some() || !matches!(layer.pigment.kind, PigmentKind::Plain(_))
             })
+    }
+
+    /// Whether it asks for the texture coordinates of the surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        match &self.pattern {
+            None => self.layers.iter().any(|layer| {
+                let normal = layer.normal.as_ref();
+                layer.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+            }),
+            Some(pattern) => {
+                matches!(pattern.kind, PatternedKind::Uv(_))
+                    || pattern.textures().into_iter().any(Texture::uses_uv)
+            }
+        }
     }
 
     /// The form for tracing, with the transforms of the object after those of the texture.

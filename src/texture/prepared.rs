@@ -19,6 +19,7 @@ pub struct PreparedTexture {
     choice: Option<Box<Choice>>,
     is_opaque: bool,
     has_reflection: bool,
+    uses_uv: bool,
 }
 
 /// A layer ready for rays.
@@ -47,6 +48,8 @@ pub enum PreparedPigment {
     Average(Box<(PreparedChain, Map<PreparedPigment>)>),
     /// The colours of a picture.
     Image(Box<(PreparedChain, bitmap::Source)>),
+    /// Another pigment at the texture coordinates.
+    Uv(Box<PreparedPigment>),
 }
 
 impl PreparedTexture {
@@ -76,11 +79,16 @@ impl PreparedTexture {
                 choice.textures().any(PreparedTexture::has_reflection),
             ),
         };
+        let uses_uv = match &choice {
+            None => layers.iter().any(PreparedLayer::uses_uv),
+            Some(choice) => choice.uses_uv(),
+        };
         PreparedTexture {
             layers,
             choice: choice.map(Box::new),
             is_opaque,
             has_reflection,
+            uses_uv,
         }
     }
 
@@ -114,6 +122,12 @@ impl PreparedTexture {
             }),
             Some(choice) => choice.look(point, spot, weight, to),
         }
+    }
+
+    /// Whether something in it asks for the texture coordinates of the surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        self.uses_uv
     }
 
     /// Whether no light passes anywhere: some layer has neither filter nor transmit.
@@ -162,6 +176,13 @@ impl PreparedTexture {
     }
 }
 
+impl PreparedLayer {
+    fn uses_uv(&self) -> bool {
+        let normal = self.normal.as_ref();
+        self.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+    }
+}
+
 impl PreparedPigment {
     /// The form for drawing, with the transforms of what carries the pigment after its own.
     #[must_use]
@@ -187,6 +208,10 @@ impl PreparedPigment {
             PigmentKind::Image(source) => {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Image(Box::new((chain, (**source).clone())))
+            }
+            // Neither its own transforms nor those around it move texture coordinates.
+            PigmentKind::Uv(mapped) => {
+                PreparedPigment::Uv(Box::new(Self::new(mapped, &[], settings)))
             }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
@@ -231,6 +256,7 @@ impl PreparedPigment {
                 Color::average(map.entries().iter().map(weighted))
             }
             PreparedPigment::Image(both) => both.1.color(both.0.moved(point)),
+            PreparedPigment::Uv(mapped) => mapped.patterned(spot.on_the_map(), spot),
         }
     }
 
@@ -248,6 +274,22 @@ impl PreparedPigment {
             PreparedPigment::Pigments(both) => any(&both.1),
             PreparedPigment::Average(both) => any(&both.1),
             PreparedPigment::Image(both) => both.1.can_be_transparent(),
+            PreparedPigment::Uv(mapped) => mapped.can_be_transparent(),
+        }
+    }
+
+    fn uses_uv(&self) -> bool {
+        let any = |map: &Map<PreparedPigment>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.uses_uv())
+        };
+        match self {
+            PreparedPigment::Uv(_) => true,
+            PreparedPigment::Pigments(both) => any(&both.1),
+            PreparedPigment::Average(both) => any(&both.1),
+            PreparedPigment::Plain(_) | PreparedPigment::Colors(_) | PreparedPigment::Image(_) => {
+                false
+            }
         }
     }
 }

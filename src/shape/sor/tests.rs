@@ -88,6 +88,6 @@ fn few_points_negative_radii_and_heights_that_fall_are_errors() {
 #[test]
 fn v_counts_the_rings() {
     let vase = sor(VASE);
-    let [u, v] = vase.uv(DVec3::new(0.0, -0.2, 1.0));
+    let [u, v] = vase.uv(DVec3::new(0.0, -0.2, 1.0), 0).unwrap();
     assert!((u - 0.25).abs() < 1e-15 && (v - 1.0 / 3.0).abs() < 1e-15);
 }
