@@ -212,6 +212,14 @@ impl World {
         self.model.shares(leaf, hit.point, face)
     }
 
+    /// Whether a hit looks from inside as it does from outside, whatever `interior_texture` says: so it is with blobs whose
+    /// components have textures of their own, and not with meshes (checked with POV-Ray).
+    #[must_use]
+    pub fn has_one_side(&self, hit: &Hit) -> bool {
+        let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
+        !self.surfaces[hit.surface as usize].skins.is_empty() && is_blob()
+    }
+
     /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
     #[must_use]
     pub fn uv(&self, hit: &Hit) -> DVec2 {

@@ -11,6 +11,9 @@ use std::sync::Arc;
 /// The last language version in which upper layers do not filter but only transmit.
 const LAST_WITHOUT_FILTER: f64 = 3.1;
 
+/// Textures that hold themselves twice double their layers.
+const MOST_LAYERS: usize = 100_000;
+
 /// One layer of a texture: the colour and how it answers to light.
 #[derive(Clone, Debug, Default)]
 pub struct Layer {
@@ -170,6 +173,16 @@ impl Texture {
     /// The layer that loose parts change: the one declared last.
     pub fn top_mut(&mut self) -> &mut Layer {
         self.layers.last_mut().expect("a texture has a layer")
+    }
+
+    /// What is wrong with laying another texture over this one, if anything is.
+    #[must_use]
+    pub fn fault_below(&self, upper: &Texture) -> Option<String> {
+        if self.is_patterned() || upper.is_patterned() {
+            return Some("a texture that a pattern chooses is no layer of another".to_owned());
+        }
+        let has_too_many = self.layers.len() + upper.layers.len() > MOST_LAYERS;
+        has_too_many.then(|| format!("a texture has at most {MOST_LAYERS} layers"))
     }
 
     /// Lays another texture over this one. In versions up to 3.1 the upper layers transmit what they would filter.

@@ -101,7 +101,9 @@ impl Tracer<'_> {
     /// of a smooth triangle decide which side is seen, not the order of its corners.
     fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
-            Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
+            Some(inside)
+                if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) =>
+            {
                 return self.look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
@@ -119,8 +121,9 @@ impl Tracer<'_> {
         let mut looks = Looks::new();
         let (point, spot) = self.place(hit, dir);
         for share in drawn {
-            let skin = &surface.skins[share.skin as usize];
-            skin.look(point, &spot, single(share.weight), &mut looks);
+            let skin = surface.skins.get(share.skin as usize);
+            let texture = skin.map_or(outside, |skin| skin);
+            texture.look(point, &spot, single(share.weight), &mut looks);
         }
         looks
     }

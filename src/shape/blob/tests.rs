@@ -101,3 +101,29 @@ fn negative_radii_count_as_positive_and_zero_is_nothing() {
     let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
     assert_eq!(nothing.nearest(&ray, 0.0, f64::INFINITY), None);
 }
+
+/// POV-Ray 3.7 blends them like this: what is taken away counts as what is added does.
+#[test]
+fn components_share_the_look_of_a_point_by_their_fields() {
+    let pair = blob(
+        "threshold 0.2 sphere { <-0.5,0,0>, 1, 1 pigment { rgb 1 } }
+        sphere { <0.5,0,0>, 1, -0.5 } sphere { <5,0,0>, 1, 1 finish { phong 1 } }",
+    );
+    assert_eq!(pair.skins().len(), 2);
+    let shares = pair.shares(DVec3::ZERO, 0);
+    let shares: Vec<_> = shares.iter().map(|share| (share.skin, share.weight)).collect();
+    let expected = [(0, 2.0 / 3.0), (Share::OF_THE_OBJECT, 1.0 / 3.0)];
+    assert_eq!(shares, expected);
+    assert!(blob(PAIR).shares(DVec3::ZERO, 0).is_empty());
+}
+
+#[test]
+fn transforms_of_a_component_move_the_textures_before_them() {
+    let text = "sphere { <0,0,0>, 1, 1 translate <1,0,0> pigment { checker } scale 2 }";
+    let moved = blob(text);
+    let steps = |texture: &crate::texture::Texture| {
+        let modifiers = texture.layers()[0].pigment.modifiers.get();
+        modifiers.map(|modifiers| modifiers.chain.steps().to_vec())
+    };
+    assert_eq!(steps(&moved.skins()[0].0), Some(vec![Step::Scale(DVec3::splat(2.0))]));
+}
