@@ -73,7 +73,7 @@ fn a_threshold_of_zero_draws_the_reach_of_the_field() {
 }
 
 #[test]
-fn a_cylinder_without_length_a_blob_without_components_and_textures_of_components_are_errors() {
+fn a_cylinder_without_length_a_blob_without_components_and_switches_of_components_are_errors() {
     for (text, expected) in [
         (
             "cylinder { <1,1,1>, <1,1,1>, 1, 1 }",
@@ -81,8 +81,8 @@ fn a_cylinder_without_length_a_blob_without_components_and_textures_of_component
         ),
         ("threshold 1", "need at least one component in a blob"),
         (
-            "sphere { <0,0,0>, 1, 1 pigment { rgb 1 } }",
-            "`pigment` of a component of a blob is not built yet",
+            "sphere { <0,0,0>, 1, 1 no_shadow }",
+            "expected a transform, a texture or `}` in a component of a blob, found `no_shadow`",
         ),
     ] {
         let error = Blob::read(&mut TextArgs::new(text)).unwrap_err();
