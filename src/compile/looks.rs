@@ -18,6 +18,10 @@ pub(super) struct Heritage {
     pub(super) inside_texture: Option<Placed>,
     pub(super) interior: Option<InteriorId>,
     pub(super) flags: Flags,
+    /// In a combination, the switches that say who sees it.
+    pub(super) obeyed: Option<Flags>,
+    /// Where the children are.
+    pub(super) place: Place,
     /// The lights that shine on it.
     pub(super) lights: LightList,
     /// Whether lights outside of the light group around it do so; `None` outside of all groups.
@@ -28,6 +32,25 @@ pub(super) struct Heritage {
     pub(super) steps: Arc<[Step]>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
     pub(super) slot: u32,
+}
+
+/// Where an object stands as to combinations. POV-Ray obeys the switches `no_shadow`, `no_image` and `no_reflection` of
+/// a combination as a whole; within it `no_reflection` counts for the parts of unions and merges, and `no_image` for
+/// those of merges (measured for each switch in twelve arrangements). That POV-Ray then also shows what of the other
+/// parts of the merge lies in the hidden one is not done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Place {
+    /// In no combination.
+    #[default]
+    Alone,
+    /// It is a combination as a whole.
+    Whole,
+    /// A part of an intersection or difference.
+    Cut,
+    /// A part of a union that is not taken apart.
+    Union,
+    /// A part of a merge.
+    Merge,
 }
 
 /// A texture with the transforms that came after it.
@@ -61,6 +84,7 @@ impl Heritage {
             && (self.interior == other.interior
                 || is_opaque && is_unnamed(self) && is_unnamed(other))
             && self.flags == other.flags
+            && self.obeyed == other.obeyed
             && self.lights == other.lights
     }
 }
@@ -72,6 +96,7 @@ impl Flat {
             return Heritage {
                 slot: slots.object(object, above),
                 steps: joined(&object.steps, &above.steps),
+                flags: handed_down(object, above),
                 ..Heritage::default()
             };
         }
@@ -91,9 +116,8 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         self.fill(interior, object, above);
-        let own = &object.flags;
-        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
-        self.interiors.set_hollow(interior, is_hollow);
+        let flags = handed_down(object, above);
+        self.interiors.set_hollow(interior, flags.hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
             Some(above.global_lights.unwrap_or(group.global_lights))
         });
@@ -107,14 +131,9 @@ impl Flat {
             texture: place(&object.texture, &above.texture),
             inside_texture: place(&object.interior_texture, &above.inside_texture),
             interior: Some(interior),
-            flags: Flags {
-                no_shadow: own.no_shadow || above.flags.no_shadow,
-                no_image: own.no_image || above.flags.no_image,
-                no_reflection: own.no_reflection || above.flags.no_reflection,
-                hollow: is_hollow,
-                double_illuminate: own.double_illuminate || above.flags.double_illuminate,
-                uv_mapping: own.uv_mapping || above.flags.uv_mapping,
-            },
+            flags,
+            obeyed: obeyed(&flags, above),
+            place: Place::Alone,
             steps: joined(&object.steps, &above.steps),
             slot: 0,
         }
@@ -194,7 +213,13 @@ impl Flat {
         };
         let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
-        let lit = (looks.lights, looks.flags);
+        let flags = looks.obeyed.as_ref().map_or(looks.flags, |obeyed| Flags {
+            no_shadow: obeyed.no_shadow,
+            no_image: obeyed.no_image,
+            no_reflection: obeyed.no_reflection,
+            ..looks.flags
+        });
+        let lit = (looks.lights, flags);
         Surface::new(texture, inside_texture, skins, interior, lit)
     }
 
@@ -221,6 +246,35 @@ fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]>
         (true, _) => Arc::default(),
         (false, true) => object.steps[after..].into(),
         (false, false) => joined(&object.steps[after..], &above.steps),
+    }
+}
+
+/// The switches of an object and of what hands them down to it.
+fn handed_down(object: &Object, above: &Heritage) -> Flags {
+    let (own, above) = (&object.flags, &above.flags);
+    Flags {
+        no_shadow: own.no_shadow || above.no_shadow,
+        no_image: own.no_image || above.no_image,
+        no_reflection: own.no_reflection || above.no_reflection,
+        hollow: own.hollow.unwrap_or(above.hollow),
+        double_illuminate: own.double_illuminate || above.double_illuminate,
+        uv_mapping: own.uv_mapping || above.uv_mapping,
+    }
+}
+
+/// Which of its switches an object obeys.
+fn obeyed(flags: &Flags, above: &Heritage) -> Option<Flags> {
+    let is_merged = above.place == Place::Merge;
+    let is_united = is_merged || above.place == Place::Union;
+    match (above.place, &above.obeyed) {
+        (Place::Alone, _) => None,
+        (Place::Whole, _) | (_, None) => Some(*flags),
+        (_, Some(whole)) => Some(Flags {
+            no_image: whole.no_image || is_merged && flags.no_image,
+            no_reflection: whole.no_reflection || is_united && flags.no_reflection,
+            uv_mapping: flags.uv_mapping,
+            ..*whole
+        }),
     }
 }
 
