@@ -11,6 +11,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(super) struct Bumps {
     normal: Arc<Normal>,
+    /// How long a unit of the scene is in the frame of the camera.
+    pub(super) unit: f64,
     prepared: Option<Arc<PreparedNormal>>,
 }
 
@@ -25,6 +27,7 @@ impl Bumps {
     pub(super) fn new(normal: Arc<Normal>) -> Self {
         Bumps {
             normal,
+            unit: 1.0,
             prepared: None,
         }
     }

@@ -140,7 +140,9 @@ impl Camera {
     #[cold]
     fn measure(&self, screen: Screen) -> DVec2 {
         let Screen { u, v } = screen;
-        let (width, height) = (self.frame.right.length(), self.frame.up.length());
+        let unit = self.bumps.as_ref().map_or(1.0, |bumps| bumps.unit);
+        let width = self.frame.right.length() / unit;
+        let height = self.frame.up.length() / unit;
         let (x, y) = match self.projection {
             Projection::Perspective | Projection::Orthographic => (u, v),
             Projection::Fisheye => fisheye::measure(&self.frame, screen, self.angle),
@@ -156,7 +158,9 @@ impl Camera {
             Projection::Cylinder(roll) => {
                 let angle = self.angle.unwrap_or(cylinder::ANGLE);
                 match roll {
-                    cylinder::Roll::Upright | cylinder::Roll::UprightFlat => (u * angle, v * height),
+                    cylinder::Roll::Upright | cylinder::Roll::UprightFlat => {
+                        (u * angle, v * height)
+                    }
                     cylinder::Roll::Lying | cylinder::Roll::LyingFlat => (u * width, v * angle),
                 }
             }
@@ -265,6 +269,9 @@ impl Camera {
         if !self.has_one_origin() {
             self.frame.right *= factor;
             self.frame.up *= factor;
+            if let Some(bumps) = &mut self.bumps {
+                bumps.unit *= factor;
+            }
         }
         self.blur.scale(factor);
         self

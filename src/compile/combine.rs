@@ -135,8 +135,7 @@ impl Flat {
             Kind::Shape(shape) => {
                 let (surface, absorb) = self.surface_of(shape, below);
                 let place = (below.steps.as_ref(), absorb);
-                let (leaf, bounds) =
-                    Leaf::new((**shape).clone(), place, surface, Extent::Solid);
+                let (leaf, bounds) = Leaf::new((**shape).clone(), place, surface, Extent::Solid);
                 self.parts.leaves.push(leaf);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;

@@ -2,8 +2,8 @@
 
 use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
-use super::lights::LightList;
 use super::leaf::Absorb;
+use super::lights::LightList;
 use super::surface::{Flags, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};

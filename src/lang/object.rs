@@ -253,7 +253,8 @@ impl Reader<'_> {
         match word {
             Word::NoShadow => object.flags.no_shadow = true,
             Word::UvMapping if object.texture.is_some() => {
-                let text = "expected `uv_mapping` before the texture of the object, found it behind";
+                let text =
+                    "expected `uv_mapping` before the texture of the object, found it behind";
                 let hint = "Move `uv_mapping` in front of the texture, or into it: `texture { uv_mapping ... }`.";
                 return Err(Box::new(self.error_here(text).with_hint(hint)));
             }

@@ -12,12 +12,12 @@ pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
 pub use objects::{Look, Objects, Plain};
 
-use glam::DVec3;
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::Settings;
+use glam::DVec3;
 
 /// A whole scene.
 #[derive(Clone, Debug)]

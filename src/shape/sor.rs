@@ -362,7 +362,9 @@ impl Geometry for Sor {
         let around = if around < 0.0 { around + 1.0 } else { around };
         let number = profile.ring_at(point.y);
         let ring = &profile.rings[number];
-        let [base, apex] = profile.ends_sq.map(|radius_sq| across(point).length() / radius_sq.sqrt());
+        let [base, apex] = profile
+            .ends_sq
+            .map(|radius_sq| across(point).length() / radius_sq.sqrt());
         match face {
             BASE => return Some([around, base - 1.0]),
             APEX => return Some([around, 2.0 - apex]),

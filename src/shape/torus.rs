@@ -483,7 +483,13 @@ mod tests {
 
     #[test]
     fn u_turns_around_the_axis_and_v_around_the_tube() {
-        assert_eq!(torus(1.0, 0.5).uv(DVec3::new(1.5, 0.0, 0.0), 0), Some([0.5, 0.5]));
-        assert_eq!(torus(1.0, 0.5).uv(DVec3::new(0.0, 0.5, 1.0), 0), Some([0.25, 0.75]));
+        assert_eq!(
+            torus(1.0, 0.5).uv(DVec3::new(1.5, 0.0, 0.0), 0),
+            Some([0.5, 0.5])
+        );
+        assert_eq!(
+            torus(1.0, 0.5).uv(DVec3::new(0.0, 0.5, 1.0), 0),
+            Some([0.25, 0.75])
+        );
     }
 }

@@ -518,4 +518,30 @@ mod tests {
             "expected a colour, a pattern or `}` in `pigment`, found `brick_size`"
         );
     }
+
+    #[test]
+    fn uv_mapping_begins_another_pigment() {
+        // POV-Ray 3.7 forgets what stood before, and moves the texture coordinates by what stands behind.
+        let known = Pigment::plain(Color::opaque(Rgb::WHITE));
+        for text in [
+            "{ uv_mapping gradient <1,0,0> scale 2 }",
+            "{ P uv_mapping gradient <1,0,0> scale 2 }",
+        ] {
+            let mut args = TextArgs::new(text).with("P", known.clone());
+            let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
+            assert!(pigment.uses_uv() && pigment.modifiers.get().is_none());
+            let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
+            let spot = Spot {
+                uv: glam::DVec2::new(0.5, 0.0),
+                ..Spot::at(DVec3::ONE)
+            };
+            assert_eq!(prepared.color(&spot).rgb.r, 0.25);
+        }
+        let density = crate::interior::Density::read(&mut TextArgs::new("{ uv_mapping bozo }"));
+        let message = density
+            .map(|_| ())
+            .expect_err("space has no texture coordinates")
+            .message;
+        assert!(message.contains("which has no surface"), "{message}");
+    }
 }

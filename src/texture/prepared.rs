@@ -360,4 +360,19 @@ mod tests {
         assert!(prepare("{ finish { reflection 0.5 } }", &[]).has_reflection());
         assert!(!prepare("{ finish { reflection 0 } }", &[]).has_reflection());
     }
+
+    #[test]
+    fn what_is_uv_mapped_is_asked_at_the_texture_coordinates() {
+        let text = "{ pigment { gradient <0,0,1> pigment_map { [0 uv_mapping gradient <1,0,0>] [1 rgb 0] } scale 8 } }";
+        let texture = prepare(text, &[Step::Scale(DVec3::splat(2.0))]);
+        let spot = Spot {
+            uv: glam::DVec2::new(0.25, 0.5),
+            ..Spot::at(DVec3::new(0.9, 0.9, 0.0))
+        };
+        assert!(texture.uses_uv());
+        assert_eq!(texture.layers()[0].pigment.color(&spot).rgb.r, 0.25);
+        assert!(!prepare("{ pigment { gradient <1,0,0> } normal { bumps } }", &[]).uses_uv());
+        assert!(prepare("{ normal { uv_mapping bumps } }", &[]).uses_uv());
+        assert!(prepare("{ uv_mapping pigment { rgb 1 } }", &[]).uses_uv());
+    }
 }

@@ -101,9 +101,7 @@ impl Tracer<'_> {
     /// of a smooth triangle decide which side is seen, not the order of its corners.
     fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
-            Some(inside)
-                if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) =>
-            {
+            Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
                 return self.look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
@@ -159,7 +157,11 @@ impl Tracer<'_> {
         }
         spot.uv = self.world.uv(hit);
         let is_mapped = surface.flags.uv_mapping;
-        let point = if is_mapped { spot.on_the_map() } else { hit.point };
+        let point = if is_mapped {
+            spot.on_the_map()
+        } else {
+            hit.point
+        };
         (point, spot)
     }
 

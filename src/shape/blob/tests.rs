@@ -111,7 +111,10 @@ fn components_share_the_look_of_a_point_by_their_fields() {
     );
     assert_eq!(pair.skins().len(), 2);
     let shares = pair.shares(DVec3::ZERO, 0);
-    let shares: Vec<_> = shares.iter().map(|share| (share.skin, share.weight)).collect();
+    let shares: Vec<_> = shares
+        .iter()
+        .map(|share| (share.skin, share.weight))
+        .collect();
     let expected = [(0, 2.0 / 3.0), (Share::OF_THE_OBJECT, 1.0 / 3.0)];
     assert_eq!(shares, expected);
     assert!(blob(PAIR).shares(DVec3::ZERO, 0).is_empty());
@@ -125,5 +128,8 @@ fn transforms_of_a_component_move_the_textures_before_them() {
         let modifiers = texture.layers()[0].pigment.modifiers.get();
         modifiers.map(|modifiers| modifiers.chain.steps().to_vec())
     };
-    assert_eq!(steps(&moved.skins()[0].0), Some(vec![Step::Scale(DVec3::splat(2.0))]));
+    assert_eq!(
+        steps(&moved.skins()[0].0),
+        Some(vec![Step::Scale(DVec3::splat(2.0))])
+    );
 }
