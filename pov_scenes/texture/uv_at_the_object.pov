@@ -1,4 +1,4 @@
-// `uv_mapping` at an object: its transforms do not move the texture, nor that of what it holds.
+// `uv_mapping` at an object: its transforms do not move its own texture, but those of what it holds.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #default { finish { ambient 0.6 diffuse 0.4 } }

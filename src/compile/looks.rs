@@ -28,6 +28,8 @@ pub(super) struct Heritage {
     pub(super) global_lights: Option<bool>,
     /// The list of the light group that it is, which takes in its own lights.
     pub(super) group: Option<LightList>,
+    /// Whether the object itself says `uv_mapping`.
+    pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
@@ -134,6 +136,7 @@ impl Flat {
             flags,
             obeyed: obeyed(&flags, above),
             place: Place::Alone,
+            says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
             slot: 0,
         }
@@ -165,6 +168,13 @@ impl Flat {
             };
             return (slots.shape(looks, shape.skins()), absorb);
         }
+        // POV-Ray moves the textures of the components of blobs in any case.
+        let moves_skins = looks.says_uv && matches!(shape, Shape::Blob(_));
+        let skins_moved = moves_skins.then(|| Heritage {
+            says_uv: false,
+            ..looks.clone()
+        });
+        let looks = skins_moved.as_ref().unwrap_or(looks);
         let mut surface = self.new_surface(looks, shape.skins());
         if loses_uv && surface.uses_uv() {
             surface.unmoved = Some(Arc::new(Unmoved::new(shape, &looks.steps)));
@@ -201,7 +211,7 @@ impl Flat {
             .as_ref()
             .map(|placed| self.prepare(placed));
         let skin = |skin: &Skin| {
-            let steps = if looks.flags.uv_mapping {
+            let steps = if looks.says_uv {
                 Arc::default()
             } else {
                 Arc::clone(&looks.steps)
@@ -240,13 +250,13 @@ impl Flat {
 }
 
 /// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
-/// where they are: the transforms of what has `uv_mapping` do not move its textures.
+/// where they are: the transforms of an object that says `uv_mapping` itself do not move its texture. Those of what hands
+/// it down do (checked with POV-Ray, which tells the parts when the whole is complete).
 fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
-    match (object.flags.uv_mapping, above.flags.uv_mapping) {
-        (true, _) => Arc::default(),
-        (false, true) => object.steps[after..].into(),
-        (false, false) => joined(&object.steps[after..], &above.steps),
+    if object.flags.uv_mapping {
+        return Arc::default();
     }
+    joined(&object.steps[after..], &above.steps)
 }
 
 /// The switches of an object and of what hands them down to it.

@@ -183,7 +183,7 @@ fn index(len: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::super::csg::{Operand, Sweep};
-    use super::super::leaf::Extent;
+    use super::super::leaf::{Absorb, Extent};
     use super::*;
     use crate::math::random::Random;
     use crate::math::{Ray, Step};
