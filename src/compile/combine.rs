@@ -133,9 +133,9 @@ impl Flat {
                 Bounds::EMPTY
             }
             Kind::Shape(shape) => {
-                let surface = self.surface(below, shape.skins());
-                let (leaf, bounds) =
-                    Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
+                let (surface, absorb) = self.surface_of(shape, below);
+                let place = (below.steps.as_ref(), absorb);
+                let (leaf, bounds) = Leaf::new((**shape).clone(), place, surface, Extent::Solid);
                 self.parts.leaves.push(leaf);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;

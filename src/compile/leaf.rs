@@ -17,6 +17,15 @@ pub enum Extent {
     Solid,
 }
 
+/// How much of its transforms a shape takes into its own numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absorb {
+    /// As many as leave it of its kind.
+    AllItCan,
+    /// None: its texture coordinates are asked for.
+    Nothing,
+}
+
 impl Extent {
     fn of(self, shape: &Shape) -> Bounds {
         match self {
@@ -52,8 +61,16 @@ impl Leaf {
     /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives the bounds of its
     /// surface too, or with `extent` those of the solid, which may be larger.
     #[must_use]
-    pub fn new(mut shape: Shape, steps: &[Step], surface: u32, extent: Extent) -> (Leaf, Bounds) {
-        let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
+    pub fn new(
+        mut shape: Shape,
+        (steps, absorb): (&[Step], Absorb),
+        surface: u32,
+        extent: Extent,
+    ) -> (Leaf, Bounds) {
+        let absorbed = match absorb {
+            Absorb::AllItCan => steps.iter().take_while(|step| shape.absorb(step)).count(),
+            Absorb::Nothing => 0,
+        };
         shape.prepare();
         let rest = &steps[absorbed..];
         if rest.is_empty() {
@@ -158,6 +175,11 @@ impl Leaf {
             geometric,
             shading.map_or(geometric, |normal| self.to_world(normal)),
         )
+    }
+
+    /// The texture coordinates at a world point of a piece of the surface; `None` for those of the world.
+    pub(super) fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        self.shape.uv(self.point_to_object(point), face)
     }
 
     /// The shares of the shape's own textures at a world point of a piece of its surface.

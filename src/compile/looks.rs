@@ -2,11 +2,12 @@
 
 use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
+use super::leaf::Absorb;
 use super::lights::LightList;
-use super::surface::{Flags, Surface};
+use super::surface::{Flags, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
-use crate::shape::Skin;
+use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use std::sync::Arc;
 
@@ -27,6 +28,8 @@ pub(super) struct Heritage {
     pub(super) global_lights: Option<bool>,
     /// The list of the light group that it is, which takes in its own lights.
     pub(super) group: Option<LightList>,
+    /// Whether the object itself says `uv_mapping`.
+    pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
@@ -60,6 +63,13 @@ pub(super) struct Placed {
 }
 
 impl Heritage {
+    /// Whether what inherits it asks for texture coordinates.
+    pub(super) fn uses_uv(&self) -> bool {
+        let textures = [&self.texture, &self.inside_texture];
+        let mut textures = textures.into_iter().flatten();
+        self.flags.uv_mapping || textures.any(|placed| placed.texture.uses_uv())
+    }
+
     /// Whether what inherits the one looks like what inherits the other, wherever the two stand. `is_opaque`: all that
     /// inherits them is, so that interiors which no scene has written are alike.
     pub(super) fn looks_as(&self, other: &Heritage, is_opaque: bool) -> bool {
@@ -95,7 +105,7 @@ impl Flat {
         let place = |own: &Option<Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
             Some(own) => Some(Placed {
                 texture: Arc::clone(&own.what),
-                steps: joined(&object.steps[own.after..], &above.steps),
+                steps: texture_steps(object, own.after, above),
             }),
             None => inherited.clone(),
         };
@@ -126,6 +136,7 @@ impl Flat {
             flags,
             obeyed: obeyed(&flags, above),
             place: Place::Alone,
+            says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
             slot: 0,
         }
@@ -145,12 +156,34 @@ impl Flat {
         }
     }
 
-    /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    pub(super) fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
+    /// The number of the surface of a shape with these looks, and whether the shape has to stay as it is, all its
+    /// transforms outside of it.
+    pub(super) fn surface_of(&mut self, shape: &Shape, looks: &Heritage) -> (u32, Absorb) {
+        let loses_uv = shape.loses_uv() && !looks.steps.is_empty();
         if let Some(slots) = &mut self.slots {
-            return slots.shape(looks, skins);
+            let absorb = if loses_uv && self.keeps_uv {
+                Absorb::Nothing
+            } else {
+                Absorb::AllItCan
+            };
+            return (slots.shape(looks, shape.skins()), absorb);
         }
-        let surface = self.new_surface(looks, skins);
+        // POV-Ray moves the textures of the components of blobs in any case.
+        let moves_skins = looks.says_uv && matches!(shape, Shape::Blob(_));
+        let skins_moved = moves_skins.then(|| Heritage {
+            says_uv: false,
+            ..looks.clone()
+        });
+        let looks = skins_moved.as_ref().unwrap_or(looks);
+        let mut surface = self.new_surface(looks, shape.skins());
+        if loses_uv && surface.uses_uv() {
+            surface.unmoved = Some(Arc::new(Unmoved::new(shape, &looks.steps)));
+        }
+        (self.number_of(surface), Absorb::AllItCan)
+    }
+
+    /// The number of a surface. Neighbours in the file often share theirs.
+    pub(super) fn number_of(&mut self, surface: Surface) -> u32 {
         if let Some(last) = self
             .last_surface
             .filter(|&last| self.surfaces[last as usize].is_same(&surface))
@@ -178,9 +211,14 @@ impl Flat {
             .as_ref()
             .map(|placed| self.prepare(placed));
         let skin = |skin: &Skin| {
+            let steps = if looks.says_uv {
+                Arc::default()
+            } else {
+                Arc::clone(&looks.steps)
+            };
             self.prepare(&Placed {
                 texture: Arc::clone(&skin.0),
-                steps: Arc::clone(&looks.steps),
+                steps,
             })
         };
         let skins = skins.iter().map(skin).collect();
@@ -211,6 +249,16 @@ impl Flat {
     }
 }
 
+/// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
+/// where they are: the transforms of an object that says `uv_mapping` itself do not move its texture. Those of what hands
+/// it down do (checked with POV-Ray, which tells the parts when the whole is complete).
+fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
+    if object.flags.uv_mapping {
+        return Arc::default();
+    }
+    joined(&object.steps[after..], &above.steps)
+}
+
 /// The switches of an object and of what hands them down to it.
 fn handed_down(object: &Object, above: &Heritage) -> Flags {
     let (own, above) = (&object.flags, &above.flags);
@@ -220,6 +268,7 @@ fn handed_down(object: &Object, above: &Heritage) -> Flags {
         no_reflection: own.no_reflection || above.no_reflection,
         hollow: own.hollow.unwrap_or(above.hollow),
         double_illuminate: own.double_illuminate || above.double_illuminate,
+        uv_mapping: own.uv_mapping || above.uv_mapping,
     }
 }
 
@@ -233,6 +282,7 @@ fn obeyed(flags: &Flags, above: &Heritage) -> Option<Flags> {
         (_, Some(whole)) => Some(Flags {
             no_image: whole.no_image || is_merged && flags.no_image,
             no_reflection: whole.no_reflection || is_united && flags.no_reflection,
+            uv_mapping: flags.uv_mapping,
             ..*whole
         }),
     }

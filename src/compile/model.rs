@@ -142,6 +142,17 @@ impl Model {
         }
     }
 
+    /// The texture coordinates at a point of a leaf; `None` for those of the world.
+    pub(super) fn uv(&self, leaf: u32, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        match self.instance_of(leaf) {
+            Some(instance) => {
+                let point = instance.object_from_world.transform_point3(point);
+                instance.model.uv(leaf - instance.first, point, face)
+            }
+            None => self.leaves[leaf as usize].uv(point, face),
+        }
+    }
+
     /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
     /// away.
     pub(super) fn is_inverse(&self, leaf: u32) -> bool {

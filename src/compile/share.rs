@@ -206,11 +206,12 @@ impl Flat {
         let Some(children) = object.shared_parts() else {
             return false;
         };
-        let key = Arc::as_ptr(children).addr();
+        let keeps_uv = self.keeps_uv || object.uses_uv() || below.uses_uv();
+        let key = (Arc::as_ptr(children).addr(), keeps_uv);
         let Some(mut shared) = self.shared.remove(&key).or_else(|| {
             let copies = Arc::strong_count(children) as u64;
             let is_worth = copies * u64::from(object.size().leaves) >= SHARED_FROM;
-            is_worth.then(|| Box::new(self.share(children)))
+            is_worth.then(|| Box::new(self.share(children, keeps_uv)))
         }) else {
             return false;
         };
@@ -238,14 +239,16 @@ impl Flat {
         true
     }
 
-    /// Prepares what copies share.
-    fn share(&mut self, children: &Children) -> Shared {
+    /// Prepares what copies share, with shapes that know their texture coordinates if they may be asked for.
+    fn share(&mut self, children: &Children, keeps_uv: bool) -> Shared {
+        let keeps_uv_around = std::mem::replace(&mut self.keeps_uv, keeps_uv);
         let around = std::mem::take(&mut self.parts);
         let slots_around = self.slots.replace(Slots::new());
         let nothing = Heritage::default();
         for child in &**children {
             self.add_below(child, &nothing);
         }
+        self.keeps_uv = keeps_uv_around;
         let parts = std::mem::replace(&mut self.parts, around);
         let slots = std::mem::replace(&mut self.slots, slots_around);
         let slots = slots.map_or_else(Vec::new, |slots| slots.list);
@@ -264,7 +267,8 @@ impl Flat {
     /// The first of a run of surfaces, one for each slot, for a copy that looks like `root`.
     fn surfaces_of(&mut self, shared: &mut Shared, root: &Heritage) -> u32 {
         if shared.slots.len() == 1 {
-            return self.surface(root, &[]);
+            let surface = self.new_surface(root, &[]);
+            return self.number_of(surface);
         }
         if let Some(last) = &shared.last
             && shared.looks_alike

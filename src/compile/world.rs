@@ -18,7 +18,7 @@ use crate::math::noise::NoiseGenerator;
 use crate::options::{LeastDistance, RenderOptions};
 use crate::scene::Scene;
 use crate::shape::{Shape, Shares};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// The settings of shading.
@@ -30,6 +30,8 @@ pub struct Globals {
     pub adc_bailout: f64,
     /// The length in which POV-Ray's own lengths count.
     pub unit: f64,
+    /// Where the origin of the scene's own coordinates lies.
+    pub origin: DVec3,
     /// `max_trace_level`.
     pub max_trace_level: u32,
     /// `ambient_light`.
@@ -124,6 +126,7 @@ impl World {
                 noise: scene.pattern_settings().noise_generator,
                 adc_bailout: scene.globals.adc_bailout,
                 unit: scene.globals.unit,
+                origin: scene.globals.origin,
                 max_trace_level: scene.globals.max_trace_level,
                 ambient_light: scene.globals.ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,
@@ -207,6 +210,28 @@ impl World {
     pub fn shares(&self, hit: &Hit) -> Shares {
         let Departure { leaf, face, .. } = hit.departure;
         self.model.shares(leaf, hit.point, face)
+    }
+
+    /// Whether a hit looks from inside as it does from outside, whatever `interior_texture` says: so it is with blobs whose
+    /// components have textures of their own, and not with meshes (checked with POV-Ray).
+    #[must_use]
+    pub fn has_one_side(&self, hit: &Hit) -> bool {
+        let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
+        !self.surfaces[hit.surface as usize].skins.is_empty() && is_blob()
+    }
+
+    /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
+    #[must_use]
+    pub fn uv(&self, hit: &Hit) -> DVec2 {
+        let Departure { leaf, face, .. } = hit.departure;
+        let own = match &self.surfaces[hit.surface as usize].unmoved {
+            Some(unmoved) => unmoved.uv(hit.point, face),
+            None => self.model.uv(leaf, hit.point, face),
+        };
+        match own {
+            Some(uv) => DVec2::from(uv),
+            None => ((hit.point - self.globals.origin) / self.globals.unit).truncate(),
+        }
     }
 
     /// Whether some surface cannot be seen by some rays.

@@ -208,9 +208,8 @@ impl Reader<'_> {
 
     fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
         let token = self.raw();
-        let not_built = [Word::UvMapping, Word::CutawayTextures];
-        if let Some(word) = token.word().filter(|word| not_built.contains(word)) {
-            return self.not_built(word);
+        if token.word() == Some(Word::CutawayTextures) {
+            return self.not_built(Word::CutawayTextures);
         }
         if token
             .word()
@@ -253,6 +252,13 @@ impl Reader<'_> {
     fn switch(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
         match word {
             Word::NoShadow => object.flags.no_shadow = true,
+            Word::UvMapping if object.texture.is_some() => {
+                let text =
+                    "expected `uv_mapping` before the texture of the object, found it behind";
+                let hint = "Move `uv_mapping` in front of the texture, or into it: `texture { uv_mapping ... }`.";
+                return Err(Box::new(self.error_here(text).with_hint(hint)));
+            }
+            Word::UvMapping => object.flags.uv_mapping = true,
             Word::Inverse => object.is_inverse = !object.is_inverse,
             Word::NoImage
             | Word::NoReflection
@@ -421,9 +427,10 @@ pub(super) fn baked(object: &mut Object) -> &mut Texture {
     };
     let attached = object.texture.get_or_insert_with(plain);
     let texture = Arc::make_mut(&mut attached.what);
-    steps[attached.after..]
-        .iter()
-        .for_each(|step| texture.transform(step));
+    if !object.flags.uv_mapping {
+        let moved = steps[attached.after..].iter();
+        moved.for_each(|step| texture.transform(step));
+    }
     attached.after = steps.len();
     object.steps = steps;
     texture

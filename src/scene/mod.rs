@@ -17,6 +17,7 @@ use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::Settings;
+use glam::DVec3;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -59,6 +60,8 @@ pub struct Globals {
     pub irid_wavelength: Rgb,
     /// The length in which POV-Ray's own lengths count: how far away the sky is. 1 in a scene as it is written.
     pub unit: f64,
+    /// Where the origin of the file's coordinates lies.
+    pub origin: DVec3,
     /// How long the unit of the scene is, in millimetres.
     pub mm_per_unit: f64,
     /// Light that surfaces gather from each other, if the file asks for it.
@@ -86,6 +89,7 @@ impl Default for Globals {
             charset: Charset::default(),
             irid_wavelength: IRID_WAVELENGTH,
             unit: 1.0,
+            origin: DVec3::ZERO,
             mm_per_unit: 10.0,
             radiosity: None,
             photons: None,

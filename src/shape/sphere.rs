@@ -164,12 +164,16 @@ impl Geometry for Sphere {
     }
 
     /// Longitude from +x towards +z and latitude from the south pole, each as a share of the whole.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = (point - self.centre) / self.radius;
         let longitude = p.z.atan2(p.x);
         let turn = if longitude < 0.0 { TAU } else { 0.0 };
         let latitude = p.y.clamp(-1.0, 1.0).asin();
-        [(longitude + turn) / TAU, 0.5 + latitude / PI]
+        Some([(longitude + turn) / TAU, 0.5 + latitude / PI])
+    }
+
+    fn loses_uv(&self) -> bool {
+        true
     }
 }
 
@@ -284,8 +288,8 @@ mod tests {
 
     #[test]
     fn u_turns_from_x_to_z_and_v_rises() {
-        assert_eq!(unit_sphere().uv(DVec3::Z), [0.25, 0.5]);
-        assert_eq!(unit_sphere().uv(DVec3::NEG_Z), [0.75, 0.5]);
-        assert_eq!(unit_sphere().uv(DVec3::Y)[1], 1.0);
+        assert_eq!(unit_sphere().uv(DVec3::Z, 0), Some([0.25, 0.5]));
+        assert_eq!(unit_sphere().uv(DVec3::NEG_Z, 0), Some([0.75, 0.5]));
+        assert_eq!(unit_sphere().uv(DVec3::Y, 0).unwrap()[1], 1.0);
     }
 }

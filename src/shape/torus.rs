@@ -424,10 +424,14 @@ impl Geometry for Torus {
     }
 
     /// Around the axis from -x over +z to +x, and around the tube from its inside over the bottom.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = point - self.centre;
         let around_tube = p.y.atan2(p.x.hypot(p.z) - self.major);
-        [1.0 - (p.z.atan2(p.x) + PI) / TAU, (around_tube + PI) / TAU]
+        Some([1.0 - (p.z.atan2(p.x) + PI) / TAU, (around_tube + PI) / TAU])
+    }
+
+    fn loses_uv(&self) -> bool {
+        true
     }
 }
 
@@ -546,7 +550,13 @@ mod tests {
 
     #[test]
     fn u_turns_around_the_axis_and_v_around_the_tube() {
-        assert_eq!(torus(1.0, 0.5).uv(DVec3::new(1.5, 0.0, 0.0)), [0.5, 0.5]);
-        assert_eq!(torus(1.0, 0.5).uv(DVec3::new(0.0, 0.5, 1.0)), [0.25, 0.75]);
+        assert_eq!(
+            torus(1.0, 0.5).uv(DVec3::new(1.5, 0.0, 0.0), 0),
+            Some([0.5, 0.5])
+        );
+        assert_eq!(
+            torus(1.0, 0.5).uv(DVec3::new(0.0, 0.5, 1.0), 0),
+            Some([0.25, 0.75])
+        );
     }
 }

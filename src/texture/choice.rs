@@ -30,6 +30,8 @@ pub(super) enum Choice {
     Average(PreparedChain, Map<PreparedTexture>),
     /// Two in turn, as a checkerboard.
     Tiles(PreparedChain, Box<[PreparedTexture; 2]>),
+    /// One, at texture coordinates.
+    Uv(Box<PreparedTexture>),
     /// By the pixels of a picture.
     Material(PreparedChain, Box<bitmap::Source>, Vec<PreparedTexture>),
 }
@@ -62,6 +64,7 @@ impl Choice {
                     Box::new([entry(first), entry(second)]),
                 ))
             }
+            PatternedKind::Uv(mapped) => Some(Choice::Uv(Box::new(entry(mapped)))),
             PatternedKind::Material(source, textures) => {
                 let textures = textures.iter().map(entry).collect();
                 let source = Box::new(source.clone());
@@ -77,8 +80,14 @@ impl Choice {
                 Box::new(map.entries().iter().map(|entry| &entry.1))
             }
             Choice::Tiles(_, two) => Box::new(two.iter()),
+            Choice::Uv(mapped) => Box::new(std::iter::once(&**mapped)),
             Choice::Material(_, _, textures) => Box::new(textures.iter()),
         }
+    }
+
+    /// Whether something in it asks for the texture coordinates of the surface.
+    pub(super) fn uses_uv(&self) -> bool {
+        matches!(self, Choice::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
     }
 
     /// Adds what is seen at a point.
@@ -110,6 +119,7 @@ impl Choice {
                 let moved = chain.moved(point);
                 two[tile(moved)].look(moved, spot, weight, to);
             }
+            Choice::Uv(mapped) => mapped.look(spot.on_the_map(), spot, weight, to),
             Choice::Material(chain, source, textures) => {
                 let moved = chain.moved(point);
                 if let Some(texture) = textures.get(source.material(moved) % textures.len().max(1))

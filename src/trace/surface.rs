@@ -10,7 +10,7 @@ use crate::math::Ray;
 use crate::pattern::Spot;
 use crate::shape::Shares;
 use crate::texture::{Finish, Look, Looks, PreparedLayer, PreparedTexture};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// What is seen at a hit.
@@ -105,8 +105,8 @@ impl Tracer<'_> {
     /// of a smooth triangle decide which side is seen, not the order of its corners.
     fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
-            Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
-                return look_of(inside, hit, dir);
+            Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
+                return self.look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
         };
@@ -116,16 +116,57 @@ impl Tracer<'_> {
             self.world.shares(hit)
         };
         if shares.is_empty() {
-            return look_of(outside, hit, dir);
+            return self.look_of(outside, hit, dir);
         }
         let least = self.world.globals.adc_bailout;
         let drawn = shares.iter().filter(|share| share.weight >= least);
         let mut looks = Looks::new();
+        let (point, spot) = self.place(hit, dir);
         for share in drawn {
-            let skin = &surface.skins[share.skin as usize];
-            skin.look(hit.point, &spot(hit, dir), single(share.weight), &mut looks);
+            let skin = surface.skins.get(share.skin as usize);
+            let texture = skin.map_or(outside, |skin| skin);
+            texture.look(point, &spot, single(share.weight), &mut looks);
         }
         looks
+    }
+
+    /// What a ray sees of a texture that covers a hit alone.
+    #[inline]
+    fn look_of<'t>(&self, texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
+        if texture.is_patterned() {
+            let (point, spot) = self.place(hit, dir);
+            let mut looks = Looks::new();
+            texture.look(point, &spot, 1.0, &mut looks);
+            return looks;
+        }
+        let is_mapped = self.world.surfaces[hit.surface as usize].flags.uv_mapping;
+        Looks::from_buf([Look {
+            weight: 1.0,
+            texture,
+            point: if is_mapped {
+                self.place(hit, dir).0
+            } else {
+                hit.point
+            },
+        }])
+    }
+
+    /// The point at which the patterns of a hit are asked, and the place itself.
+    #[inline]
+    fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, Spot) {
+        let mut spot = spot(hit, dir);
+        let surface = &self.world.surfaces[hit.surface as usize];
+        if !surface.uses_uv() {
+            return (hit.point, spot);
+        }
+        spot.uv = self.world.uv(hit);
+        let is_mapped = surface.flags.uv_mapping;
+        let point = if is_mapped {
+            spot.on_the_map()
+        } else {
+            hit.point
+        };
+        (point, spot)
     }
 
     /// What a ray sees of one texture at a hit. `tilted` is the normal that bumps have made last at this hit: as in POV-Ray
@@ -143,7 +184,8 @@ impl Tracer<'_> {
         let mut view = View::NOTHING;
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                view.rgb = self.color(lowest, look.point, &spot(hit, path.ray.dir)).rgb;
+                let (_, spot) = self.place(hit, path.ray.dir);
+                view.rgb = self.color(lowest, look.point, &spot).rgb;
             }
             return view;
         }
@@ -157,7 +199,7 @@ impl Tracer<'_> {
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
-        let mut spot = spot(hit, path.ray.dir);
+        let (_, mut spot) = self.place(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
@@ -288,7 +330,7 @@ impl Tracer<'_> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let looks = self.looks(surface, hit, ray.dir);
         let caustics = f64::from(self.interior_of(hit).caustics);
-        let spot = spot(hit, ray.dir);
+        let (_, spot) = self.place(hit, ray.dir);
         looks.iter().fold(Rgb::BLACK, |sum, look| {
             let layers = look.texture.layers().iter();
             let light = layers.fold(Rgb::WHITE, |light, layer| {
@@ -331,21 +373,6 @@ impl Tracer<'_> {
     }
 }
 
-/// What a ray sees of a texture that covers a hit alone.
-#[inline]
-fn look_of<'t>(texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
-    if texture.is_patterned() {
-        let mut looks = Looks::new();
-        texture.look(hit.point, &spot(hit, dir), 1.0, &mut looks);
-        return looks;
-    }
-    Looks::from_buf([Look {
-        weight: 1.0,
-        texture,
-        point: hit.point,
-    }])
-}
-
 /// The place that patterns are asked about.
 #[inline]
 pub(super) fn spot(hit: &Hit, dir: DVec3) -> Spot {
@@ -353,6 +380,7 @@ pub(super) fn spot(hit: &Hit, dir: DVec3) -> Spot {
         point: hit.point,
         normal: facing_normal(hit, dir),
         dir,
+        uv: DVec2::ZERO,
     }
 }
 
