@@ -103,6 +103,7 @@ impl Flat {
                 no_shadow: own.no_shadow || above.flags.no_shadow,
                 no_image: own.no_image || above.flags.no_image,
                 no_reflection: own.no_reflection || above.flags.no_reflection,
+                no_radiosity: own.no_radiosity || above.flags.no_radiosity,
                 hollow: is_hollow,
                 double_illuminate: own.double_illuminate || above.flags.double_illuminate,
             },

@@ -15,6 +15,8 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
     /// Does not displace the atmosphere around it.
     pub hollow: bool,
     /// Lit from both sides.
@@ -27,6 +29,8 @@ impl Flags {
         match seen {
             Seen::Image => !self.no_image,
             Seen::Reflection => !self.no_reflection,
+            Seen::Gathering => !self.no_radiosity,
+            Seen::GatheringReflection => !(self.no_reflection || self.no_radiosity),
             Seen::Shadow => !self.no_shadow,
         }
     }

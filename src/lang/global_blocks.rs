@@ -50,7 +50,6 @@ impl Reader<'_> {
             return Err(self.with_trace(Diagnostic::error(start, message)));
         }
         self.globals.radiosity = Some(settings);
-        self.note_undrawn("radiosity", start);
         Ok(())
     }
 

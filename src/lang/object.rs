@@ -267,6 +267,7 @@ impl Reader<'_> {
                 match word {
                     Word::NoImage => object.flags.no_image = is_on,
                     Word::NoReflection => object.flags.no_reflection = is_on,
+                    Word::NoRadiosity => object.flags.no_radiosity = is_on,
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
                     // The others change no picture of what is built.

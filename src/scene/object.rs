@@ -121,6 +121,8 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
     /// Does not displace the atmosphere; `None` takes the parent's.
     pub hollow: Option<bool>,
     /// Lit from both sides.

@@ -1,0 +1,93 @@
+//! The passes before a picture with radiosity: few rays first, then more and more, so that samples lie everywhere before
+//! they are used. Block by block and ray by ray as POV-Ray does it, on one thread, since each sample depends on those
+//! before it.
+
+use super::tiles_of;
+use crate::compile::Scratch;
+use crate::math::mersenne;
+use crate::options::RenderOptions;
+use crate::trace::Tracer;
+use std::ops::Range;
+
+/// Rounding must not add a pass.
+const SLACK: f64 = 1e-10;
+/// By how much the random numbers of passes and of blocks are apart.
+const OF_PASS: u32 = 17;
+const OF_BLOCK: u32 = 13;
+/// How many random numbers there are to jitter with.
+const NUMBERS: u32 = 2047;
+/// More passes there are not, however small the last spacing.
+const MOST_PASSES: u32 = 64;
+
+/// The spacings of the rays of each pass, in pixels.
+fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item = f64> + use<> {
+    let size = f64::from(options.width.max(options.height));
+    let (start, end) = (start * size, (end * size).max(1.0));
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "saturates"
+    )]
+    let steps = ((start / end).log2() + 1.0 - SLACK).floor().max(0.0) as u32 + 1;
+    (0..steps.min(MOST_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
+}
+
+/// Numbers from -1 to 1 by which rays are moved.
+struct Jitter {
+    last: u32,
+}
+
+impl Jitter {
+    fn of_block(pass: u32, block: u32) -> Self {
+        let last = (pass + 1) * OF_PASS;
+        Jitter {
+            last: last.wrapping_add(block.wrapping_mul(OF_BLOCK)) % NUMBERS,
+        }
+    }
+
+    fn next_number(&mut self) -> f64 {
+        self.last = (self.last + 1) % NUMBERS;
+        2.0 * mersenne::random(self.last) - 1.0
+    }
+}
+
+/// The first place of a grid of this spacing in a range, and those after it.
+fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<> {
+    let (first, end) = (f64::from(range.start), f64::from(range.end));
+    let start = ((first - 0.5) / spacing).ceil() * spacing;
+    let all = std::iter::successors(Some(start), move |at| Some(at + spacing));
+    all.skip_while(move |&at| at < first).take_while(move |&at| at < end)
+}
+
+/// Makes the samples of a picture.
+pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &mut Scratch) {
+    let Some(radiosity) = &tracer.world().radiosity else {
+        return;
+    };
+    let settings = &radiosity.settings;
+    let whole = RenderOptions {
+        columns: 0..options.width,
+        rows: 0..options.height,
+        ..options.clone()
+    };
+    let tiles = tiles_of(&whole);
+    let spacings = spacings(options, settings.pretrace_start, settings.pretrace_end);
+    for (pass, spacing) in (0..).zip(spacings) {
+        for (block, tile) in (0..).zip(&tiles) {
+            let mut jitter = Jitter::of_block(pass, block);
+            let amount = (0.5 * spacing).min(1.0);
+            let middle = 0.5 * (spacing - 1.0);
+            for y in places(&tile.rows, spacing) {
+                for x in places(&tile.columns, spacing) {
+                    let down = amount * jitter.next_number();
+                    let right = amount * jitter.next_number();
+                    let (x, y) = (x + middle + right, y + middle + down);
+                    let _ = tracer.pixel(x, y, options.width, options.height, scratch);
+                }
+            }
+            if options.stop.is_asked() {
+                return;
+            }
+        }
+    }
+}
