@@ -104,6 +104,7 @@ impl Flat {
                 no_image: own.no_image || above.flags.no_image,
                 no_reflection: own.no_reflection || above.flags.no_reflection,
                 no_radiosity: own.no_radiosity || above.flags.no_radiosity,
+                importance: own.importance.or(above.flags.importance),
                 hollow: is_hollow,
                 double_illuminate: own.double_illuminate || above.flags.double_illuminate,
             },

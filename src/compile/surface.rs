@@ -3,6 +3,7 @@
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
+use crate::scene::Importance;
 use crate::texture::{PreparedLayer, PreparedTexture};
 use std::sync::Arc;
 
@@ -17,6 +18,8 @@ pub struct Flags {
     pub no_reflection: bool,
     /// Not seen by rays that gather light from other surfaces.
     pub no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count, if it says so.
+    pub importance: Option<Importance>,
     /// Does not displace the atmosphere around it.
     pub hollow: bool,
     /// Lit from both sides.

@@ -151,7 +151,8 @@ impl World {
                 let flags = &surface.flags;
                 flags.no_image || flags.no_reflection || flags.no_radiosity || flags.no_shadow
             }),
-            radiosity: radiosity.map(Radiosity::new),
+            radiosity: radiosity
+                .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             boxes,
             lights: flat.lights,
             surfaces: flat.surfaces,

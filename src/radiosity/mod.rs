@@ -32,18 +32,21 @@ const QUARTERS: f64 = 4.0;
 pub struct Radiosity {
     /// As the scene gives them.
     pub settings: scene::Radiosity,
+    /// The share of rays that count where they meet an object that does not say.
+    pub importance: f64,
     /// The directions, about y.
     directions: Vec<DVec3>,
 }
 
 impl Radiosity {
-    /// What a scene asks for.
+    /// What a scene asks for; `importance` is that of objects that do not say theirs.
     #[must_use]
-    pub fn new(settings: scene::Radiosity) -> Self {
+    pub fn new(settings: scene::Radiosity, importance: f64) -> Self {
         let count = settings.directions.unwrap_or(directions::USUAL);
         let count = count.max(settings.count).clamp(1, MOST_DIRECTIONS);
         Radiosity {
             settings,
+            importance,
             directions: directions::pool(count),
         }
     }
@@ -63,10 +66,11 @@ impl Radiosity {
         weight.max(settings.adc_bailout + ABOVE)
     }
 
-    /// The level that these count as.
+    /// The level that these count as in a scene of so many levels: they are always traced.
     #[must_use]
-    pub fn level(&self, depth: usize) -> u32 {
-        u32::try_from((depth + 1) * 3 / 2).unwrap_or(u32::MAX)
+    pub fn level(&self, depth: usize, max_trace_level: u32) -> u32 {
+        let level = u32::try_from((depth + 1) * 3 / 2).unwrap_or(u32::MAX);
+        level.min(max_trace_level.saturating_sub(1))
     }
 
     /// The least and the largest radius of a sample, at a distance of 1 from the camera.

@@ -16,6 +16,8 @@ use std::time::Instant;
 /// The samples of a picture that is being drawn.
 pub(super) struct Gathered {
     scratch: BlockScratch,
+    /// The rays before drawing.
+    pub(super) rays: Rays,
     taken: RadiosityTaken,
 }
 
@@ -32,6 +34,7 @@ impl Gathered {
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
         pretrace(tracer, options, scratch.single());
+        let rays = scratch.take_rays();
         let mut pretraced = 0;
         if let Some(session) = &mut scratch.single().radiosity {
             session.finish();
@@ -42,7 +45,7 @@ impl Gathered {
             pretrace_seconds: start.elapsed().as_secs_f64(),
             ..RadiosityTaken::default()
         };
-        Some(Gathered { scratch, taken })
+        Some(Gathered { scratch, rays, taken })
     }
 
     /// Draws tiles that follow those drawn before.

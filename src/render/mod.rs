@@ -99,7 +99,7 @@ pub fn render(
         Some(leveller) => Film::of_levels(Levels::black(leveller, width, height), columns, rows),
         None => Film::new(width, height, columns, rows),
     };
-    let mut rays = Rays::default();
+    let mut rays = gathered.as_ref().map_or(Rays::default(), |gathered| gathered.rays);
     // Tiles by tiles, or all pixels would lie in memory twice.
     let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
     for some in tiles.chunks(at_once) {

@@ -9,7 +9,7 @@ mod objects;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
-pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use object::{Importance, Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
 pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;
@@ -63,6 +63,8 @@ pub struct Globals {
     pub mm_per_unit: f64,
     /// Light that surfaces gather from each other, if the file asks for it.
     pub radiosity: Option<Radiosity>,
+    /// How many of the rays that gather light and meet an object count where it does not say (`#default`).
+    pub importance: Importance,
     /// How photons are shot, if the file says so.
     pub photons: Option<Photons>,
     /// How light in solids is sampled, if the file says so.
@@ -88,6 +90,7 @@ impl Default for Globals {
             unit: 1.0,
             mm_per_unit: 10.0,
             radiosity: None,
+            importance: Importance::default(),
             photons: None,
             subsurface: None,
             noise_generator: None,

@@ -7,9 +7,10 @@ use super::light::Lit;
 use super::{Inside, Path, Sample, Tracer, begin_sample};
 use crate::atmosphere::WAY_TO_NOTHING;
 use crate::color::{Color, Rgb};
-use crate::compile::{Departure, Query, Scratch, Seen};
+use crate::compile::{Departure, Hit, Query, Scratch, Seen};
 use crate::math::Ray;
 use crate::radiosity::{self, Frame, Known, Look, Mode, Radiosity};
+use crate::scene::Importance;
 use crate::texture::PreparedLayer;
 use glam::DVec3;
 
@@ -28,8 +29,9 @@ pub(super) struct Gathering<'r> {
     radiosity: &'r Radiosity,
     point: DVec3,
     departure: Option<Departure>,
-    /// The unit normal on the side of the viewer.
+    /// The unit normals on the side of the viewer: with bumps, if those count, and without.
     normal: DVec3,
+    flat: DVec3,
     depth: usize,
     /// The weight of the ray that came here.
     weight: f64,
@@ -44,6 +46,7 @@ impl<'r> Gathering<'r> {
             point: lit.at.point,
             departure: lit.departure.copied(),
             normal: if has_normals { lit.at.normal } else { flat },
+            flat,
             depth: lit.path.gathered,
             weight: lit.path.weight,
         }
@@ -115,17 +118,17 @@ impl Tracer<'_> {
         let [front, back] = layer.finish.diffuse_as_given;
         let mut sum = Rgb::BLACK;
         let sides = [
-            (front, &mut known.front, gathering.normal),
-            (back, &mut known.back, -gathering.normal),
+            (front, &mut known.front, 1.0),
+            (back, &mut known.back, -1.0),
         ];
-        for (diffuse, known, normal) in sides {
+        for (diffuse, known, side) in sides {
             let share = coat.opacity * f64::from(diffuse);
             let weight = f64::from((filter * coat.rgb).grey()) * share;
             let light = match *known {
                 Some(light) => light,
                 None if weight > self.bailout_at(gathering.depth) => {
                     let weight = gathering.weight * weight;
-                    *known.insert(self.light_around(gathering, normal, weight, scratch))
+                    *known.insert(self.light_around(gathering, side, weight, scratch))
                 }
                 None => continue,
             };
@@ -134,11 +137,11 @@ impl Tracer<'_> {
         sum
     }
 
-    /// The light that arrives at a point on the side of a normal.
+    /// The light that arrives at a point in front (1) or at the back (-1).
     fn light_around(
         &self,
         gathering: &Gathering,
-        normal: DVec3,
+        side: f64,
         weight: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
@@ -148,7 +151,7 @@ impl Tracer<'_> {
         let Some(session) = scratch.radiosity.as_deref_mut() else {
             return Rgb::BLACK;
         };
-        let at = (gathering.point, normal);
+        let at = (gathering.point, side * gathering.normal);
         let look = session.look(radiosity, at, depth, weight);
         let mut mean = match session.known(radiosity, depth, &look) {
             Known::Unknown => return Rgb::BLACK,
@@ -156,7 +159,7 @@ impl Tracer<'_> {
             Known::Short(mut mean) => {
                 let quality = session.quality;
                 session.begin(depth);
-                let (sample, is_kept) = self.gather(gathering, &look, scratch);
+                let (sample, is_kept) = self.gather(gathering, (&look, side), scratch);
                 mean.weight += sample.quality;
                 mean.sum += sample.light * sample.quality;
                 if let Some(session) = scratch.radiosity.as_deref_mut() {
@@ -185,29 +188,29 @@ impl Tracer<'_> {
     fn gather(
         &self,
         gathering: &Gathering,
-        look: &Look,
+        (look, side): (&Look, f64),
         scratch: &mut Scratch,
     ) -> (radiosity::Sample, bool) {
         let &Gathering {
             radiosity, depth, ..
         } = gathering;
-        let frame = Frame::about(look.normal);
         let count = radiosity.rays(depth);
+        let mut aim = Aim::new(look.normal, side * gathering.flat, count);
         let nothing = WAY_TO_NOTHING * self.world.globals.unit;
         let (mut nearest, mut to_nearest) = (nothing, look.normal);
-        let (mut nearness, mut qualities) = (0.0, 0.0);
+        let (mut nearness, mut weights, mut qualities) = (0.0, 0.0, 0.0);
         let mut sum = Rgb::BLACK;
-        for _ in 0..count {
+        for number in 0..count {
             let Some(session) = scratch.radiosity.as_deref_mut() else {
                 break;
             };
-            let dir = frame.turned(session.direction(radiosity, depth));
+            let dir = aim.next(|| session.direction(radiosity, depth));
             session.quality = 1.0;
             let path = Path {
                 ray: Ray::new(look.point, dir),
                 from: gathering.departure,
                 seen: Seen::Gathering,
-                level: radiosity.level(depth),
+                level: radiosity.level(depth, self.world.globals.max_trace_level),
                 weight: radiosity.weight(depth),
                 gathered: depth + 1,
                 inside: Inside::new(),
@@ -226,10 +229,15 @@ impl Tracer<'_> {
                     (nearest, to_nearest) = (hit.t, dir);
                 }
             }
+            let weight = self.weight_of(hit.as_ref(), radiosity, number, count);
+            if weight == 0.0 {
+                continue;
+            }
             let seen = self.trace(path, Some((hit, &[])), scratch);
             let quality = scratch.radiosity.as_deref().map_or(1.0, |session| session.quality);
-            qualities += quality;
-            sum += self.limited(seen.rgb, radiosity) * quality;
+            qualities += quality * weight;
+            weights += weight;
+            sum += self.limited(seen.rgb, radiosity) * (quality * weight);
         }
         let eye = self.world.camera.location().distance(look.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
@@ -241,10 +249,24 @@ impl Tracer<'_> {
             radius: single((count / nearness).clamp(least, most)),
             nearest: single(nearest),
             to_nearest,
-            quality: qualities / count,
+            quality: qualities / weights,
             depth,
         };
         (sample, nearest > TOO_NEAR * most)
+    }
+
+    /// How much the ray of this number counts for what it met: those of less important objects stand for more of them.
+    fn weight_of(&self, hit: Option<&Hit>, radiosity: &Radiosity, number: u32, count: u32) -> f64 {
+        let own = hit.and_then(|hit| self.world.surfaces[hit.surface as usize].flags.importance);
+        let importance = own.map_or(radiosity.importance, Importance::share);
+        if importance >= 1.0 {
+            return 1.0;
+        }
+        let last = f64::from(count - 1);
+        if f64::from(number) > importance * last {
+            return 0.0;
+        }
+        f64::from(count) / ((importance * last).floor() + 1.0)
     }
 
     /// Light no brighter than `max_sample`.
@@ -255,6 +277,44 @@ impl Tracer<'_> {
             light * (most / brightest)
         } else {
             light
+        }
+    }
+}
+
+/// Chooses the directions of a sample.
+struct Aim {
+    frame: Frame,
+    flat: DVec3,
+    /// How many directions below the surface may still be skipped; none are looked for where there are no bumps.
+    skips: Option<u32>,
+}
+
+/// So many directions are tried for each that is wanted.
+const TRIES: u32 = 5;
+
+impl Aim {
+    fn new(normal: DVec3, flat: DVec3, count: u32) -> Self {
+        Aim {
+            frame: Frame::about(normal),
+            flat,
+            skips: (normal != flat).then(|| count.saturating_mul(TRIES)),
+        }
+    }
+
+    fn next(&mut self, mut direction: impl FnMut() -> DVec3) -> DVec3 {
+        loop {
+            let dir = self.frame.turned(direction());
+            let Some(skips) = &mut self.skips else {
+                return dir;
+            };
+            if dir.dot(self.flat) > 0.0 {
+                return dir;
+            }
+            *skips = skips.saturating_sub(1);
+            if *skips == 0 {
+                self.skips = None;
+                self.frame = Frame::about(self.flat);
+            }
         }
     }
 }
