@@ -107,11 +107,7 @@ impl fmt::Display for Statistics {
                 f,
                 "radiosity   {} samples, {} of them before drawing in {:.4} s; {} bytes, {gathering} rays, \
                  {} tiles revised",
-                taken.samples,
-                taken.pretraced,
-                taken.pretrace_seconds,
-                taken.bytes,
-                taken.revised
+                taken.samples, taken.pretraced, taken.pretrace_seconds, taken.bytes, taken.revised
             )?;
         }
         if let Some(bytes) = self.peak_bytes {

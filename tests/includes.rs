@@ -51,10 +51,7 @@ const PARTS: &[&str] = &[
 ];
 
 /// What is missing to draw the objects that a file shows, as the first error says it.
-const UNBUILT: &[(&str, &str)] = &[
-    ("demo_globals.inc", "radiosity"),
-    ("table_cloth.inc", "`uv_mapping`"),
-];
+const UNBUILT: &[(&str, &str)] = &[("table_cloth.inc", "`uv_mapping`")];
 
 /// Reads a scene that includes these files and ends; the first error, if there is one.
 fn first_error(names: &[&str], folders: &[&Path]) -> Option<String> {

@@ -243,7 +243,9 @@ impl Reader<'_> {
                 object.interior = Some(Arc::new(interior.after(&object.steps)));
             }
             Word::Material => self.material(object)?,
-            Word::Radiosity => object.flags.importance = self.importance()?.or(object.flags.importance),
+            Word::Radiosity => {
+                object.flags.importance = self.importance()?.or(object.flags.importance)
+            }
             Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
             _ => return self.switch(object, word),
         }

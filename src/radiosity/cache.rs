@@ -54,6 +54,8 @@ pub struct Look {
     pub normal: DVec3,
     /// The largest error of a sample that counts.
     pub error: f64,
+    /// Of which depth.
+    pub depth: usize,
     /// Whether samples fade out smoothly rather than evenly.
     pub is_smooth: bool,
 }
@@ -175,7 +177,10 @@ impl Cell {
     }
 
     /// Whether a point lies in the box twice as large about the cell.
-    #[allow(clippy::cast_precision_loss, reason = "cells of scenes are not that many")]
+    #[allow(
+        clippy::cast_precision_loss,
+        reason = "cells of scenes are not that many"
+    )]
     fn holds(&self, point: DVec3) -> bool {
         if self.level == WHOLE_LEVEL {
             return true;
@@ -298,28 +303,27 @@ impl Cache {
         }
     }
 
-    /// What the samples of a depth say of a place.
+    /// What the samples say of a place.
     #[must_use]
-    pub fn mean(&self, depth: usize, look: &Look) -> Mean {
+    pub fn mean(&self, look: &Look) -> Mean {
         let mut mean = Mean::default();
         if self.root != NONE {
             let point = look.point / self.unit;
-            self.add_from(self.root, (depth, point), look, &mut mean);
+            self.add_from(self.root, point, look, &mut mean);
         }
         mean
     }
 
     /// Adds what the samples of a node and its children say.
-    fn add_from(&self, number: u32, at: (usize, DVec3), look: &Look, mean: &mut Mean) {
-        let (depth, point) = at;
+    fn add_from(&self, number: u32, point: DVec3, look: &Look, mean: &mut Mean) {
         let node = &self.nodes[number as usize];
-        if node.depths >> depth & 1 == 0 || number != self.root && !node.cell.holds(point) {
+        if node.depths >> look.depth & 1 == 0 || number != self.root && !node.cell.holds(point) {
             return;
         }
         let mut next = node.last;
         while next != NONE {
             let sample = &self.samples[next as usize];
-            if sample.depth == depth {
+            if sample.depth == look.depth {
                 let weight = sample.weight_at(look, self.unit);
                 if weight > 0.0 {
                     mean.weight += weight;
@@ -329,7 +333,7 @@ impl Cache {
             next = self.earlier[next as usize];
         }
         for &child in node.children.iter().filter(|&&child| child != NONE) {
-            self.add_from(child, at, look, mean);
+            self.add_from(child, point, look, mean);
         }
     }
 }
@@ -357,6 +361,7 @@ mod tests {
             point,
             normal: DVec3::Y,
             error: 1.5,
+            depth: 0,
             is_smooth: false,
         }
     }
@@ -394,10 +399,13 @@ mod tests {
         }
         for _ in 0..500 {
             let look = look(place(&mut rng));
-            let all = cache.samples.iter().map(|sample| sample.weight_at(&look, 1.0));
+            let all = cache
+                .samples
+                .iter()
+                .map(|sample| sample.weight_at(&look, 1.0));
             let sum: f64 = all.sum();
-            assert!((cache.mean(0, &look).weight - sum).abs() < 1e-9);
-            assert_eq!(cache.mean(1, &look).weight, 0.0);
+            assert!((cache.mean(&look).weight - sum).abs() < 1e-9);
+            assert_eq!(cache.mean(&Look { depth: 1, ..look }).weight, 0.0);
         }
     }
 

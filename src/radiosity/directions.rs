@@ -68,18 +68,31 @@ mod tests {
     #[test]
     fn directions_are_those_of_the_half_sphere_by_the_cosine() {
         let pool = pool(USUAL);
-        assert!(pool.iter().all(|dir| dir.y >= 0.0 && (dir.length() - 1.0).abs() < 1e-12));
+        assert!(
+            pool.iter()
+                .all(|dir| dir.y >= 0.0 && (dir.length() - 1.0).abs() < 1e-12)
+        );
         let mean: f64 = pool.iter().map(|dir| dir.y).sum::<f64>() / f64::from(USUAL);
         // The mean cosine by the cosine is two thirds.
         assert!((mean - 2.0 / 3.0).abs() < 1e-3, "{mean}");
         // h2(1) = 1/2, h3(1) = 1/3.
-        let first = DVec3::new(-0.5 * 0.5f64.sqrt(), 0.5f64.sqrt(), 0.75f64.sqrt() * 0.5f64.sqrt());
+        let first = DVec3::new(
+            -0.5 * 0.5f64.sqrt(),
+            0.5f64.sqrt(),
+            0.75f64.sqrt() * 0.5f64.sqrt(),
+        );
         assert!((pool[0] - first).length() < 1e-12, "{}", pool[0]);
     }
 
     #[test]
     fn frames_stand_on_their_normals() {
-        for normal in [DVec3::Y, -DVec3::Y, DVec3::X, -DVec3::Z, DVec3::new(0.6, 0.64, 0.48)] {
+        for normal in [
+            DVec3::Y,
+            -DVec3::Y,
+            DVec3::X,
+            -DVec3::Z,
+            DVec3::new(0.6, 0.64, 0.48),
+        ] {
             let frame = Frame::about(normal);
             assert!((frame.turned(DVec3::Y) - normal).length() < 1e-12);
             let dir = DVec3::new(0.48, 0.6, 0.64);

@@ -14,7 +14,7 @@ mod notes;
 
 pub use cache::{Cache, Look, Mean, Sample};
 pub use directions::Frame;
-pub use notes::{Notes, Seen};
+pub use notes::{Asked, Notes, Seen};
 
 use crate::scene;
 use glam::DVec3;
@@ -185,9 +185,12 @@ impl Session {
     #[must_use]
     pub fn in_mode(&self, mode: Mode) -> Session {
         Session {
+            cache: Arc::clone(&self.cache),
             mode,
+            is_final: self.is_final,
+            quality: 1.0,
             notes: Notes::of(&self.cache),
-            ..self.clone()
+            next: self.next.clone(),
         }
     }
 
@@ -204,17 +207,18 @@ impl Session {
             point,
             normal,
             error: radiosity.error(depth, weight, self.is_final),
+            depth,
             is_smooth: self.is_final && depth == 0,
         }
     }
 
     /// What is known of the light at a place.
-    pub fn known(&mut self, radiosity: &Radiosity, depth: usize, look: &Look) -> Known {
-        let mean = self.cache.mean(depth, look);
+    pub fn known(&mut self, radiosity: &Radiosity, look: &Look) -> Known {
+        let mean = self.cache.mean(look);
         if self.mode == Mode::Watch {
             self.notes.ask(*look);
         }
-        let is_enough = QUARTERS * mean.weight >= radiosity.needed(depth);
+        let is_enough = QUARTERS * mean.weight >= radiosity.needed(look.depth);
         let makes_do = match self.mode {
             Mode::Grow | Mode::Watch => self.is_final && !radiosity.settings.always_sample,
             Mode::Lone => true,

@@ -1,13 +1,31 @@
 //! What a thread saw with the samples that there were, and whether more samples would change it.
 
-use super::cache::{Cache, Look};
+use super::cache::{Cache, Look, Sample};
 use crate::color::Rgb;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// What was seen at a point of the picture: light, and the share that shines through.
 pub type Seen = (Rgb, f32);
+
+/// What was asked for something; nothing holds where samples were missing.
+#[derive(Clone, Debug, Default)]
+pub struct Asked(Option<SmallVec<[Look; 2]>>);
+
+impl Asked {
+    /// Whether the answers are the same with these further samples.
+    #[must_use]
+    pub fn holds(&self, since: &[Sample], unit: f64) -> bool {
+        let is_changed = |look: &Look| {
+            let mut since = since.iter().filter(|sample| sample.depth == look.depth);
+            since.any(|sample| sample.weight_at(look, unit) > 0.0)
+        };
+        let looks = self.0.as_ref();
+        looks.is_some_and(|looks| !looks.iter().any(is_changed))
+    }
+}
 
 /// What was seen of a piece of the picture and what was asked for it.
 #[derive(Clone, Debug, Default)]
@@ -40,10 +58,16 @@ impl Notes {
         self.looks.push(look);
     }
 
-    /// Starts a point of the picture.
+    /// Starts a point of the picture, or a ray.
     pub fn begin(&mut self) {
         self.is_short = false;
         self.start = self.looks.len();
+    }
+
+    /// What was asked since the last beginning; it is forgotten here.
+    pub fn asked(&mut self) -> Asked {
+        let looks = self.looks.drain(self.start..).collect();
+        Asked((!self.is_short).then_some(looks))
     }
 
     /// Ends a point of the picture.

@@ -45,7 +45,11 @@ impl Gathered {
             pretrace_seconds: start.elapsed().as_secs_f64(),
             ..RadiosityTaken::default()
         };
-        Some(Gathered { scratch, rays, taken })
+        Some(Gathered {
+            scratch,
+            rays,
+            taken,
+        })
     }
 
     /// Draws tiles that follow those drawn before.
@@ -63,7 +67,9 @@ impl Gathered {
             return Vec::new();
         };
         if rayon::current_num_threads() == 1 {
-            let each = tiles.iter().map(|tile| finished(draw(&mut self.scratch, tile)));
+            let each = tiles
+                .iter()
+                .map(|tile| finished(draw(&mut self.scratch, tile)));
             return each.collect();
         }
         let watching = || {
@@ -76,12 +82,20 @@ impl Gathered {
             .map_init(watching, |scratch, tile| {
                 let drawn = draw(scratch, tile);
                 let session = scratch.single().radiosity.as_mut();
-                (drawn, session.map(|session| session.notes.take()).unwrap_or_default())
+                (
+                    drawn,
+                    session
+                        .map(|session| session.notes.take())
+                        .unwrap_or_default(),
+                )
             })
             .collect();
-        let revised = watched.into_iter().zip(tiles).map(|((drawn, notes), tile)| {
-            finished(self.revised(drawn, notes, |scratch| draw(scratch, tile)))
-        });
+        let revised = watched
+            .into_iter()
+            .zip(tiles)
+            .map(|((drawn, notes), tile)| {
+                finished(self.revised(drawn, notes, |scratch| draw(scratch, tile)))
+            });
         revised.collect()
     }
 

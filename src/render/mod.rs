@@ -64,6 +64,10 @@ pub fn render(
     unfinished: Option<&Unfinished>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
+    if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
+        // What several threads do together for a moment is begun by one of them.
+        return rayon::scope(|_| render(world, options, unfinished, progress));
+    }
     let tracer = Tracer::new(world, options.quality).until(&options.stop);
     let mut gathered = Gathered::pretraced(&tracer, options);
     if let Sampling::Converging(how) = &options.sampling {
@@ -99,7 +103,9 @@ pub fn render(
         Some(leveller) => Film::of_levels(Levels::black(leveller, width, height), columns, rows),
         None => Film::new(width, height, columns, rows),
     };
-    let mut rays = gathered.as_ref().map_or(Rays::default(), |gathered| gathered.rays);
+    let mut rays = gathered
+        .as_ref()
+        .map_or(Rays::default(), |gathered| gathered.rays);
     // Tiles by tiles, or all pixels would lie in memory twice.
     let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
     for some in tiles.chunks(at_once) {
@@ -258,7 +264,9 @@ fn draw_blocks(
 /// Whether pixels are to be drawn row by row.
 fn minds_order(scratch: &mut BlockScratch) -> bool {
     let session = &scratch.single().radiosity;
-    session.as_ref().is_some_and(|session| session.minds_order())
+    session
+        .as_ref()
+        .is_some_and(|session| session.minds_order())
 }
 
 /// The same, pixel by pixel.

@@ -19,16 +19,17 @@ const NUMBERS: u32 = 2047;
 /// More passes there are not, however small the last spacing.
 const MOST_PASSES: u32 = 64;
 
-/// The spacings of the rays of each pass, in pixels.
+/// The spacings of the rays of each pass, in pixels. Where the last would be much larger than the first there are none;
+/// POV-Ray then counts below zero and makes a great many.
 fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item = f64> + use<> {
     let size = f64::from(options.width.max(options.height));
     let (start, end) = (start * size, (end * size).max(1.0));
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
-        reason = "saturates"
+        reason = "saturates, and is not negative"
     )]
-    let steps = ((start / end).log2() + 1.0 - SLACK).floor().max(0.0) as u32 + 1;
+    let steps = ((start / end).log2() + 2.0 - SLACK).floor().max(0.0) as u32;
     (0..steps.min(MOST_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
 }
 
@@ -56,7 +57,8 @@ fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<>
     let (first, end) = (f64::from(range.start), f64::from(range.end));
     let start = ((first - 0.5) / spacing).ceil() * spacing;
     let all = std::iter::successors(Some(start), move |at| Some(at + spacing));
-    all.skip_while(move |&at| at < first).take_while(move |&at| at < end)
+    all.skip_while(move |&at| at < first)
+        .take_while(move |&at| at < end)
 }
 
 /// Makes the samples of a picture.
@@ -89,5 +91,48 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
                 return;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(width: u32, start: f64, end: f64) -> Vec<f64> {
+        let options = RenderOptions {
+            width,
+            height: width / 2,
+            ..RenderOptions::default()
+        };
+        spacings(&options, start, end).collect()
+    }
+
+    /// Numbers of passes as POV-Ray 3.7 tells them.
+    #[test]
+    fn passes_halve_the_spacing_down_to_the_last() {
+        assert_eq!(of(160, 0.08, 0.04), [12.8, 6.4]);
+        assert_eq!(of(160, 0.08, 0.03), [12.8, 6.4, 4.8]);
+        assert_eq!(of(160, 1.0, 1.0), [160.0]);
+        assert_eq!(of(8, 0.08, 0.04), [1.0]);
+        assert_eq!(of(4, 0.08, 0.04), []);
+        assert_eq!(of(160, 0.01, 1.0), []);
+    }
+
+    #[test]
+    fn places_of_a_block_lie_on_a_grid_of_the_picture() {
+        let of = |range: Range<u32>| places(&range, 12.8).collect::<Vec<_>>();
+        assert_eq!(of(0..32), [0.0, 12.8, 25.6]);
+        let next = of(32..64);
+        assert_eq!(next.len(), 2);
+        assert!((next[0] - 38.4).abs() < 1e-9 && (next[1] - 51.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn jitter_starts_behind_the_numbers_of_pass_and_block() {
+        let mut jitter = Jitter::of_block(1, 2);
+        assert_eq!(
+            jitter.next_number(),
+            2.0 * mersenne::random(2 * 17 + 2 * 13 + 1) - 1.0
+        );
     }
 }

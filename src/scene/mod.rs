@@ -9,7 +9,9 @@ mod objects;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
-pub use object::{Importance, Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use object::{
+    Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
+};
 pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;

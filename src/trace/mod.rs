@@ -8,6 +8,7 @@ mod air;
 mod area;
 mod block;
 mod film;
+mod gather;
 mod lens;
 mod light;
 mod media;
