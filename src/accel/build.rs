@@ -233,6 +233,19 @@ impl Wide {
         });
     }
 
+    /// Adds a point or nothing, which is not a branch.
+    #[inline(always)]
+    fn add_point_if(&mut self, is_so: bool, point: [f32; 4]) {
+        let chosen = 0_u32.wrapping_sub(u32::from(is_so));
+        let (mut low, mut high) = ([0.0; 4], [0.0; 4]);
+        for (lane, point) in point.iter().enumerate() {
+            let point = point.to_bits() & chosen;
+            low[lane] = f32::from_bits(point | f32::INFINITY.to_bits() & !chosen);
+            high[lane] = f32::from_bits(point | f32::NEG_INFINITY.to_bits() & !chosen);
+        }
+        self.add(&Wide { low, high });
+    }
+
     /// Half the surface.
     #[inline(always)]
     fn area(&self) -> f32 {
@@ -315,25 +328,21 @@ impl<'e> Part<'e> {
         best.map(|split| (bins, split))
     }
 
-    /// Brings the items below the split to the front.
+    /// Brings the items below the split to the front. On which side an item lies is as good as chance, so that nothing
+    /// here depends on it but numbers.
     fn split_at(self, bins: &Bins, split: &Split) -> [Part<'e>; 2] {
         let entries = self.entries;
         let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
-        let is_lower = |entry: &Entry| (bins.of(entry)[split.axis] as usize) < split.bin;
-        let (mut front, mut back) = (0, entries.len());
-        while front < back {
-            if is_lower(&entries[front]) {
-                lower.add_point(entries[front].middle());
-                front += 1;
-                continue;
-            }
-            back -= 1;
-            while front < back && !is_lower(&entries[back]) {
-                upper.add_point(entries[back].middle());
-                back -= 1;
-            }
-            upper.add_point(entries[front].middle());
-            entries.swap(front, back);
+        let mut front = 0;
+        for at in 0..entries.len() {
+            let entry = entries[at];
+            let is_lower = (bins.of(&entry)[split.axis] as usize) < split.bin;
+            let middle = entry.middle();
+            lower.add_point_if(is_lower, middle);
+            upper.add_point_if(!is_lower, middle);
+            entries[at] = entries[front];
+            entries[front] = entry;
+            front += usize::from(is_lower);
         }
         let (below, above) = entries.split_at_mut(front);
         [

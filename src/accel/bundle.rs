@@ -76,9 +76,9 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// Around the points within `radius` of the middle of the bounds.
-    pub(super) fn new(frame: &Frame, bounds: &Bounds, radius: f64) -> Self {
-        let centre = frame.place(0.5 * bounds.min + 0.5 * bounds.max);
+    /// Around the points within `radius` of the centre.
+    pub(super) fn new(frame: &Frame, centre: DVec3, radius: f64) -> Self {
+        let centre = frame.place(centre);
         let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
         let moved = (DVec3::from(rounded.map(f64::from)) - centre).length();

@@ -144,8 +144,7 @@ impl Bvh {
     }
 
     /// The tree over so many boxes, and the items in the order of the tree. That order is what it then knows them by, so that
-    /// neighbours can be kept together. `radius` gives the radius of an item that is a ball about the middle of its box,
-    /// which helps bundles of rays.
+    /// neighbours can be kept together.
     ///
     /// # Panics
     /// For 2³¹ − 1 boxes or more.
@@ -153,23 +152,23 @@ impl Bvh {
     pub fn build_in_order(
         count: usize,
         bounds: impl Fn(usize) -> Bounds + Sync,
-        radius: impl Fn(usize) -> Option<f64>,
     ) -> (Self, Vec<u32>) {
         let mut tree = Bvh::build_of(count, &bounds);
         let mut order = Vec::with_capacity(count);
         for node in &mut tree.nodes {
             node.renumber(&mut order);
         }
-        let balls = || {
-            order.iter().map(|&item| {
-                let radius = radius(item as usize)?;
-                Some(Ball::new(&tree.frame, &bounds(item as usize), radius))
-            })
-        };
-        if balls().any(|ball| ball.is_some()) {
-            tree.balls = balls().collect();
-        }
         (tree, order)
+    }
+
+    /// Takes in which items are balls, by centre and radius, in the order in which the tree knows them: that helps bundles
+    /// of rays.
+    pub fn know_balls(&mut self, balls: impl Iterator<Item = Option<(DVec3, f64)>> + Clone) {
+        if balls.clone().any(|ball| ball.is_some()) {
+            let frame = &self.frame;
+            let known = |(centre, radius)| Ball::new(frame, centre, radius);
+            self.balls = balls.map(|ball| ball.map(known)).collect();
+        }
     }
 
     /// Visits, roughly front to back, the items whose boxes the ray may meet from `from` to `to`, both included.

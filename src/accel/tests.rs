@@ -269,8 +269,11 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
     ] {
         let spheres = spheres(700, size, at);
         let bounds = bounds_of(&spheres);
-        let known = |place: usize| (!place.is_multiple_of(3)).then(|| spheres[place].radius);
-        let (tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item], known);
+        let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+        tree.know_balls(order.iter().map(|&item| {
+            let sphere = &spheres[item as usize];
+            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius))
+        }));
         let mut rng = Random::new(23);
         let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
         for round in 0..60 {

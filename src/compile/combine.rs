@@ -3,7 +3,7 @@
 use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::flatten::{Flat, index};
 use super::leaf::{Extent, Leaf};
-use super::looks::{Heritage, joined};
+use super::looks::{Heritage, Place, joined};
 use super::model::Item;
 use crate::math::Bounds;
 use crate::scene::{Kind, Object, Operation};
@@ -36,7 +36,11 @@ impl Flat {
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
         let outer_gates = std::mem::take(&mut self.gates);
-        let bounds = self.add_node(object, above, &mut program, 0, false);
+        let around = Heritage {
+            place: Place::Whole,
+            ..above.clone()
+        };
+        let bounds = self.add_node(object, &around, &mut program, 0, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         program.prepare(&self.parts.leaves, &of_operands);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
@@ -96,6 +100,7 @@ impl Flat {
         for clip in &object.clipped_by {
             let around = Heritage {
                 steps: joined(&object.steps[clip.after..], &above.steps),
+                place: Place::Cut,
                 ..below.clone()
             };
             let held = self.add_node(&clip.what, &around, program, node, true);
@@ -116,11 +121,15 @@ impl Flat {
         let (parent, is_inverse) = place;
         match &object.kind {
             Kind::Light { .. } => {
-                let outside = Heritage {
-                    group: None,
+                let held = Heritage {
+                    obeyed: None,
                     ..below.clone()
                 };
-                self.add_light(&object.kind, &outside, below.clone());
+                let outside = Heritage {
+                    group: None,
+                    ..held.clone()
+                };
+                self.add_light(&object.kind, &outside, held);
                 Bounds::EMPTY
             }
             Kind::Shape(shape) => {
@@ -173,6 +182,14 @@ impl Flat {
         (node, is_hidden): (u32, bool),
     ) -> Bounds {
         let is_sum = matches!(operation, Operation::Union | Operation::Merge);
+        let below = &Heritage {
+            place: match operation {
+                Operation::Union => Place::Union,
+                Operation::Merge => Place::Merge,
+                Operation::Intersection | Operation::Difference => Place::Cut,
+            },
+            ..below.clone()
+        };
         let mut sum = if is_sum {
             Bounds::EMPTY
         } else {

@@ -1,6 +1,7 @@
 //! The first surface of one item on a ray.
 
 use super::csg::{Found, hide_departure};
+use super::hits::NO_LEAF;
 use super::leaf::Leaf;
 use super::model::{Item, Model};
 use super::query::{Departure, Scratch};
@@ -37,9 +38,24 @@ pub(super) struct Search<'a> {
     pub(super) blur: f64,
     /// Where the numbers of what is found begin.
     pub(super) start: Start,
+    /// The leaf that the ray has left for good: it need not be asked; [`NO_LEAF`] for none.
+    pub(super) behind: u32,
 }
 
 impl Model {
+    /// The leaf that a ray has left for good: from a convex solid outward the one place where its line leaves the solid is
+    /// the one just left. [`NO_LEAF`] if there is none.
+    #[inline(always)]
+    pub(super) fn left_for_good(&self, left: Option<&Departure>, ray: &Ray) -> u32 {
+        let Some(left) = left else {
+            return NO_LEAF;
+        };
+        match self.leaves.get(left.leaf as usize) {
+            Some(leaf) if left.normal.dot(ray.dir) > 0.0 && leaf.is_left_for_good(ray) => left.leaf,
+            _ => NO_LEAF,
+        }
+    }
+
     /// The first surface of an item up to and including `far` that is wanted.
     #[inline(always)]
     pub(super) fn find<W: Wants>(
@@ -76,6 +92,7 @@ impl Model {
                 )?;
                 first
             }
+            Item::Leaf(number) if number == search.behind => None,
             Item::Leaf(number) => {
                 let leaf = &self.leaves[number as usize];
                 let (ray, mut least) = (search.ray, search.least);
@@ -183,10 +200,6 @@ fn nearest_but(
     if let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world) {
         let root = sphere.beside(ray, left.normal.dot(ray.dir) > 0.0)?;
         return (root.t > least).then_some(root);
-    }
-    // From a convex solid outward: the one place where the line leaves it is the one just left.
-    if left.normal.dot(ray.dir) > 0.0 && leaf.is_left_behind(ray) {
-        return None;
     }
     roots.clear();
     leaf.roots(ray, roots);

@@ -38,6 +38,7 @@ impl Instance {
             .and_then(|left| self.departure(left, search.ray.dir, ray.dir));
         let inner = Search {
             ray: &ray,
+            behind: self.model.left_for_good(from.as_ref(), &ray),
             from: from.as_ref(),
             least: search.least,
             blur: search.blur,

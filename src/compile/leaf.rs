@@ -2,7 +2,7 @@
 
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
-use crate::shape::{Geometry, Root, Shape, Shares, Start};
+use crate::shape::{Geometry, Root, Shape, Shares, Sphere, Start};
 use glam::{DAffine3, DVec3};
 
 /// Which bounds of a shape are asked for.
@@ -36,6 +36,16 @@ pub struct Leaf {
 }
 
 impl Leaf {
+    /// What stands where a leaf was taken away.
+    pub(super) const NOTHING: Leaf = Leaf {
+        shape: Shape::Sphere(Sphere {
+            centre: DVec3::ZERO,
+            radius: 0.0,
+        }),
+        object_from_world: None,
+        surface: 0,
+    };
+
     /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives the bounds of its
     /// surface too, or with `extent` those of the solid, which may be larger.
     #[must_use]
@@ -91,10 +101,25 @@ impl Leaf {
         self.shape.nearest(&self.to_object(ray), from, to)
     }
 
+    /// Whether a world ray that leaves the shape outward cannot meet it again; what is not known is false.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_left_for_good(&self, ray: &Ray) -> bool {
+        match (&self.shape, &self.object_from_world) {
+            (Shape::Sphere(sphere), None) => sphere.is_left_behind(ray),
+            _ => self.is_other_left_for_good(ray),
+        }
+    }
+
     /// Whether all that the line of a world ray enters lies before its start; what is not known is false.
     #[must_use]
     pub fn is_left_behind(&self, ray: &Ray) -> bool {
         self.shape.is_left_behind(&self.to_object(ray))
+    }
+
+    #[inline(never)]
+    fn is_other_left_for_good(&self, ray: &Ray) -> bool {
+        !self.shape.is_faceted() && self.is_left_behind(ray)
     }
 
     /// The first visible root of a world ray with `from < t < to` on any piece of a faceted shape but `face`.
@@ -112,7 +137,17 @@ impl Leaf {
 
     /// The unit outward normals at a world point of a piece of the surface: the geometric one, and that for shading.
     #[must_use]
+    #[inline]
     pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
+        if let (Shape::Sphere(sphere), None) = (&self.shape, &self.object_from_world) {
+            let normal = unit_normal(point - sphere.centre);
+            return (normal, normal);
+        }
+        self.other_normals(point, face)
+    }
+
+    #[inline(never)]
+    fn other_normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.point_to_object(point);
         let geometric = self.to_world(self.shape.normal(local, face));
         let shading = self.shape.shading_normal(local, face);
@@ -132,19 +167,14 @@ impl Leaf {
             Some(matrix) => normal_from_inverse(matrix, normal),
             None => normal,
         };
-        let length_sq = normal.length_squared();
-        if length_sq.is_normal() {
-            normal.normalize_or_zero()
-        } else {
-            unit(normal).unwrap_or(DVec3::ZERO)
-        }
+        unit_normal(normal)
     }
 
-    /// The radius of a leaf that is a ball about the middle of its bounds.
+    /// Centre and radius of a leaf that is a ball.
     #[must_use]
-    pub fn ball_radius(&self) -> Option<f64> {
+    pub fn ball(&self) -> Option<(DVec3, f64)> {
         match (&self.shape, &self.object_from_world) {
-            (Shape::Sphere(sphere), None) => Some(sphere.radius),
+            (Shape::Sphere(sphere), None) => Some((sphere.centre, sphere.radius)),
             _ => None,
         }
     }
@@ -157,5 +187,15 @@ impl Leaf {
                 .object_from_world
                 .as_ref()
                 .map_or(0, |_| size_of::<DAffine3>())
+    }
+}
+
+/// The normal of length 1, or zero where there is none.
+#[inline]
+fn unit_normal(normal: DVec3) -> DVec3 {
+    if normal.length_squared().is_normal() {
+        normal.normalize_or_zero()
+    } else {
+        unit(normal).unwrap_or(DVec3::ZERO)
     }
 }

@@ -17,6 +17,10 @@ pub(super) struct Heritage {
     pub(super) inside_texture: Option<Placed>,
     pub(super) interior: Option<InteriorId>,
     pub(super) flags: Flags,
+    /// In a combination, the switches that say who sees it.
+    pub(super) obeyed: Option<Flags>,
+    /// Where the children are.
+    pub(super) place: Place,
     /// The lights that shine on it.
     pub(super) lights: LightList,
     /// Whether lights outside of the light group around it do so; `None` outside of all groups.
@@ -27,6 +31,25 @@ pub(super) struct Heritage {
     pub(super) steps: Arc<[Step]>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
     pub(super) slot: u32,
+}
+
+/// Where an object stands as to combinations. POV-Ray obeys the switches `no_shadow`, `no_image` and `no_reflection` of
+/// a combination as a whole; within it `no_reflection` counts for the parts of unions and merges, and `no_image` for
+/// those of merges (measured for each switch in twelve arrangements). That POV-Ray then also shows what of the other
+/// parts of the merge lies in the hidden one is not done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Place {
+    /// In no combination.
+    #[default]
+    Alone,
+    /// It is a combination as a whole.
+    Whole,
+    /// A part of an intersection or difference.
+    Cut,
+    /// A part of a union that is not taken apart.
+    Union,
+    /// A part of a merge.
+    Merge,
 }
 
 /// A texture with the transforms that came after it.
@@ -53,6 +76,7 @@ impl Heritage {
             && (self.interior == other.interior
                 || is_opaque && is_unnamed(self) && is_unnamed(other))
             && self.flags == other.flags
+            && self.obeyed == other.obeyed
             && self.lights == other.lights
     }
 }
@@ -64,6 +88,7 @@ impl Flat {
             return Heritage {
                 slot: slots.object(object, above),
                 steps: joined(&object.steps, &above.steps),
+                flags: handed_down(object, above),
                 ..Heritage::default()
             };
         }
@@ -83,9 +108,8 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         self.fill(interior, object, above);
-        let own = &object.flags;
-        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
-        self.interiors.set_hollow(interior, is_hollow);
+        let flags = handed_down(object, above);
+        self.interiors.set_hollow(interior, flags.hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
             Some(above.global_lights.unwrap_or(group.global_lights))
         });
@@ -99,15 +123,9 @@ impl Flat {
             texture: place(&object.texture, &above.texture),
             inside_texture: place(&object.interior_texture, &above.inside_texture),
             interior: Some(interior),
-            flags: Flags {
-                no_shadow: own.no_shadow || above.flags.no_shadow,
-                no_image: own.no_image || above.flags.no_image,
-                no_reflection: own.no_reflection || above.flags.no_reflection,
-                no_radiosity: own.no_radiosity || above.flags.no_radiosity,
-                importance: own.importance.or(above.flags.importance),
-                hollow: is_hollow,
-                double_illuminate: own.double_illuminate || above.flags.double_illuminate,
-            },
+            flags,
+            obeyed: obeyed(&flags, above),
+            place: Place::Alone,
             steps: joined(&object.steps, &above.steps),
             slot: 0,
         }
@@ -167,7 +185,13 @@ impl Flat {
         };
         let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
-        let lit = (looks.lights, looks.flags);
+        let flags = looks.obeyed.as_ref().map_or(looks.flags, |obeyed| Flags {
+            no_shadow: obeyed.no_shadow,
+            no_image: obeyed.no_image,
+            no_reflection: obeyed.no_reflection,
+            ..looks.flags
+        });
+        let lit = (looks.lights, flags);
         Surface::new(texture, inside_texture, skins, interior, lit)
     }
 
@@ -184,6 +208,36 @@ impl Flat {
             return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
         }
         Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
+    }
+}
+
+/// The switches of an object and of what hands them down to it.
+fn handed_down(object: &Object, above: &Heritage) -> Flags {
+    let (own, above) = (&object.flags, &above.flags);
+    Flags {
+        no_shadow: own.no_shadow || above.no_shadow,
+        no_image: own.no_image || above.no_image,
+        no_reflection: own.no_reflection || above.no_reflection,
+        no_radiosity: own.no_radiosity || above.no_radiosity,
+        importance: own.importance.or(above.importance),
+        hollow: own.hollow.unwrap_or(above.hollow),
+        double_illuminate: own.double_illuminate || above.double_illuminate,
+    }
+}
+
+/// Which of its switches an object obeys.
+fn obeyed(flags: &Flags, above: &Heritage) -> Option<Flags> {
+    let is_merged = above.place == Place::Merge;
+    let is_united = is_merged || above.place == Place::Union;
+    match (above.place, &above.obeyed) {
+        (Place::Alone, _) => None,
+        (Place::Whole, _) | (_, None) => Some(*flags),
+        (_, Some(whole)) => Some(Flags {
+            no_image: whole.no_image || is_merged && flags.no_image,
+            no_reflection: whole.no_reflection || is_united && flags.no_reflection,
+            no_radiosity: whole.no_radiosity || is_united && flags.no_radiosity,
+            ..*whole
+        }),
     }
 }
 

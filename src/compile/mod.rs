@@ -33,6 +33,7 @@ pub use hits::{FourHits, FourWays, NO_LEAF};
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
+pub use passed::Passed;
 pub use probe::Probed;
 pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;

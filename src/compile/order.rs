@@ -3,6 +3,7 @@
 
 use super::csg::Program;
 use super::instance::Instance;
+use super::leaf::Leaf;
 use super::model::{Item, Parts};
 use crate::accel::Bvh;
 use glam::DVec3;
@@ -35,12 +36,10 @@ impl Finder {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
             .take(parts.items.len())
             .partition(|&number| parts.bounds[number as usize].is_finite());
-        let radius = |place: usize| match parts.items[bounded[place] as usize] {
-            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_radius(),
-            Item::Program(_) | Item::Instance(_) => None,
-        };
         let bounds = |place: usize| parts.bounds[bounded[place] as usize];
-        let (tree, order) = Bvh::build_in_order(bounded.len(), bounds, radius);
+        let (mut tree, order) = Bvh::build_in_order(bounded.len(), bounds);
+        // In large scenes the room is needed.
+        parts.bounds = Vec::new();
         let bounded: Vec<u32> = order
             .into_iter()
             .map(|place| bounded[place as usize])
@@ -50,9 +49,14 @@ impl Finder {
             number,
             item: parts.items[number as usize],
         };
+        let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
+        tree.know_balls(bounded.iter().map(|item| match item.item {
+            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball(),
+            Item::Program(_) | Item::Instance(_) => None,
+        }));
         Finder {
             tree,
-            bounded: bounded.iter().map(numbered).collect(),
+            bounded,
             unbounded: unbounded.iter().map(numbered).collect(),
         }
     }
@@ -123,11 +127,12 @@ fn sort_leaves<'n, 'p>(
             *leaf = places[*leaf as usize];
         }
     }
-    for at in 0..places.len() {
-        while places[at] as usize != at {
-            let to = places[at] as usize;
-            parts.leaves.swap(at, to);
-            places.swap(at, to);
-        }
+    let mut leaves_at = vec![0; places.len()];
+    for (leaf, &place) in (0..).zip(&places) {
+        leaves_at[place as usize] = leaf;
     }
+    drop(places);
+    let mut unsorted = std::mem::take(&mut parts.leaves);
+    let take = |&leaf: &u32| std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
+    parts.leaves = leaves_at.iter().map(take).collect();
 }

@@ -178,6 +178,7 @@ impl World {
             least: self.least_distance(query),
             blur: query.from.map_or(0.0, |left| left.blur),
             start: Start::default(),
+            behind: self.model.left_for_good(query.from.as_ref(), &query.ray),
         }
     }
 

@@ -8,7 +8,7 @@
 
 use super::flatten::{Flat, index};
 use super::instance::Instance;
-use super::looks::{Heritage, joined};
+use super::looks::{Heritage, Place, joined};
 use super::model::{Item, Model, Parts};
 use super::surface::Surface;
 use crate::math::{Bounds, Step, Transform};
@@ -37,6 +37,7 @@ pub(super) enum Slot {
         above: u32,
         object: Arc<Object>,
         steps: Arc<[Step]>,
+        place: Place,
     },
     /// The textures that a shape moved by `steps` has for its pieces, on that of the slot `above`.
     Skins {
@@ -106,13 +107,17 @@ impl Slots {
             && object.interior.is_none()
             && object.light_group.is_none()
             && object.flags == flags;
-        if is_plain {
+        // What it is handed down may count for it alone.
+        let is_in_sum = matches!(above.place, Place::Union | Place::Merge);
+        let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
+        if is_plain && !is_hidden_there {
             return above.slot;
         }
         self.push(Slot::Object {
             above: above.slot,
             object: Arc::new(object.clone()),
             steps: Arc::clone(&above.steps),
+            place: above.place,
         })
     }
 
@@ -148,10 +153,12 @@ impl Slots {
                     above,
                     object,
                     steps,
+                    place,
                 } => Slot::Object {
                     above: first + above,
                     object: Arc::clone(object),
                     steps: joined(steps, &root.steps),
+                    place: *place,
                 },
                 Slot::Skins {
                     above,
@@ -279,8 +286,12 @@ impl Flat {
                     above,
                     object,
                     steps,
+                    place,
                 } => {
-                    let around = moved(*above, steps);
+                    let around = Heritage {
+                        place: *place,
+                        ..moved(*above, steps)
+                    };
                     (self.heritage(object, &around), &[][..])
                 }
                 Slot::Skins {
@@ -306,15 +317,12 @@ impl Flat {
 
 /// What holds the parts of a model: one piece for each, if they are few.
 fn hull(parts: &Parts) -> Vec<Piece> {
-    let radius = |item: &Item| match item {
-        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball_radius(),
+    let ball = |item: &Item| match item {
+        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
         Item::Program(_) | Item::Instance(_) => None,
     };
-    let piece = |(item, bounds): (&Item, &Bounds)| match radius(item) {
-        Some(radius) => Piece::Ball {
-            middle: 0.5 * (bounds.min + bounds.max),
-            radius,
-        },
+    let piece = |(item, bounds): (&Item, &Bounds)| match ball(item) {
+        Some((middle, radius)) => Piece::Ball { middle, radius },
         None => Piece::Box(*bounds),
     };
     if parts.items.len() <= HULL {

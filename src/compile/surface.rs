@@ -3,8 +3,9 @@
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
+use crate::color::Rgb;
 use crate::scene::Importance;
-use crate::texture::{PreparedLayer, PreparedTexture};
+use crate::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
 use std::sync::Arc;
 
 /// The object switches that matter while tracing.
@@ -66,6 +67,7 @@ struct Traits {
     has_fresnel: bool,
     is_plain: bool,
     is_bumpy: bool,
+    filters_evenly: bool,
 }
 
 impl Surface {
@@ -90,6 +92,7 @@ impl Surface {
             has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
             is_plain: textures().count() == 1 && texture.is_plain(),
             is_bumpy: has(&|layer| layer.normal.is_some()),
+            filters_evenly: textures().count() == 1 && texture.is_even(),
         };
         Surface {
             texture,
@@ -118,6 +121,23 @@ impl Surface {
     #[must_use]
     pub fn is_bumpy(&self) -> bool {
         self.traits.is_bumpy
+    }
+
+    /// Whether the same share of light passes its textures everywhere.
+    #[must_use]
+    pub fn filters_evenly(&self) -> bool {
+        self.traits.filters_evenly
+    }
+
+    /// That share.
+    #[must_use]
+    #[inline]
+    pub fn even_filter(&self) -> Rgb {
+        let layers = self.texture.layers().iter();
+        layers.fold(Rgb::WHITE, |light, layer| match &layer.pigment {
+            PreparedPigment::Plain(color) => light * color.transmission(),
+            _ => light,
+        })
     }
 
     /// Whether the view through it matters to its mirror images.

@@ -76,9 +76,6 @@ impl Sphere {
     /// The root of a ray that starts on the surface and goes outward or inward besides the one it starts on.
     #[inline]
     pub(crate) fn beside(&self, ray: &Ray, goes_out: bool) -> Option<Root> {
-        if goes_out && self.is_left_behind(ray) {
-            return None;
-        }
         let [enter, leave] = self.span(ray)?;
         Some(if goes_out { enter } else { leave })
     }

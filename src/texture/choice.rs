@@ -3,7 +3,7 @@
 use super::{Patterned, PatternedKind, PreparedTexture, Texture};
 use crate::bitmap;
 use crate::math::Step;
-use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot};
+use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot, Turns};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -36,11 +36,18 @@ pub(super) enum Choice {
 
 impl Choice {
     /// The form for drawing; `None` where there is nothing to choose from.
-    pub(super) fn new(patterned: &Patterned, after: &[Step], settings: &Settings) -> Option<Self> {
+    /// Points come to the entries as the pattern moves them, but normals as they are, so that the entries must turn them
+    /// themselves; they have been turned so `far` on their way to the choice.
+    pub(super) fn new(
+        patterned: &Patterned,
+        after: &[Step],
+        far: &Turns,
+        settings: &Settings,
+    ) -> Option<Self> {
         let modifiers = &patterned.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
-        // No other transforms act on the entries.
-        let entry = |texture: &Texture| texture.prepare(&[], settings);
+        let turns = far.then(&chain().turns());
+        let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &turns, settings);
         match &patterned.kind {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,
             PatternedKind::Map(pattern, Some(map)) => {

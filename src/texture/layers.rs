@@ -4,7 +4,7 @@ use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::Color;
 use crate::math::Step;
-use crate::pattern::Settings;
+use crate::pattern::{Settings, Turns};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
@@ -204,7 +204,7 @@ impl Texture {
     /// The form for tracing, with the transforms of the object after those of the texture.
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
-        PreparedTexture::new(self, after, settings)
+        PreparedTexture::new(self, after, &Turns::default(), settings)
     }
 }
 

@@ -6,7 +6,9 @@ use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
 use crate::math::Step;
-use crate::pattern::{Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot};
+use crate::pattern::{
+    Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot, Turns,
+};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -50,7 +52,9 @@ pub enum PreparedPigment {
 }
 
 impl PreparedTexture {
-    pub(super) fn new(texture: &Texture, after: &[Step], settings: &Settings) -> Self {
+    /// The form for drawing, with the transforms of what carries it after its own; normals have been turned so `far` on
+    /// their way to it.
+    pub(super) fn new(texture: &Texture, after: &[Step], far: &Turns, settings: &Settings) -> Self {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color.clone(),
@@ -58,12 +62,13 @@ impl PreparedTexture {
             normal: layer
                 .normal
                 .as_ref()
-                .and_then(|normal| PreparedNormal::new(normal, after, settings).map(Box::new)),
+                .and_then(|normal| PreparedNormal::new(normal, after, settings))
+                .map(|normal| Box::new(normal.within(far))),
         };
         let layers: SmallVec<[PreparedLayer; 1]> =
             texture.layers().iter().rev().map(prepare).collect();
         let choice = texture.pattern();
-        let choice = choice.and_then(|choice| Choice::new(choice, after, settings));
+        let choice = choice.and_then(|choice| Choice::new(choice, after, far, settings));
         let (is_opaque, has_reflection) = match &choice {
             None => (
                 layers
@@ -137,6 +142,13 @@ impl PreparedTexture {
             }
             _ => false,
         }
+    }
+
+    /// Whether each of its layers has one colour.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        let is_plain = |layer: &PreparedLayer| matches!(layer.pigment, PreparedPigment::Plain(_));
+        self.choice.is_none() && self.layers.iter().all(is_plain)
     }
 
     /// Whether some layer has a mirror image.

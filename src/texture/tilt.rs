@@ -94,6 +94,13 @@ impl PreparedNormal {
         })
     }
 
+    /// The same for normals that must be turned so before, on their way to what carries the bumps.
+    #[must_use]
+    pub(super) fn within(mut self, around: &Turns) -> Self {
+        self.turns = around.then(&self.turns);
+        self
+    }
+
     /// No bumps, as an entry of a map.
     fn flat() -> Self {
         PreparedNormal {

@@ -4,7 +4,9 @@ use super::area::Lamps;
 use super::surface::facing_normal;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Seen, Surface, Way, World};
+use crate::compile::{
+    Departure, FourWays, Hit, InteriorId, Passed, Query, Scratch, Seen, Surface, Way, World,
+};
 use crate::light::Arrival;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
@@ -276,6 +278,11 @@ impl Tracer<'_> {
             Way::Free | Way::Filtered => {}
         }
         let mut inside = Inside::from_slice(&lit.path.inside);
+        if !(minds_air || self.has_media || !self.quality.has_transparency)
+            && let Some(passed) = self.world.all_among(&query, scratch)
+        {
+            return self.through_all(arriving, &passed, &mut inside);
+        }
         let mut left = distance;
         for _ in 0..super::MOST_PASSED {
             let hit = self.world.nearest_among(&query, scratch);
@@ -298,7 +305,8 @@ impl Tracer<'_> {
             };
             arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
             left -= hit.t;
-            arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, &hit);
+            let interior = self.world.surfaces[hit.surface as usize].interior;
+            arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }
@@ -307,6 +315,20 @@ impl Tracer<'_> {
             query.far -= hit.t;
         }
         Rgb::BLACK
+    }
+
+    /// What is left of light behind surfaces each of which lets the same share through everywhere.
+    fn through_all(&self, mut arriving: Rgb, passed: &Passed, inside: &mut Inside) -> Rgb {
+        let mut from = 0.0;
+        for &(t, surface) in passed {
+            let surface = &self.world.surfaces[surface as usize];
+            arriving *= surface.even_filter() * self.fade(inside, surface.interior, t - from);
+            if is_nothing(arriving) {
+                return Rgb::BLACK;
+            }
+            from = t;
+        }
+        arriving
     }
 
     /// What light from one direction gives to a layer.
@@ -348,11 +370,11 @@ impl Tracer<'_> {
         sum
     }
 
-    /// The fading of light along the segment that ends at a hit, which changes what the light is inside of.
-    fn fade(&self, inside: &mut Inside, hit: &Hit) -> Rgb {
-        let interior = self.world.surfaces[hit.surface as usize].interior;
+    /// The fading of light along a segment of this length that ends at the surface of an interior, which changes what the
+    /// light is inside of.
+    fn fade(&self, inside: &mut Inside, interior: InteriorId, length: f64) -> Rgb {
         if passage::cross(inside, interior) {
-            self.world.interiors.get(interior).fade(hit.t)
+            self.world.interiors.get(interior).fade(length)
         } else {
             Rgb::WHITE
         }
