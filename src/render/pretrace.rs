@@ -114,8 +114,8 @@ mod tests {
         assert_eq!(of(160, 0.08, 0.03), [12.8, 6.4, 4.8]);
         assert_eq!(of(160, 1.0, 1.0), [160.0]);
         assert_eq!(of(8, 0.08, 0.04), [1.0]);
-        assert_eq!(of(4, 0.08, 0.04), []);
-        assert_eq!(of(160, 0.01, 1.0), []);
+        assert!(of(4, 0.08, 0.04).is_empty());
+        assert!(of(160, 0.01, 1.0).is_empty());
     }
 
     #[test]
