@@ -72,7 +72,7 @@ impl Notes {
 
     /// Ends a point of the picture.
     pub fn end(&mut self, x: f64, y: f64, seen: Seen) {
-        let all = (!self.is_short).then(|| (seen, self.start..self.looks.len()));
+        let all = (!self.is_short).then_some((seen, self.start..self.looks.len()));
         self.is_ever_short |= self.is_short;
         self.seen.insert([x.to_bits(), y.to_bits()], all);
     }
