@@ -86,11 +86,15 @@ impl Tracer<'_> {
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self.looks(surface, hit, path.ray.dir).as_slice() {
-            [only] if only.weight == 1.0 => self.shade_texture(path, hit, only, known, scratch),
+            [only] if only.weight == 1.0 => {
+                self.shade_texture(path, hit, (only, &mut None), known, scratch)
+            }
             several => {
                 let mut sum = View::NOTHING;
+                let mut tilted = None;
                 for look in several {
-                    let view = self.shade_texture(path, hit, look, known, scratch);
+                    let one = (look, &mut tilted);
+                    let view = self.shade_texture(path, hit, one, known, scratch);
                     sum.add(look.weight, view);
                 }
                 sum
@@ -125,12 +129,13 @@ impl Tracer<'_> {
         looks
     }
 
-    /// What a ray sees of one texture at a hit.
+    /// What a ray sees of one texture at a hit. `tilted` is the normal that bumps have made last at this hit: as in POV-Ray
+    /// that is the one whose slope patterns see, also those of layers and textures that have no bumps.
     fn shade_texture(
         &self,
         path: &Path,
         hit: &Hit,
-        look: &Look,
+        (look, tilted): (&Look, &mut Option<DVec3>),
         known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
@@ -154,13 +159,18 @@ impl Tracer<'_> {
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         let mut gathered = Gathered::default();
-        let spot = spot(hit, path.ray.dir);
+        let mut spot = spot(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
-            let color = self.color(layer, look.point, &spot);
             lit.at.normal = self.normal(layer, look.point, &spot);
             top.get_or_insert(lit.at.normal);
+            if layer.normal.is_some() {
+                *tilted = Some(lit.at.normal);
+            }
+            spot.normal = tilted.unwrap_or(flat);
+            let color = self.color(layer, look.point, &spot);
+            spot.normal = flat;
             let mut own = self.layer(&lit, layer, color, scratch);
             if let Some(radiosity) = &self.world.radiosity {
                 let gathering = Gathering::new(radiosity, &lit, flat);
@@ -168,7 +178,9 @@ impl Tracer<'_> {
             }
             view.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                let mut mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                // Though the layers above take nothing from it.
+                mirror.weight *= f64::from(filter.grey());
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
@@ -182,7 +194,8 @@ impl Tracer<'_> {
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
         if self.quality.has_transparency && !self.is_opaque(path, filter.map(f32::abs)) {
-            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
+            let film = texture.layers().first().map(|top| &top.finish.irid);
+            is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
         }
         if !is_total {
             for mirror in &mirrors {
@@ -266,17 +279,14 @@ impl Tracer<'_> {
             inside: Inside::from_slice(&path.inside),
             wavelength: path.wavelength,
         };
-        let Sample { rgb, .. } = self.trace(onward, None, scratch);
-        let exponent = mirror.finish.reflection.exponent;
-        let rgb = if exponent == 1.0 {
-            rgb
-        } else {
-            rgb.map(|c| c.powf(1.0 / exponent))
-        };
+        let Sample { mut rgb, .. } = self.trace(onward, None, scratch);
         let irid = &mirror.finish.irid;
         if irid.amount > 0.0 {
-            let film = self.film(irid, &lit.at, mirror.dir);
-            return rgb * mirror.reflectivity * film;
+            rgb *= self.film(irid, &lit.at, mirror.dir);
+        }
+        let exponent = mirror.finish.reflection.exponent;
+        if exponent != 1.0 {
+            rgb = rgb.map(|c| c.powf(1.0 / exponent));
         }
         rgb * mirror.reflectivity
     }
