@@ -1,6 +1,6 @@
 // Radiosity: samples are added wherever there are few while the picture is drawn.
 #version 3.7;
-global_settings { assumed_gamma 1  radiosity { always_sample on count 20 minimum_reuse .005 maximum_reuse .05 } }
+global_settings { assumed_gamma 1 radiosity { always_sample on count 20 minimum_reuse .005 maximum_reuse .05 } }
 background { rgb <.3, .4, .5> }
 camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb <.8, .72, .64> }

@@ -1,9 +1,9 @@
 // Radiosity: fine antialiasing in its order.
 // switches: +A0.3
 #version 3.7;
-global_settings { assumed_gamma 1  radiosity { count 20 error_bound .8 } }
+global_settings { assumed_gamma 1 radiosity { count 25 } }
 background { rgb <.3, .4, .5> }
-camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
+camera { location <-.2, 3.2, -7.1> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb <.8, .72, .64> }
 box {
   <-4, 0, -8>, <4, 5, 4> inverse

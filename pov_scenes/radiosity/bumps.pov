@@ -1,6 +1,6 @@
 // Radiosity: bumps turn the half sphere, and what lies below the wall is not looked at.
 #version 3.7;
-global_settings { assumed_gamma 1  radiosity { normal on count 20 recursion_limit 1 } }
+global_settings { assumed_gamma 1 radiosity { normal on count 20 recursion_limit 1 } }
 background { rgb <.3, .4, .5> }
 camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb <.8, .72, .64> }

@@ -1,6 +1,6 @@
 // Radiosity: light at the back of a thin sphere, and a ball of glass.
 #version 3.7;
-global_settings { assumed_gamma 1  radiosity { count 25 } }
+global_settings { assumed_gamma 1 radiosity { count 25 } }
 background { rgb <.3, .4, .5> }
 camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb <.8, .72, .64> }

@@ -1,6 +1,6 @@
 // Radiosity: brighter, partly grey, and no ray brings more than a limit.
 #version 3.7;
-global_settings { assumed_gamma 1  radiosity { brightness 2 gray_threshold .6 max_sample .8 count 20 } }
+global_settings { assumed_gamma 1 radiosity { brightness 2 gray_threshold .6 max_sample .8 count 20 } }
 background { rgb <.3, .4, .5> }
 camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
 light_source { <1.5, 4.5, -1.5>, rgb <.8, .72, .64> }
