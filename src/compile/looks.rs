@@ -227,6 +227,7 @@ impl Flat {
             no_shadow: obeyed.no_shadow,
             no_image: obeyed.no_image,
             no_reflection: obeyed.no_reflection,
+            no_radiosity: obeyed.no_radiosity,
             ..looks.flags
         });
         let lit = (looks.lights, flags);
@@ -266,6 +267,8 @@ fn handed_down(object: &Object, above: &Heritage) -> Flags {
         no_shadow: own.no_shadow || above.no_shadow,
         no_image: own.no_image || above.no_image,
         no_reflection: own.no_reflection || above.no_reflection,
+        no_radiosity: own.no_radiosity || above.no_radiosity,
+        importance: own.importance.or(above.importance),
         hollow: own.hollow.unwrap_or(above.hollow),
         double_illuminate: own.double_illuminate || above.double_illuminate,
         uv_mapping: own.uv_mapping || above.uv_mapping,
@@ -282,7 +285,7 @@ fn obeyed(flags: &Flags, above: &Heritage) -> Option<Flags> {
         (_, Some(whole)) => Some(Flags {
             no_image: whole.no_image || is_merged && flags.no_image,
             no_reflection: whole.no_reflection || is_united && flags.no_reflection,
-            uv_mapping: flags.uv_mapping,
+            no_radiosity: whole.no_radiosity || is_united && flags.no_radiosity,
             ..*whole
         }),
     }

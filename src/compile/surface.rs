@@ -5,6 +5,7 @@ use super::lights::LightList;
 use super::query::Seen;
 use crate::color::Rgb;
 use crate::math::{Step, Transform};
+use crate::scene::Importance;
 use crate::shape::{Geometry, Shape};
 use crate::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
 use glam::{DAffine3, DVec3};
@@ -19,6 +20,10 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count, if it says so.
+    pub importance: Option<Importance>,
     /// Does not displace the atmosphere around it.
     pub hollow: bool,
     /// Lit from both sides.
@@ -33,6 +38,8 @@ impl Flags {
         match seen {
             Seen::Image => !self.no_image,
             Seen::Reflection => !self.no_reflection,
+            Seen::Gathering => !self.no_radiosity,
+            Seen::GatheringReflection => !(self.no_reflection || self.no_radiosity),
             Seen::Shadow => !self.no_shadow,
         }
     }

@@ -16,6 +16,7 @@ use crate::interior::PreparedMedia;
 use crate::math::Bounds;
 use crate::math::noise::NoiseGenerator;
 use crate::options::{LeastDistance, RenderOptions};
+use crate::radiosity::Radiosity;
 use crate::scene::Scene;
 use crate::shape::{Shape, Shares};
 use glam::{DVec2, DVec3};
@@ -47,6 +48,9 @@ pub struct Globals {
 /// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
 const TREE_FROM: usize = 3;
 
+/// Below this quality there is no radiosity (facts 4.11).
+const QUALITY_OF_RADIOSITY: u8 = 9;
+
 /// A scene, ready for rays.
 #[derive(Debug)]
 pub struct World {
@@ -70,6 +74,8 @@ pub struct World {
     pub fogs: Vec<Fog>,
     /// The rainbows.
     pub rainbows: Vec<Rainbow>,
+    /// Light that surfaces gather from each other, if it is drawn.
+    pub radiosity: Option<Radiosity>,
     /// The settings of shading.
     pub globals: Globals,
     /// All objects.
@@ -98,6 +104,13 @@ impl World {
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
+        };
+        let radiosity = scene.globals.radiosity;
+        let radiosity = radiosity.filter(|_| options.quality >= QUALITY_OF_RADIOSITY);
+        // From version 3.7 on gathered light stands for `ambient`.
+        let ambient_light = match radiosity {
+            Some(_) if scene.version >= 3.7 => Rgb::BLACK,
+            _ => scene.globals.ambient_light,
         };
         let mut world = World {
             camera: scene.camera.prepared(&scene.pattern_settings()),
@@ -128,7 +141,7 @@ impl World {
                 unit: scene.globals.unit,
                 origin: scene.globals.origin,
                 max_trace_level: scene.globals.max_trace_level,
-                ambient_light: scene.globals.ambient_light,
+                ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
                 has_alpha: options.alpha,
@@ -139,8 +152,10 @@ impl World {
             opaque: flat.surfaces.iter().map(Surface::is_opaque).collect(),
             hides_some: flat.surfaces.iter().any(|surface| {
                 let flags = &surface.flags;
-                flags.no_image || flags.no_reflection || flags.no_shadow
+                flags.no_image || flags.no_reflection || flags.no_radiosity || flags.no_shadow
             }),
+            radiosity: radiosity
+                .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             boxes,
             lights: flat.lights,
             surfaces: flat.surfaces,

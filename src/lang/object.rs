@@ -242,7 +242,9 @@ impl Reader<'_> {
                 object.interior = Some(Arc::new(interior.after(&object.steps)));
             }
             Word::Material => self.material(object)?,
-            Word::Radiosity => self.importance()?,
+            Word::Radiosity => {
+                object.flags.importance = self.importance()?.or(object.flags.importance)
+            }
             Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
             _ => return self.switch(object, word),
         }
@@ -273,6 +275,7 @@ impl Reader<'_> {
                 match word {
                     Word::NoImage => object.flags.no_image = is_on,
                     Word::NoReflection => object.flags.no_reflection = is_on,
+                    Word::NoRadiosity => object.flags.no_radiosity = is_on,
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
                     // The others change no picture of what is built.

@@ -9,7 +9,9 @@ mod objects;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
-pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use object::{
+    Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
+};
 pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;
@@ -66,6 +68,8 @@ pub struct Globals {
     pub mm_per_unit: f64,
     /// Light that surfaces gather from each other, if the file asks for it.
     pub radiosity: Option<Radiosity>,
+    /// How many of the rays that gather light and meet an object count where it does not say (`#default`).
+    pub importance: Importance,
     /// How photons are shot, if the file says so.
     pub photons: Option<Photons>,
     /// How light in solids is sampled, if the file says so.
@@ -92,6 +96,7 @@ impl Default for Globals {
             origin: DVec3::ZERO,
             mm_per_unit: 10.0,
             radiosity: None,
+            importance: Importance::default(),
             photons: None,
             subsurface: None,
             noise_generator: None,

@@ -123,12 +123,41 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count; `None` takes the parent's.
+    pub importance: Option<Importance>,
     /// Does not displace the atmosphere; `None` takes the parent's.
     pub hollow: Option<bool>,
     /// Lit from both sides.
     pub double_illuminate: bool,
     /// `uv_mapping`: all patterns on it, and on what it holds, are asked at texture coordinates.
     pub uv_mapping: bool,
+}
+
+/// The share of the rays that gather light that counts where they meet an object (`radiosity { importance }`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Importance(u64);
+
+impl Importance {
+    /// A share, above 0 and up to 1.
+    #[must_use]
+    pub fn new(share: f64) -> Self {
+        Importance(share.to_bits())
+    }
+
+    /// The share.
+    #[must_use]
+    pub fn share(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+impl Default for Importance {
+    /// All of them.
+    fn default() -> Self {
+        Importance::new(1.0)
+    }
 }
 
 impl Object {

@@ -1,10 +1,11 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
 use super::light::{Coat, Known, Lit, Viewed, metallic, mirrored};
+use super::radiosity::{Gathered, Gathering};
 use super::through::StraightOn;
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::compile::{Hit, Scratch, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
@@ -199,6 +200,7 @@ impl Tracer<'_> {
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
+        let mut gathered = Gathered::default();
         let (_, mut spot) = self.place(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
@@ -211,7 +213,12 @@ impl Tracer<'_> {
             spot.normal = tilted.unwrap_or(flat);
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
-            view.rgb += self.layer(&lit, layer, color, scratch) * filter;
+            let mut own = self.layer(&lit, layer, color, scratch);
+            if let Some(radiosity) = &self.world.radiosity {
+                let gathering = Gathering::new(radiosity, &lit, flat);
+                own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
+            }
+            view.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let mut mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
                 // Though the layers above take nothing from it.
@@ -222,13 +229,13 @@ impl Tracer<'_> {
                 mirrors.push(mirror);
             }
             filter *= color.transmission();
-            if self.is_opaque(filter) {
+            if self.is_opaque(path, filter) {
                 break;
             }
         }
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
-        if self.quality.has_transparency && !self.is_opaque(filter.map(f32::abs)) {
+        if self.quality.has_transparency && !self.is_opaque(path, filter.map(f32::abs)) {
             let film = texture.layers().first().map(|top| &top.finish.irid);
             is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
         }
@@ -307,9 +314,10 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, mirror.dir),
             from: Some(hit.departure),
-            seen: Seen::Reflection,
+            seen: path.seen.mirrored(),
             level: path.level + 1,
             weight: path.weight * mirror.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&path.inside),
             wavelength: path.wavelength,
         };
@@ -368,8 +376,8 @@ impl Tracer<'_> {
         self.world.interiors.get(id)
     }
 
-    fn is_opaque(&self, filter: Rgb) -> bool {
-        f64::from(filter.grey()) <= self.world.globals.adc_bailout
+    fn is_opaque(&self, path: &Path, filter: Rgb) -> bool {
+        f64::from(filter.grey()) <= self.bailout(path)
     }
 }
 

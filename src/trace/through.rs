@@ -5,7 +5,7 @@ use super::passage::{Bend, Passage, bend};
 use super::surface::{View, facing_normal, mirrored_off, single};
 use super::{Inside, Path, Sample, Tracer, spectrum};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch, Seen};
+use crate::compile::{Hit, Scratch};
 use crate::math::Ray;
 use crate::texture::Irid;
 use glam::DVec3;
@@ -108,6 +108,7 @@ impl Tracer<'_> {
             seen: path.seen,
             level: path.level + 1,
             weight: path.weight * through.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&through.passage.inside),
             wavelength,
         };
@@ -133,9 +134,10 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, dir),
             from: Some(hit.departure),
-            seen: Seen::Reflection,
+            seen: path.seen.mirrored(),
             level: path.level + 1,
             weight: path.weight * through.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&path.inside),
             wavelength,
         };
