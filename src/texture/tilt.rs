@@ -27,6 +27,8 @@ const LEAST_FACETS: f64 = 1e-6;
 #[derive(Debug)]
 pub struct PreparedNormal {
     relief: Relief,
+    /// How normals turn on their way to what carries the bumps.
+    around: Turns,
     turns: Turns,
     amount: f64,
     accuracy: f64,
@@ -90,6 +92,7 @@ impl PreparedNormal {
         };
         Some(PreparedNormal {
             relief,
+            around: Turns::default(),
             turns,
             amount: normal.amount,
             accuracy: normal.accuracy,
@@ -100,7 +103,7 @@ impl PreparedNormal {
     /// The same for normals that must be turned so before, on their way to what carries the bumps.
     #[must_use]
     pub(super) fn within(mut self, around: &Turns) -> Self {
-        self.turns = around.then(&self.turns);
+        self.around = around.clone();
         self
     }
 
@@ -108,6 +111,7 @@ impl PreparedNormal {
     fn flat() -> Self {
         PreparedNormal {
             relief: Relief::Flat,
+            around: Turns::default(),
             turns: Turns::default(),
             amount: 0.0,
             accuracy: UNIT_ACCURACY,
@@ -119,6 +123,18 @@ impl PreparedNormal {
     /// for the entries of maps one of the pattern around them.
     #[must_use]
     pub fn tilted(&self, point: DVec3, normal: DVec3, spot: &Spot) -> DVec3 {
+        self.tilted_and_seen(point, normal, spot).0
+    }
+
+    /// The same, and as slope patterns see it: turned as on the way to what carries the bumps.
+    #[must_use]
+    pub fn tilted_and_seen(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
+        let here = self.around.to_pattern(normal, self.is_unit);
+        let tilted = self.tilted_here(point, here, spot);
+        (self.around.back(tilted, self.is_unit), tilted)
+    }
+
+    fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &Spot) -> DVec3 {
         let own = self.turns.to_pattern(normal, self.is_unit);
         let tilted = match &self.relief {
             Relief::Flat => own,

@@ -205,11 +205,15 @@ impl Tracer<'_> {
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
-            lit.at.normal = self.normal(layer, look.point, &spot);
+            lit.at.normal = match &layer.normal {
+                Some(bumps) if self.quality.has_normals => {
+                    let (normal, seen) = bumps.tilted_and_seen(look.point, flat, &spot);
+                    *tilted = Some(seen);
+                    normal
+                }
+                _ => flat,
+            };
             top.get_or_insert(lit.at.normal);
-            if layer.normal.is_some() {
-                *tilted = Some(lit.at.normal);
-            }
             spot.normal = tilted.unwrap_or(flat);
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
