@@ -287,10 +287,27 @@ pub struct Statistics {
     pub samples_a_pixel: f64,
     /// What was reached, of a picture that was sampled until its error is small.
     pub reached: Option<Reached>,
+    /// What radiosity took, where it was drawn.
+    pub radiosity: Option<RadiosityTaken>,
     /// The most memory that the process ever held, if the system tells.
     pub peak_bytes: Option<u64>,
     /// What the scene needs.
     pub plan: Plan,
+}
+
+/// What light that surfaces gather from each other took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct RadiosityTaken {
+    /// Samples that were kept before the picture was drawn.
+    pub pretraced: usize,
+    /// All samples that were kept.
+    pub samples: usize,
+    /// Their memory in bytes.
+    pub bytes: usize,
+    /// The time before the picture was drawn, in seconds.
+    pub pretrace_seconds: f64,
+    /// Tiles of the picture that other samples changed while they were drawn, so that they were looked through again.
+    pub revised: usize,
 }
 
 /// How long a stage took, in seconds.

@@ -59,6 +59,7 @@ pub fn gather(watch: Watch, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistic
             ("camera", rays.camera),
             ("onward", rays.onward),
             ("reflected", rays.reflected),
+            ("gathering", rays.gathering),
             ("shadow", rays.shadow),
             ("filtered", rays.filtered),
         ]
@@ -66,6 +67,7 @@ pub fn gather(watch: Watch, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistic
         pixels,
         samples_a_pixel,
         reached: drawn.reached,
+        radiosity: drawn.radiosity,
         peak_bytes: peak_bytes(),
         plan,
     }
@@ -99,6 +101,15 @@ impl fmt::Display for Statistics {
             "pixels      {}, camera rays for each {:.2}",
             self.pixels, self.samples_a_pixel
         )?;
+        if let Some(taken) = &self.radiosity {
+            let gathering = self.rays.get("gathering").copied().unwrap_or(0);
+            writeln!(
+                f,
+                "radiosity   {} samples, {} of them before drawing in {:.4} s; {} bytes, {gathering} rays, \
+                 {} tiles revised",
+                taken.samples, taken.pretraced, taken.pretrace_seconds, taken.bytes, taken.revised
+            )?;
+        }
         if let Some(bytes) = self.peak_bytes {
             writeln!(f, "memory      {} MiB at most", bytes >> 20)?;
         }

@@ -23,6 +23,7 @@ const FLOORS: &[&[&str]] = &[
     ],
     &["output", "compare"],
     &["scene"],
+    &["radiosity"],
     &["lang", "compile"],
     &["trace"],
     &["render"],

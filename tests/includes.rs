@@ -50,12 +50,6 @@ const PARTS: &[&str] = &[
     "vase2.inc",
 ];
 
-/// What is missing to draw the objects that a file shows, as the first error says it.
-const UNBUILT: &[(&str, &str)] = &[
-    ("demo_globals.inc", "radiosity"),
-    ("table_cloth.inc", "`uv_mapping`"),
-];
-
 /// Reads a scene that includes these files and ends; the first error, if there is one.
 fn first_error(names: &[&str], folders: &[&Path]) -> Option<String> {
     let includes: String = names
@@ -94,20 +88,9 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// What is wrong with the result of reading a file, given what is known to be missing.
+/// What is wrong with the result of reading a file.
 fn complaint(name: &str, error: Option<String>) -> Option<String> {
-    let known = UNBUILT.iter().find(|(file, _)| *file == name);
-    match (error, known) {
-        (None, None) => None,
-        (None, Some((_, missing))) => Some(format!(
-            "{name} is read now, without \"{missing}\": take it from the list"
-        )),
-        (Some(error), None) => Some(format!("{name}: {error}")),
-        (Some(error), Some((_, missing))) if error.contains(missing) => None,
-        (Some(error), Some((_, missing))) => Some(format!(
-            "{name}: not \"{missing}\" is missing, but: {error}"
-        )),
-    }
+    error.map(|error| format!("{name}: {error}"))
 }
 
 /// Reads all the files, several at a time, and tells what is wrong with each.

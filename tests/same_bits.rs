@@ -119,6 +119,41 @@ fn a_part_is_drawn_as_it_is_in_the_whole() {
     }
 }
 
+/// A room whose light goes from wall to wall, with samples that are made while it is drawn.
+const ROOM: &str = "#version 3.7;
+global_settings { assumed_gamma 1 radiosity { count 30 error_bound 0.6 minimum_reuse 0.004 ALWAYS } }
+camera { location <0, 3, -7> look_at <0, 1.5, 0> angle 60 }
+light_source { <1.5, 4.5, -1.5>, rgb 0.8 }
+box { <-4, 0, -8>, <4, 5, 4> inverse pigment { checker rgb <0.9, 0.3, 0.2> rgb 0.9 } finish { diffuse 0.7 } }
+sphere { <-1.5, 1, 0>, 1 pigment { rgb <0.2, 0.8, 0.3> } finish { diffuse 0.4, 0.4 } }
+cylinder { <1.5, 0, 1>, <1.5, 2, 1>, 0.8 pigment { rgb <0.3, 0.4, 1> } finish { reflection 0.3 } }";
+
+#[test]
+fn any_number_of_threads_gathers_the_same_light() {
+    let antialias = Sampling::PovRay(Antialias::default());
+    for (scene, sampling) in [
+        (ROOM.replace("ALWAYS", ""), Sampling::Centres),
+        (
+            ROOM.replace("ALWAYS", "always_sample on"),
+            Sampling::Centres,
+        ),
+        (ROOM.replace("ALWAYS", "always_sample on"), antialias),
+        (ROOM.replace("ALWAYS", ""), CONVERGING),
+    ] {
+        let with = |threads| {
+            let options = RenderOptions {
+                threads: Some(threads),
+                sampling,
+                ..options()
+            };
+            drawn(&scene, &options)
+        };
+        let one = with(1);
+        assert_eq!(one, with(2), "{sampling:?}");
+        assert_eq!(one, with(5), "{sampling:?}");
+    }
+}
+
 /// Every length of the scene times a power of two.
 fn scaled(factor: f64) -> String {
     format!(

@@ -73,11 +73,13 @@ struct Pyramid {
 pub(super) struct Ball {
     centre: [f32; 3],
     radius: f32,
+    /// Whether the item fills it, so that its box tells no more.
+    is_filled: bool,
 }
 
 impl Ball {
-    /// Around the points within `radius` of the centre.
-    pub(super) fn new(frame: &Frame, centre: DVec3, radius: f64) -> Self {
+    /// Around the points within a radius of a centre, which are all of the item or not.
+    pub(super) fn new(frame: &Frame, (centre, radius, is_filled): (DVec3, f64, bool)) -> Self {
         let centre = frame.place(centre);
         let radius = radius * frame.scale();
         let rounded = [centre.x, centre.y, centre.z].map(nearest);
@@ -85,6 +87,7 @@ impl Ball {
         Ball {
             centre: rounded,
             radius: f32_above((radius + moved) * (1.0 + 1e-9)),
+            is_filled,
         }
     }
 }
@@ -100,6 +103,7 @@ impl Ball {
         Ball {
             centre: centre.to_array(),
             radius: (0.5 * high - 0.5 * low).length() * (1.0 + 4.0 * DOUBT) + DOUBT * size,
+            is_filled: false,
         }
     }
 }
@@ -130,8 +134,11 @@ impl Bundle {
             for half in 0..2 {
                 let (dir, end) = four((2 * number + half).min(last));
                 let at = 4 * half;
+                // Spelt out: `map` is not always inlined.
                 for (to, from) in group.dir.iter_mut().zip(&dir) {
-                    to[at..at + 4].copy_from_slice(&from.map(nearest));
+                    for (to, from) in to[at..at + 4].iter_mut().zip(from) {
+                        *to = nearest(*from);
+                    }
                 }
                 for (to, from) in group.end[at..at + 4].iter_mut().zip(end) {
                     *to = frame_end(from, self.scale);
@@ -563,10 +570,12 @@ impl Bvh {
             } else {
                 let item = child.item();
                 let known = self.balls.get(item as usize).copied().flatten();
+                let cell = || self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
                 let (ball, cell) = match known {
-                    Some(ball) => (ball, None),
+                    Some(ball) if ball.is_filled => (ball, None),
+                    Some(ball) => (ball, Some(cell())),
                     None => {
-                        let cell = self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
+                        let cell = cell();
                         (Ball::around(&cell), Some(cell))
                     }
                 };

@@ -25,7 +25,7 @@ use rayon::prelude::*;
 pub struct Bvh {
     nodes: Vec<Node>,
     frame: Frame,
-    /// For bundles, the balls of items that are balls; empty if none is known to be one.
+    /// For bundles, the balls of items that are or nearly fill one; empty if no item does.
     balls: Vec<Option<Ball>>,
 }
 
@@ -161,12 +161,12 @@ impl Bvh {
         (tree, order)
     }
 
-    /// Takes in which items are balls, by centre and radius, in the order in which the tree knows them: that helps bundles
-    /// of rays.
-    pub fn know_balls(&mut self, balls: impl Iterator<Item = Option<(DVec3, f64)>> + Clone) {
+    /// Takes in balls that hold items, by centre and radius, and whether the item is the ball, in the order in which the
+    /// tree knows them: that helps bundles of rays.
+    pub fn know_balls(&mut self, balls: impl Iterator<Item = Option<(DVec3, f64, bool)>> + Clone) {
         if balls.clone().any(|ball| ball.is_some()) {
             let frame = &self.frame;
-            let known = |(centre, radius)| Ball::new(frame, centre, radius);
+            let known = |ball| Ball::new(frame, ball);
             self.balls = balls.map(|ball| ball.map(known)).collect();
         }
     }

@@ -272,7 +272,7 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
         let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
         tree.know_balls(order.iter().map(|&item| {
             let sphere = &spheres[item as usize];
-            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius))
+            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
         }));
         let mut rng = Random::new(23);
         let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);

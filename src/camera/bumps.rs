@@ -1,16 +1,18 @@
-//! `normal` in a camera: every ray is bent as the normal of a bumpy surface would be, at its point of the picture.
+//! `normal` in a camera: every ray is bent as the normal of a bumpy surface would be, at its point of the picture in the
+//! measure of the camera; behind a lens that of the sample.
 
-use super::Screen;
 use crate::math::Ray;
 use crate::pattern::{Settings, Spot};
 use crate::texture::{Normal, PreparedNormal};
-use glam::DVec3;
+use glam::DVec2;
 use std::sync::Arc;
 
 /// Bumps before a camera.
 #[derive(Clone, Debug)]
 pub(super) struct Bumps {
     normal: Arc<Normal>,
+    /// How long a unit of the scene is in the frame of the camera.
+    pub(super) unit: f64,
     prepared: Option<Arc<PreparedNormal>>,
 }
 
@@ -25,6 +27,7 @@ impl Bumps {
     pub(super) fn new(normal: Arc<Normal>) -> Self {
         Bumps {
             normal,
+            unit: 1.0,
             prepared: None,
         }
     }
@@ -36,8 +39,8 @@ impl Bumps {
 
     /// A ray of unit direction behind them.
     #[cold]
-    pub(super) fn bent(&self, screen: Screen, ray: Ray) -> Ray {
-        let point = DVec3::new(screen.u, screen.v, 0.0);
+    pub(super) fn bent(&self, place: DVec2, ray: Ray) -> Ray {
+        let point = place.extend(0.0);
         let dir = match &self.prepared {
             Some(bumps) => bumps.tilted(point, ray.dir, &Spot::at(point)),
             None => ray.dir,

@@ -4,7 +4,7 @@ use super::{Frame, Screen, Start};
 use std::f64::consts::FRAC_PI_2;
 
 /// The angle around the axis unless the scene says more.
-const ANGLE: f64 = FRAC_PI_2;
+pub(super) const ANGLE: f64 = FRAC_PI_2;
 
 /// How the picture is rolled up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@
 //! agree to the last bit).
 
 use super::lens_points::LensPoints;
-use super::{Camera, Frame, ray};
+use super::{Camera, Frame, Screen, ray};
 use crate::args::{Args, Parse, Word};
 use crate::color::Rgb;
 use crate::math::chi_square::chi_square;
@@ -292,10 +292,17 @@ impl Lens {
         let half = 0.5 * self.aperture;
         let deflection = half * (point.x + spread * jx) * self.across
             - half * (point.y + spread * jy) * self.upwards;
-        ray(
+        let ray = ray(
             camera.location() + deflection,
             dir * self.focus - deflection,
-        )
+        )?;
+        Some(match &camera.bumps {
+            None => ray,
+            Some(bumps) => {
+                let screen = Screen::new(x + dx, y + dy, width, height);
+                bumps.bent(camera.measure(screen), ray)
+            }
+        })
     }
 }
 

@@ -1,10 +1,10 @@
 //! Where the rays of a lens pass it: POV-Ray's points, in the order in which it takes them.
 //!
 //! Few samples stand on a square, more of them on hexagons of 7, 19 or 37 points of a triangular lattice; beyond
-//! those, points of a Halton sequence (Halton 1960, bases 2 and 3) fill cells that are still empty. A `bokeh` takes
+//! those, points of a Halton sequence fill cells that are still empty. A `bokeh` takes
 //! points of that sequence where it is bright.
 
-use crate::math::mersenne::numbers;
+use crate::math::{halton, mersenne::numbers};
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 
@@ -151,20 +151,6 @@ fn with_batches(mut stops: Vec<usize>, count: usize) -> Vec<usize> {
         stops.push(last);
     }
     stops
-}
-
-/// The point of a number from 1 on in Halton's sequence over the unit square.
-fn halton(number: u32) -> DVec2 {
-    let inverse = |base: u32| {
-        let (mut rest, mut digit, mut sum) = (number, 1.0, 0.0);
-        while rest > 0 {
-            digit /= f64::from(base);
-            sum += digit * f64::from(rest % base);
-            rest /= base;
-        }
-        sum
-    };
-    DVec2::new(inverse(2), inverse(3))
 }
 
 fn six_digits(value: f64) -> f64 {

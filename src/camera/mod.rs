@@ -26,7 +26,8 @@ use crate::math::conditioning::unit;
 use crate::math::{Ray, Transform};
 use crate::pattern::Settings;
 use bumps::Bumps;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
 
 /// The projection of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,8 +131,41 @@ impl Camera {
         let ray = ray(origin, dir)?;
         Some(match &self.bumps {
             None => ray,
-            Some(bumps) => bumps.bent(Screen::new(x, y, width, height), ray),
+            Some(bumps) => bumps.bent(self.measure(Screen::new(x, y, width, height)), ray),
         })
+    }
+
+    /// The numbers from which a camera works out a direction, which differ from kind to kind: where bumps are asked for
+    /// (checked with POV-Ray).
+    #[cold]
+    fn measure(&self, screen: Screen) -> DVec2 {
+        let Screen { u, v } = screen;
+        let unit = self.bumps.as_ref().map_or(1.0, |bumps| bumps.unit);
+        let width = self.frame.right.length() / unit;
+        let height = self.frame.up.length() / unit;
+        let (x, y) = match self.projection {
+            Projection::Perspective | Projection::Orthographic => (u, v),
+            Projection::Fisheye => fisheye::measure(&self.frame, screen, self.angle),
+            Projection::UltraWideAngle => {
+                let angle = self.angle.unwrap_or(ultra_wide_angle::ANGLE);
+                (u * angle, v * angle * height / width)
+            }
+            Projection::Panoramic => ((0.5 - u) * PI, v * PI),
+            Projection::Spherical(vertical) => {
+                (u * self.angle.unwrap_or(spherical::WIDTH), v * vertical)
+            }
+            Projection::Omnimax => omnimax::measure(&self.frame, screen),
+            Projection::Cylinder(roll) => {
+                let angle = self.angle.unwrap_or(cylinder::ANGLE);
+                match roll {
+                    cylinder::Roll::Upright | cylinder::Roll::UprightFlat => {
+                        (u * angle, v * height)
+                    }
+                    cylinder::Roll::Lying | cylinder::Roll::LyingFlat => (u * width, v * angle),
+                }
+            }
+        };
+        DVec2::new(x, y)
     }
 
     /// Where in a picture of `width` by `height` pixels a point is seen, in the measure of [`Camera::primary_ray`]. `None`
@@ -235,6 +269,9 @@ impl Camera {
         if !self.has_one_origin() {
             self.frame.right *= factor;
             self.frame.up *= factor;
+            if let Some(bumps) = &mut self.bumps {
+                bumps.unit *= factor;
+            }
         }
         self.blur.scale(factor);
         self
@@ -259,6 +296,12 @@ impl Frame {
             right: self.right.normalize_or_zero(),
         }
     }
+}
+
+/// The angle to a point of a round picture as POV-Ray counts it, from -90 degrees downwards over the right to 270.
+fn turn(x: f64, y: f64) -> f64 {
+    let rise = (y / x.hypot(y)).asin();
+    if x < 0.0 { PI - rise } else { rise }
 }
 
 /// The ray from a point in a direction of any length but none.

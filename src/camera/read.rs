@@ -44,7 +44,6 @@ impl Camera {
         if args.version() < FIRST_WITHOUT_ORDER {
             camera.read_in_order(args)?;
             camera.blur.focus(&camera.frame);
-            camera.check_bumps(args)?;
             return Ok(camera);
         }
         let mut pending = Pending::default();
@@ -66,7 +65,6 @@ impl Camera {
         if !is_named {
             camera.finish(args, &pending)?;
             camera.blur.focus(&camera.frame);
-            camera.check_bumps(args)?;
         }
         if let Some(transform) = &pending.transform {
             camera.transform(transform);
@@ -114,21 +112,14 @@ impl Camera {
         Ok(true)
     }
 
-    /// `normal`; how it acts on other cameras, and behind a lens, is not known.
+    /// `normal`.
     fn read_bumps(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
-        if word != Word::Normal || self.projection != Projection::Perspective {
+        if word != Word::Normal {
             return Ok(false);
         }
         args.accept(word)?;
         self.bumps = Some(Bumps::new(Normal::read(args, None)?));
         Ok(true)
-    }
-
-    fn check_bumps(&self, args: &mut dyn Args) -> Parse<()> {
-        if self.bumps.is_some() && self.blur.exists() {
-            return Err(not_built(args, Word::Normal));
-        }
-        Ok(())
     }
 
     fn read_projection(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {

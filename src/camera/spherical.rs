@@ -4,7 +4,7 @@ use super::{Frame, Screen, Start};
 use std::f64::consts::{PI, TAU};
 
 /// The angle across the picture unless the scene says more.
-const WIDTH: f64 = TAU;
+pub(super) const WIDTH: f64 = TAU;
 /// The angle from top to bottom of a camera without `angle`.
 pub(super) const HEIGHT: f64 = PI;
 

@@ -144,12 +144,6 @@ fn faults_are_told() {
         error("{ cylinder 5 }"),
         "`cylinder` cameras have the types 1 to 4, not 5"
     );
-    for text in [
-        "{ fisheye normal { bumps } }",
-        "{ normal { bumps } aperture 1 blur_samples 5 }",
-    ] {
-        assert_eq!(error(text), "`normal` is not built yet");
-    }
     assert_eq!(
         error("{ location 0 orthographic }"),
         "`orthographic` must come first in `camera`"
@@ -173,4 +167,36 @@ fn a_point_on_a_ray_is_seen_where_the_ray_goes() {
     }
     let bent = camera("{ fisheye location <0, 0, -5> angle 120 }", 3.7);
     assert_eq!(bent.place_of(DVec3::ZERO, 40, 30), None);
+}
+
+/// POV-Ray 3.7 asks for the bumps of each camera at the numbers that it works with.
+#[test]
+fn bumps_stand_where_the_camera_counts() {
+    let check = |text: &str, x: f64, y: f64| {
+        let place = camera(text, 3.7).measure(Screen { u: -0.25, v: 0.125 });
+        assert!(
+            (place - DVec2::new(x, y)).length() < 1e-12,
+            "{text}: {place}"
+        );
+    };
+    check("{ perspective }", -0.25, 0.125);
+    check("{ orthographic }", -0.25, 0.125);
+    let shape = "up <0, 2, 0> right <4, 0, 0> angle 90";
+    let quarter = 0.5 * PI;
+    check(
+        &format!("{{ ultra_wide_angle {shape} }}"),
+        -0.25 * quarter,
+        0.0625 * quarter,
+    );
+    check("{ panoramic }", 0.75 * PI, 0.125 * PI);
+    check("{ spherical }", -0.5 * PI, 0.125 * PI);
+    check(&format!("{{ cylinder 1 {shape} }}"), -0.25 * quarter, 0.25);
+    check(&format!("{{ cylinder 2 {shape} }}"), -1.0, 0.125 * quarter);
+    let away = 2.0_f64.hypot(0.5);
+    let turn = PI - (0.5 / away).asin();
+    check(
+        &format!("{{ fisheye {shape} }}"),
+        turn,
+        0.5 * away * quarter,
+    );
 }

@@ -4,7 +4,7 @@ use super::{Frame, Screen, Start};
 use std::f64::consts::FRAC_PI_2;
 
 /// The angle across the picture unless the scene says more.
-const ANGLE: f64 = FRAC_PI_2;
+pub(super) const ANGLE: f64 = FRAC_PI_2;
 
 pub(super) fn start(frame: &Frame, screen: Screen, angle: Option<f64>) -> Start {
     let angle = angle.unwrap_or(ANGLE);

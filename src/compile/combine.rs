@@ -3,7 +3,7 @@
 use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::flatten::{Flat, index};
 use super::leaf::{Extent, Leaf};
-use super::looks::{Heritage, joined};
+use super::looks::{Heritage, Place, joined};
 use super::model::Item;
 use crate::math::Bounds;
 use crate::scene::{Kind, Object, Operation};
@@ -62,7 +62,11 @@ impl Flat {
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
         let outer_gates = std::mem::take(&mut self.gates);
-        let around = self.add_node(object, above, &mut program, 0, false);
+        let above = Heritage {
+            place: Place::Whole,
+            ..above.clone()
+        };
+        let around = self.add_node(object, &above, &mut program, 0, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         program.prepare(&self.parts.leaves, &of_operands);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
@@ -122,6 +126,7 @@ impl Flat {
         for clip in &object.clipped_by {
             let around = Heritage {
                 steps: joined(&object.steps[clip.after..], &above.steps),
+                place: Place::Cut,
                 ..below.clone()
             };
             let held = self.add_node(&clip.what, &around, program, node, true);
@@ -143,17 +148,21 @@ impl Flat {
         let (parent, is_inverse) = place;
         match &object.kind {
             Kind::Light { .. } => {
-                let outside = Heritage {
-                    group: None,
+                let held = Heritage {
+                    obeyed: None,
                     ..below.clone()
                 };
-                self.add_light(&object.kind, &outside, below.clone());
+                let outside = Heritage {
+                    group: None,
+                    ..held.clone()
+                };
+                self.add_light(&object.kind, &outside, held);
                 Around::EMPTY
             }
             Kind::Shape(shape) => {
-                let surface = self.surface(below, shape.skins());
-                let (leaf, bounds) =
-                    Leaf::new((**shape).clone(), &below.steps, surface, Extent::Solid);
+                let (surface, absorb) = self.surface_of(shape, below);
+                let place = (below.steps.as_ref(), absorb);
+                let (leaf, bounds) = Leaf::new((**shape).clone(), place, surface, Extent::Solid);
                 self.parts.leaves.push(leaf);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;
@@ -186,7 +195,15 @@ impl Flat {
                 let node = push_node(program, combine, parent);
                 let signs =
                     (0..).map(|at| is_inverse != (*operation == Operation::Difference && at > 0));
-                self.add_children(children, signs, below, program, (node, is_hidden))
+                let below = Heritage {
+                    place: match operation {
+                        Operation::Union => Place::Union,
+                        Operation::Merge => Place::Merge,
+                        Operation::Intersection | Operation::Difference => Place::Cut,
+                    },
+                    ..below.clone()
+                };
+                self.add_children(children, signs, &below, program, (node, is_hidden))
             }
         }
     }

@@ -139,6 +139,30 @@ impl Model {
     ) -> Option<Found> {
         let mut best: Option<(Found, u32)> = None;
         let mut end = far;
+        let key = |of: &(Found, u32)| (of.0.root.t, of.1);
+        if let Some(cluster) = &self.cluster {
+            let is_told = cluster.each(
+                lanes,
+                search.ray,
+                far,
+                #[inline(always)]
+                |place| {
+                    let item = self.finder.bounded[place as usize];
+                    let Some(found) = self.find(item.item, search, end, scratch, wants) else {
+                        return false;
+                    };
+                    let this = (found, item.number);
+                    if best.is_none_or(|best| key(&this) < key(&best)) {
+                        end = found.root.t;
+                        best = Some(this);
+                    }
+                    W::ANY
+                },
+            );
+            if is_told {
+                return best.map(|(found, _)| found);
+            }
+        }
         for item in &self.finder.unbounded {
             if let Some(found) = self.find(item.item, search, end, scratch, wants) {
                 if best.is_none_or(|(best, _)| found.root.t < best.root.t) {
@@ -175,7 +199,6 @@ impl Model {
                     let Some(found) = self.find(item.item, search, end, scratch, wants) else {
                         return end;
                     };
-                    let key = |of: &(Found, u32)| (of.0.root.t, of.1);
                     let this = (found, item.number);
                     if best.is_none_or(|best| key(&this) < key(&best)) {
                         best = Some(this);

@@ -26,8 +26,10 @@ pub(super) struct Flat {
     pub(super) parts: Parts,
     /// The looks in the model at hand, unless that is the world.
     pub(super) slots: Option<Slots>,
-    /// What copies share, by the address of their list of parts.
-    pub(super) shared: FxHashMap<usize, Box<Shared>>,
+    /// What copies share, by the address of their list of parts, and by whether they may ask for texture coordinates.
+    pub(super) shared: FxHashMap<(usize, bool), Box<Shared>>,
+    /// Whether the model at hand is one for copies that may ask for texture coordinates.
+    pub(super) keeps_uv: bool,
     /// Whether what is asked for is the insides of objects, which may be larger than their surfaces.
     pub(super) asks_insides: bool,
     pub(super) surfaces: Vec<Surface>,
@@ -100,8 +102,9 @@ impl Flat {
     }
 
     fn add_shape(&mut self, shape: &Shape, below: &Heritage) {
-        let surface = self.surface(below, shape.skins());
-        let (leaf, mut bounds) = Leaf::new(shape.clone(), &below.steps, surface, Extent::Surface);
+        let (surface, absorb) = self.surface_of(shape, below);
+        let place = (below.steps.as_ref(), absorb);
+        let (leaf, mut bounds) = Leaf::new(shape.clone(), place, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
         }

@@ -7,12 +7,12 @@
 
 use super::csg::{Combine, Found, NONE, Program, hide_departure};
 use super::leaf::Leaf;
-use super::lot::FourQueries;
+use super::lot::{FourQueries, Lot};
 use super::query::{Query, Scratch};
 use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
-use crate::shape::{Crossing, FourRays, FourSpans, Root, Shape, Sphere};
+use crate::shape::{Crossing, FourRays, FourSpans, Root};
 
 /// Combinations of up to so many operands are tried end by end; the work grows with the square.
 const MOST_OPERANDS: usize = 8;
@@ -142,11 +142,13 @@ impl FourKernel for Passing<'_> {
 }
 
 /// Four rays on their way to a primitive.
-struct FourOfLeaf<'a> {
+struct FourOfLeaf<'a, const ANY: bool> {
     leaf: &'a Leaf,
     rays: &'a FourQueries,
     /// Which have just left a root of it that enters, and which one that leaves, one bit each.
     left: [u32; 2],
+    /// Which rays there are.
+    there: u32,
 }
 
 /// The first roots of four rays.
@@ -157,7 +159,7 @@ struct NearestOfFour {
     unknown: u32,
 }
 
-impl FourKernel for FourOfLeaf<'_> {
+impl<const ANY: bool> FourKernel for FourOfLeaf<'_, ANY> {
     type Answer = NearestOfFour;
 
     #[inline(always)]
@@ -167,7 +169,10 @@ impl FourKernel for FourOfLeaf<'_> {
             rays = rays.to_object(matrix);
         }
         let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
-        let nearest = self.leaf.shape.nearest_of_four(&rays, from, far, self.left);
+        let nearest =
+            self.leaf
+                .shape
+                .nearest_of_four::<F, ANY>(&rays, (from, far), self.left, self.there);
         NearestOfFour {
             t: nearest.t.store(),
             leaves: nearest.leaves,
@@ -177,9 +182,9 @@ impl FourKernel for FourOfLeaf<'_> {
     }
 }
 
-/// Asks which of four rays have left a ball for good, one bit each.
+/// Asks which of four rays that go out from a leaf have left it for good, one bit each.
 struct LeftBehind<'a> {
-    ball: &'a Sphere,
+    leaf: &'a Leaf,
     rays: &'a FourQueries,
 }
 
@@ -188,7 +193,11 @@ impl FourKernel for LeftBehind<'_> {
 
     #[inline(always)]
     fn run<F: Four>(&self) -> u32 {
-        F::bits(self.ball.four_left_behind(&self.rays.load::<F>()))
+        let mut rays: FourRays<F> = self.rays.load();
+        if let Some(matrix) = &self.leaf.object_from_world {
+            rays = rays.to_object(matrix);
+        }
+        F::bits(self.leaf.shape.four_left_behind(&rays))
     }
 }
 
@@ -203,14 +212,14 @@ impl Passing<'_> {
     }
 }
 
-/// Whether a ray may start on the surface that it meets at `t`.
+/// Whether a ray for which nothing counts up to `from` may start on the surface that it meets at `t`.
 #[inline(always)]
-fn may_be_left(rays: &FourQueries, lane: usize, t: f64) -> bool {
-    SKIN * t <= rays.from[lane]
+pub(super) fn may_be_left(from: f64, t: f64) -> bool {
+    SKIN * t <= from
 }
 
 impl World {
-    /// What some of four rays find of a combination up to and including where they end: calls `take` with the lane of
+    /// What some of four rays from `start` on find of a combination up to and including where they end: calls `take` with the number of
     /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
     /// told of a root than its distance.
     #[inline(always)]
@@ -218,11 +227,13 @@ impl World {
         &self,
         lanes: Lanes,
         number: u32,
-        (rays, there): (&FourQueries, u32),
+        (lot, start, there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
-        mut take: impl FnMut(usize, Found),
+        mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
+        let rays = lot.four(start);
+        let (from, left) = (rays.from, rays.left);
         let program = &self.model.programs[number as usize];
         let passing = Passing {
             program,
@@ -242,12 +253,12 @@ impl World {
             )]
             let leaf = program.first + found.operand[lane] as u32;
             // A surface on which the ray may start is for the search that looks behind it.
-            if may_be_left(rays, lane, found.t[lane]) {
+            if may_be_left(from[lane], found.t[lane]) {
                 found.unknown |= 1 << lane;
                 continue;
             }
             // The root that the ray has just left is none; what lies behind it only a single ray finds.
-            if rays.left[lane] == leaf && self.left_at(&query(lane), scratch) == found.t[lane] {
+            if left[lane] == leaf && self.left_at(&query(start + lane), scratch) == found.t[lane] {
                 found.unknown |= 1 << lane;
                 continue;
             }
@@ -261,7 +272,8 @@ impl World {
                     is_visible: true,
                 };
                 take(
-                    lane,
+                    lot,
+                    start + lane,
                     Found {
                         root,
                         leaf,
@@ -272,10 +284,11 @@ impl World {
             }
             let roots = &mut scratch.roots;
             roots.clear();
-            found_leaf.roots(&query(lane).ray, roots);
+            found_leaf.roots(&query(start + lane).ray, roots);
             match roots.iter().find(|root| root.t == found.t[lane]) {
                 Some(&root) => take(
-                    lane,
+                    lot,
+                    start + lane,
                     Found {
                         root,
                         leaf,
@@ -288,40 +301,43 @@ impl World {
         found.unknown
     }
 
-    /// What some of four rays find of a primitive up to and including where they end: calls `take` with the lane of
-    /// each ray that meets it. Gives those that must be asked for singly, one bit each.
+    /// What some of four rays from `start` on find of a primitive up to and including where they end: calls `take` with the number of
+    /// each ray that meets it; if `ANY` will do perhaps with some place in it. Gives those that must be asked for singly,
+    /// one bit each.
     #[inline(always)]
-    pub(super) fn ask_four_of_leaf(
+    pub(super) fn ask_four_of_leaf<const ANY: bool>(
         &self,
         lanes: Lanes,
         number: u32,
-        (rays, mut there): (&FourQueries, u32),
+        (lot, start, mut there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
-        mut take: impl FnMut(usize, Found),
+        mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
+        let rays = lot.four(start);
+        let from = rays.from;
         let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
-        let mut asked = FourOfLeaf {
+        let mut asked = FourOfLeaf::<ANY> {
             leaf,
             rays,
             left: [0, 0],
+            there,
         };
         let mut own = rays.have_left(number) & there;
-        if own != 0
-            && let (Shape::Sphere(ball), None) = (&leaf.shape, &leaf.object_from_world)
-        {
-            let gone = own & rays.goes_out & four(lanes, &LeftBehind { ball, rays });
+        let is_told = leaf.shape.tells_left_behind();
+        if own & rays.goes_out != 0 && is_told {
+            let gone = own & rays.goes_out & four(lanes, &LeftBehind { leaf, rays });
             there &= !gone;
             own &= !gone;
         }
         while own != 0 {
             let lane = own.trailing_zeros() as usize % 4;
             own &= own - 1;
-            let query = query(lane);
+            let query = query(start + lane);
             if let Some(left) = &query.from {
                 let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
                 let leaves = left.normal.dot(query.ray.dir) > 0.0;
-                if leaves && leaf.is_left_behind(&query.ray) {
+                if leaves && !is_told && leaf.is_left_behind(&query.ray) {
                     there &= !(1 << lane);
                     continue;
                 }
@@ -332,13 +348,14 @@ impl World {
         if there == 0 {
             return 0;
         }
+        asked.there = there;
         let found = four(lanes, &asked);
         let mut unknown = (found.unknown | unclear) & there;
         let mut met = found.met & there & !unknown;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
             met &= met - 1;
-            if may_be_left(rays, lane, found.t[lane]) {
+            if may_be_left(from[lane], found.t[lane]) {
                 unknown |= 1 << lane;
                 continue;
             }
@@ -354,7 +371,8 @@ impl World {
             };
             let surface = leaf.surface;
             take(
-                lane,
+                lot,
+                start + lane,
                 Found {
                     root,
                     leaf: number,

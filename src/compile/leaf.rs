@@ -3,7 +3,10 @@
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::shape::{Geometry, Root, Shape, Shares, Sphere, Start};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
+
+/// More than the roundings of what is worked out from a matrix, as a share.
+const CARE: f64 = 1e-9;
 
 /// Which bounds of a shape are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +15,15 @@ pub enum Extent {
     Surface,
     /// Of all that lies inside.
     Solid,
+}
+
+/// How much of its transforms a shape takes into its own numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absorb {
+    /// As many as leave it of its kind.
+    AllItCan,
+    /// None: its texture coordinates are asked for.
+    Nothing,
 }
 
 impl Extent {
@@ -49,8 +61,16 @@ impl Leaf {
     /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives the bounds of its
     /// surface too, or with `extent` those of the solid, which may be larger.
     #[must_use]
-    pub fn new(mut shape: Shape, steps: &[Step], surface: u32, extent: Extent) -> (Leaf, Bounds) {
-        let absorbed = steps.iter().take_while(|step| shape.absorb(step)).count();
+    pub fn new(
+        mut shape: Shape,
+        (steps, absorb): (&[Step], Absorb),
+        surface: u32,
+        extent: Extent,
+    ) -> (Leaf, Bounds) {
+        let absorbed = match absorb {
+            Absorb::AllItCan => steps.iter().take_while(|step| shape.absorb(step)).count(),
+            Absorb::Nothing => 0,
+        };
         shape.prepare();
         let rest = &steps[absorbed..];
         if rest.is_empty() {
@@ -157,6 +177,11 @@ impl Leaf {
         )
     }
 
+    /// The texture coordinates at a world point of a piece of the surface; `None` for those of the world.
+    pub(super) fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        self.shape.uv(self.point_to_object(point), face)
+    }
+
     /// The shares of the shape's own textures at a world point of a piece of its surface.
     pub(super) fn shares(&self, point: DVec3, face: u32) -> Shares {
         self.shape.shares(self.point_to_object(point), face)
@@ -179,6 +204,48 @@ impl Leaf {
         }
     }
 
+    /// A ball that holds the leaf and not much else, by centre and radius, and whether the leaf fills it.
+    #[must_use]
+    pub(super) fn ball_around(&self) -> Option<(DVec3, f64, bool)> {
+        let Shape::Torus(torus) = &self.shape else {
+            let (centre, radius) = self.ball()?;
+            return Some((centre, radius, true));
+        };
+        let Some(matrix) = &self.object_from_world else {
+            return Some((torus.centre, torus.rim(), false));
+        };
+        let scale = similarity(&matrix.matrix3)?;
+        let centre = matrix.inverse().transform_point3(torus.centre);
+        let slack = CARE * centre.abs().max_element();
+        let radius = torus.rim() / scale * (1.0 + CARE) + slack;
+        radius.is_normal().then_some((centre, radius, false))
+    }
+
+    /// Bounds of the leaf that are no larger than `bounds`: smaller where it is a torus that is turned. The box of a
+    /// turned box, by which POV-Ray knows things, may have twice the surface.
+    #[must_use]
+    pub(super) fn tightened(&self, bounds: &Bounds) -> Bounds {
+        let (Shape::Torus(torus), Some(matrix)) = (&self.shape, &self.object_from_world) else {
+            return *bounds;
+        };
+        let world_from_object = matrix.inverse();
+        let there_and_back = world_from_object.matrix3 * matrix.matrix3;
+        if !there_and_back.abs_diff_eq(DMat3::IDENTITY, 0.5 * CARE) {
+            return *bounds;
+        }
+        let Some(reach) = torus.reach_under(&world_from_object.matrix3) else {
+            return *bounds;
+        };
+        let centre = world_from_object.transform_point3(torus.centre);
+        let reach = reach * (1.0 + CARE) + CARE * centre.abs().max_element();
+        let tight = Bounds::new(centre - reach, centre + reach);
+        if tight.is_finite() {
+            tight.intersection(bounds)
+        } else {
+            *bounds
+        }
+    }
+
     /// The memory of this leaf in bytes, its matrix included.
     #[must_use]
     pub fn bytes(&self) -> usize {
@@ -188,6 +255,16 @@ impl Leaf {
                 .as_ref()
                 .map_or(0, |_| size_of::<DAffine3>())
     }
+}
+
+/// The factor of a matrix that turns and scales evenly.
+fn similarity(matrix: &DMat3) -> Option<f64> {
+    let squares = matrix.transpose() * *matrix;
+    let size = squares.x_axis.x;
+    let even = DMat3::from_diagonal(DVec3::splat(size));
+    squares
+        .abs_diff_eq(even, 0.1 * CARE * size)
+        .then(|| size.sqrt())
 }
 
 /// The normal of length 1, or zero where there is none.

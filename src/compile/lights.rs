@@ -95,6 +95,13 @@ impl Lights {
         &self.lists[list.0 as usize]
     }
 
+    /// The numbers of those in a list that belong to no group.
+    #[must_use]
+    pub fn outside_groups(&self, list: LightList) -> &[u32] {
+        let all = self.of(list);
+        &all[..all.len() - self.listed[list.0 as usize].own.len()]
+    }
+
     /// Whether the light of this number shines on all surfaces.
     #[must_use]
     #[inline(always)]

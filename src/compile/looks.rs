@@ -2,11 +2,12 @@
 
 use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
+use super::leaf::Absorb;
 use super::lights::LightList;
-use super::surface::{Flags, Surface};
+use super::surface::{Flags, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
-use crate::shape::Skin;
+use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::{Layer, PreparedTexture, Texture};
 use std::sync::Arc;
 
@@ -17,16 +18,41 @@ pub(super) struct Heritage {
     pub(super) inside_texture: Option<Placed>,
     pub(super) interior: Option<InteriorId>,
     pub(super) flags: Flags,
+    /// In a combination, the switches that say who sees it.
+    pub(super) obeyed: Option<Flags>,
+    /// Where the children are.
+    pub(super) place: Place,
     /// The lights that shine on it.
     pub(super) lights: LightList,
     /// Whether lights outside of the light group around it do so; `None` outside of all groups.
     pub(super) global_lights: Option<bool>,
     /// The list of the light group that it is, which takes in its own lights.
     pub(super) group: Option<LightList>,
+    /// Whether the object itself says `uv_mapping`.
+    pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
     pub(super) slot: u32,
+}
+
+/// Where an object stands as to combinations. POV-Ray obeys the switches `no_shadow`, `no_image` and `no_reflection` of
+/// a combination as a whole; within it `no_reflection` counts for the parts of unions and merges, and `no_image` for
+/// those of merges (measured for each switch in twelve arrangements). That POV-Ray then also shows what of the other
+/// parts of the merge lies in the hidden one is not done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Place {
+    /// In no combination.
+    #[default]
+    Alone,
+    /// It is a combination as a whole.
+    Whole,
+    /// A part of an intersection or difference.
+    Cut,
+    /// A part of a union that is not taken apart.
+    Union,
+    /// A part of a merge.
+    Merge,
 }
 
 /// A texture with the transforms that came after it.
@@ -37,6 +63,13 @@ pub(super) struct Placed {
 }
 
 impl Heritage {
+    /// Whether what inherits it asks for texture coordinates.
+    pub(super) fn uses_uv(&self) -> bool {
+        let textures = [&self.texture, &self.inside_texture];
+        let mut textures = textures.into_iter().flatten();
+        self.flags.uv_mapping || textures.any(|placed| placed.texture.uses_uv())
+    }
+
     /// Whether what inherits the one looks like what inherits the other, wherever the two stand. `is_opaque`: all that
     /// inherits them is, so that interiors which no scene has written are alike.
     pub(super) fn looks_as(&self, other: &Heritage, is_opaque: bool) -> bool {
@@ -53,6 +86,7 @@ impl Heritage {
             && (self.interior == other.interior
                 || is_opaque && is_unnamed(self) && is_unnamed(other))
             && self.flags == other.flags
+            && self.obeyed == other.obeyed
             && self.lights == other.lights
     }
 }
@@ -64,13 +98,14 @@ impl Flat {
             return Heritage {
                 slot: slots.object(object, above),
                 steps: joined(&object.steps, &above.steps),
+                flags: handed_down(object, above),
                 ..Heritage::default()
             };
         }
         let place = |own: &Option<Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
             Some(own) => Some(Placed {
                 texture: Arc::clone(&own.what),
-                steps: joined(&object.steps[own.after..], &above.steps),
+                steps: texture_steps(object, own.after, above),
             }),
             None => inherited.clone(),
         };
@@ -83,9 +118,8 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         self.fill(interior, object, above);
-        let own = &object.flags;
-        let is_hollow = own.hollow.unwrap_or(above.flags.hollow);
-        self.interiors.set_hollow(interior, is_hollow);
+        let flags = handed_down(object, above);
+        self.interiors.set_hollow(interior, flags.hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
             Some(above.global_lights.unwrap_or(group.global_lights))
         });
@@ -99,13 +133,10 @@ impl Flat {
             texture: place(&object.texture, &above.texture),
             inside_texture: place(&object.interior_texture, &above.inside_texture),
             interior: Some(interior),
-            flags: Flags {
-                no_shadow: own.no_shadow || above.flags.no_shadow,
-                no_image: own.no_image || above.flags.no_image,
-                no_reflection: own.no_reflection || above.flags.no_reflection,
-                hollow: is_hollow,
-                double_illuminate: own.double_illuminate || above.flags.double_illuminate,
-            },
+            flags,
+            obeyed: obeyed(&flags, above),
+            place: Place::Alone,
+            says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
             slot: 0,
         }
@@ -125,12 +156,34 @@ impl Flat {
         }
     }
 
-    /// The number of a surface with these looks. Neighbours in the file often share theirs.
-    pub(super) fn surface(&mut self, looks: &Heritage, skins: &[Skin]) -> u32 {
+    /// The number of the surface of a shape with these looks, and whether the shape has to stay as it is, all its
+    /// transforms outside of it.
+    pub(super) fn surface_of(&mut self, shape: &Shape, looks: &Heritage) -> (u32, Absorb) {
+        let loses_uv = shape.loses_uv() && !looks.steps.is_empty();
         if let Some(slots) = &mut self.slots {
-            return slots.shape(looks, skins);
+            let absorb = if loses_uv && self.keeps_uv {
+                Absorb::Nothing
+            } else {
+                Absorb::AllItCan
+            };
+            return (slots.shape(looks, shape.skins()), absorb);
         }
-        let surface = self.new_surface(looks, skins);
+        // POV-Ray moves the textures of the components of blobs in any case.
+        let moves_skins = looks.says_uv && matches!(shape, Shape::Blob(_));
+        let skins_moved = moves_skins.then(|| Heritage {
+            says_uv: false,
+            ..looks.clone()
+        });
+        let looks = skins_moved.as_ref().unwrap_or(looks);
+        let mut surface = self.new_surface(looks, shape.skins());
+        if loses_uv && surface.uses_uv() {
+            surface.unmoved = Some(Arc::new(Unmoved::new(shape, &looks.steps)));
+        }
+        (self.number_of(surface), Absorb::AllItCan)
+    }
+
+    /// The number of a surface. Neighbours in the file often share theirs.
+    pub(super) fn number_of(&mut self, surface: Surface) -> u32 {
         if let Some(last) = self
             .last_surface
             .filter(|&last| self.surfaces[last as usize].is_same(&surface))
@@ -158,14 +211,26 @@ impl Flat {
             .as_ref()
             .map(|placed| self.prepare(placed));
         let skin = |skin: &Skin| {
+            let steps = if looks.says_uv {
+                Arc::default()
+            } else {
+                Arc::clone(&looks.steps)
+            };
             self.prepare(&Placed {
                 texture: Arc::clone(&skin.0),
-                steps: Arc::clone(&looks.steps),
+                steps,
             })
         };
         let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
-        let lit = (looks.lights, looks.flags);
+        let flags = looks.obeyed.as_ref().map_or(looks.flags, |obeyed| Flags {
+            no_shadow: obeyed.no_shadow,
+            no_image: obeyed.no_image,
+            no_reflection: obeyed.no_reflection,
+            no_radiosity: obeyed.no_radiosity,
+            ..looks.flags
+        });
+        let lit = (looks.lights, flags);
         Surface::new(texture, inside_texture, skins, interior, lit)
     }
 
@@ -182,6 +247,47 @@ impl Flat {
             return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
         }
         Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
+    }
+}
+
+/// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
+/// where they are: the transforms of an object that says `uv_mapping` itself do not move its texture. Those of what hands
+/// it down do (checked with POV-Ray, which tells the parts when the whole is complete).
+fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
+    if object.flags.uv_mapping {
+        return Arc::default();
+    }
+    joined(&object.steps[after..], &above.steps)
+}
+
+/// The switches of an object and of what hands them down to it.
+fn handed_down(object: &Object, above: &Heritage) -> Flags {
+    let (own, above) = (&object.flags, &above.flags);
+    Flags {
+        no_shadow: own.no_shadow || above.no_shadow,
+        no_image: own.no_image || above.no_image,
+        no_reflection: own.no_reflection || above.no_reflection,
+        no_radiosity: own.no_radiosity || above.no_radiosity,
+        importance: own.importance.or(above.importance),
+        hollow: own.hollow.unwrap_or(above.hollow),
+        double_illuminate: own.double_illuminate || above.double_illuminate,
+        uv_mapping: own.uv_mapping || above.uv_mapping,
+    }
+}
+
+/// Which of its switches an object obeys.
+fn obeyed(flags: &Flags, above: &Heritage) -> Option<Flags> {
+    let is_merged = above.place == Place::Merge;
+    let is_united = is_merged || above.place == Place::Union;
+    match (above.place, &above.obeyed) {
+        (Place::Alone, _) => None,
+        (Place::Whole, _) | (_, None) => Some(*flags),
+        (_, Some(whole)) => Some(Flags {
+            no_image: whole.no_image || is_merged && flags.no_image,
+            no_reflection: whole.no_reflection || is_united && flags.no_reflection,
+            no_radiosity: whole.no_radiosity || is_united && flags.no_radiosity,
+            ..*whole
+        }),
     }
 }
 

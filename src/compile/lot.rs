@@ -1,6 +1,7 @@
 //! Queries side by side, in the form in which four are answered at once.
 
 use super::hits::{FourHits, FourWays, NO_LEAF};
+use crate::math::Ray;
 use crate::math::lanes::Four;
 use crate::math::lanes::three::load;
 use crate::shape::FourRays;
@@ -74,6 +75,16 @@ impl Lot {
     #[inline(always)]
     pub(super) fn dirs(&self, four: usize) -> &[[f64; 4]; 3] {
         &self.fours[four].dir
+    }
+
+    /// The ray of the query of this number.
+    #[inline(always)]
+    pub(super) fn ray(&self, number: usize) -> Ray {
+        let FourQueries { origin, dir, .. } = &self.fours[number / 4];
+        let one_of = |of: &[[f64; 4]; 3]| {
+            DVec3::new(of[0][number % 4], of[1][number % 4], of[2][number % 4])
+        };
+        Ray::new(one_of(origin), one_of(dir))
     }
 
     /// The four among which the query of this number is.

@@ -91,50 +91,45 @@ impl World {
             let mut own = std::mem::take(&mut scratch.mesh);
             let count = bests.len();
             let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let is_done = asked.enter(
-                (&mut own, &mut bundle_of_mesh),
-                (origin, 1.0),
-                count,
-                lot,
-                &query,
-            ) && asked.mesh.tree().together(
-                lanes,
-                &mut bundle_of_mesh,
-                #[inline(always)]
-                |face, first, rays, ended| {
-                    asked.meet(
-                        lanes,
-                        (&own, lot),
-                        (face, first, rays),
-                        #[inline(always)]
-                        |lot, ray, t| {
-                            let found = asked.found(t, face);
-                            let far = lot.far(ray);
-                            let best = &mut bests[ray];
-                            // Of several triangles at the same distance the first in the list is drawn.
-                            if let Some(best) = best
-                                && best.item == item.number
-                                && best.found.root.t == t
-                            {
-                                if face < best.found.root.face {
-                                    best.found = found;
+            let is_done = asked.enter((&mut own, &mut bundle_of_mesh), (origin, 1.0), count, lot)
+                && asked.mesh.tree().together(
+                    lanes,
+                    &mut bundle_of_mesh,
+                    #[inline(always)]
+                    |face, first, rays, ended| {
+                        asked.meet(
+                            lanes,
+                            (&own, lot),
+                            (face, first, rays),
+                            #[inline(always)]
+                            |lot, ray, t| {
+                                let found = asked.found(t, face);
+                                let far = lot.far(ray);
+                                let best = &mut bests[ray];
+                                // Of several triangles at the same distance the first in the list is drawn.
+                                if let Some(best) = best
+                                    && best.item == item.number
+                                    && best.found.root.t == t
+                                {
+                                    if face < best.found.root.face {
+                                        best.found = found;
+                                    }
+                                    return;
                                 }
-                                return;
-                            }
-                            let query = query(ray);
-                            if !self.is_seen(&found, query.seen) {
-                                return;
-                            }
-                            let new = self.offer(item.number, found, &query, far, best);
-                            if new < far {
-                                lot.shorten(ray, new);
-                                bundle.shorten(ray, new);
-                                ended.note(ray - first, asked.way(new, &own.frames[ray]));
-                            }
-                        },
-                    );
-                },
-            );
+                                let query = query(ray);
+                                if !self.is_seen(&found, query.seen) {
+                                    return;
+                                }
+                                let new = self.offer(item.number, found, &query, far, best);
+                                if new < far {
+                                    lot.shorten(ray, new);
+                                    bundle.shorten(ray, new);
+                                    ended.note(ray - first, asked.way(new, &own.frames[ray]));
+                                }
+                            },
+                        );
+                    },
+                );
             own.bundle = bundle_of_mesh;
             scratch.mesh = own;
             if !is_done {
@@ -161,43 +156,38 @@ impl World {
             let mut own = std::mem::take(&mut scratch.mesh);
             let count = ways.len();
             let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let is_done = asked.enter(
-                (&mut own, &mut bundle_of_mesh),
-                (centre, -1.0),
-                count,
-                lot,
-                &query,
-            ) && asked.mesh.tree().together(
-                lanes,
-                &mut bundle_of_mesh,
-                #[inline(always)]
-                |face, first, rays, ended| {
-                    asked.meet(
-                        lanes,
-                        (&own, lot),
-                        (face, first, rays),
-                        #[inline(always)]
-                        |_, ray, t| {
-                            if ways[ray] == Way::Blocked {
-                                return;
-                            }
-                            let query = query(ray);
-                            let is_left = query
-                                .from
-                                .is_some_and(|left| left.leaf == asked.number && left.face == face);
-                            if is_left || t >= query.far {
-                                return;
-                            }
-                            let found = asked.found(t, face);
-                            if self.blocks_light(&found, &query, &mut ways[ray]) {
-                                ways[ray] = Way::Blocked;
-                                bundle.shorten(ray, f64::NEG_INFINITY);
-                                ended.note(ray - first, f64::NEG_INFINITY);
-                            }
-                        },
-                    );
-                },
-            );
+            let is_done = asked.enter((&mut own, &mut bundle_of_mesh), (centre, -1.0), count, lot)
+                && asked.mesh.tree().together(
+                    lanes,
+                    &mut bundle_of_mesh,
+                    #[inline(always)]
+                    |face, first, rays, ended| {
+                        asked.meet(
+                            lanes,
+                            (&own, lot),
+                            (face, first, rays),
+                            #[inline(always)]
+                            |_, ray, t| {
+                                if ways[ray] == Way::Blocked {
+                                    return;
+                                }
+                                let query = query(ray);
+                                let is_left = query.from.is_some_and(|left| {
+                                    left.leaf == asked.number && left.face == face
+                                });
+                                if is_left || t >= query.far {
+                                    return;
+                                }
+                                let found = asked.found(t, face);
+                                if self.blocks_light(&found, &query, &mut ways[ray]) {
+                                    ways[ray] = Way::Blocked;
+                                    bundle.shorten(ray, f64::NEG_INFINITY);
+                                    ended.note(ray - first, f64::NEG_INFINITY);
+                                }
+                            },
+                        );
+                    },
+                );
             own.bundle = bundle_of_mesh;
             scratch.mesh = own;
             if !is_done {
@@ -223,12 +213,11 @@ impl Asked<'_> {
         (origin, sign): (DVec3, f64),
         count: usize,
         lot: &Lot,
-        query: impl Fn(usize) -> Query,
     ) -> bool {
         let origin = self.leaf.point_to_object(origin);
         own.frames.clear();
         for ray in 0..count {
-            let ray = self.leaf.to_object(&query(ray).ray);
+            let ray = self.leaf.to_object(&lot.ray(ray));
             own.frames.push(RayFrame::new(&ray));
         }
         let frames = &own.frames;
@@ -243,7 +232,11 @@ impl Asked<'_> {
                 let (mut dirs, mut ends) = ([[0.0; 4]; 3], [0.0; 4]);
                 for lane in 0..4 {
                     let ray = (4 * four + lane).min(count - 1);
-                    let dir = sign * frames[ray].unit_dir();
+                    // The queries have unit directions.
+                    let dir = match self.leaf.object_from_world {
+                        None => sign * frames[ray].dir(),
+                        Some(_) => sign * frames[ray].unit_dir(),
+                    };
                     for axis in 0..3 {
                         dirs[axis][lane] = dir[axis];
                     }

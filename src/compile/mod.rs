@@ -1,10 +1,12 @@
 //! From the description of a scene to the world that rays need.
 
+mod cluster;
 mod combine;
 mod csg;
 mod find;
 mod flatten;
 mod four;
+mod four_of_copy;
 mod hits;
 mod instance;
 mod interiors;

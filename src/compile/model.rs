@@ -4,6 +4,7 @@
 //! Numbers of leaves go on from the model's own ones through its instances, one stretch for each, so that a number
 //! tells every copy of every primitive apart however deep instances lie in each other.
 
+use super::cluster::Cluster;
 use super::csg::Program;
 use super::instance::Instance;
 use super::leaf::Leaf;
@@ -49,6 +50,8 @@ pub(super) struct Model {
     /// In the order of their numbers.
     pub(super) instances: Vec<Instance>,
     pub(super) finder: Finder,
+    /// All items, if they are leaves, few and round; four rays can then be asked about them at once.
+    pub(super) cluster: Option<Cluster>,
     /// For each program, whether four rays can be asked about at once.
     suits_four: Vec<bool>,
 }
@@ -61,6 +64,7 @@ impl Model {
         projectors: impl Iterator<Item = &'p mut Program>,
     ) -> (Model, Vec<Item>) {
         let finder = Finder::new(&mut parts, projectors);
+        let cluster = finder.cluster(&parts);
         let suits_four = parts.programs.iter();
         let model = Model {
             suits_four: suits_four
@@ -70,6 +74,7 @@ impl Model {
             programs: parts.programs,
             instances: parts.instances,
             finder,
+            cluster,
         };
         (model, parts.items)
     }
@@ -88,7 +93,7 @@ impl Model {
         match item {
             Item::Program(program) => self.suits_four[program as usize],
             Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
-            Item::Instance(_) => false,
+            Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
     }
 
@@ -98,8 +103,7 @@ impl Model {
     pub(super) fn suits_one(&self, item: Item) -> bool {
         match item {
             Item::Leaf(leaf) => !matches!(self.leaves[leaf as usize].shape, Shape::Sphere(_)),
-            Item::Program(_) => true,
-            Item::Instance(_) => false,
+            Item::Program(_) | Item::Instance(_) => true,
         }
     }
 
@@ -135,6 +139,17 @@ impl Model {
                 instance.model.shares(leaf - instance.first, point, face)
             }
             None => self.leaves[leaf as usize].shares(point, face),
+        }
+    }
+
+    /// The texture coordinates at a point of a leaf; `None` for those of the world.
+    pub(super) fn uv(&self, leaf: u32, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        match self.instance_of(leaf) {
+            Some(instance) => {
+                let point = instance.object_from_world.transform_point3(point);
+                instance.model.uv(leaf - instance.first, point, face)
+            }
+            None => self.leaves[leaf as usize].uv(point, face),
         }
     }
 

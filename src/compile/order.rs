@@ -1,6 +1,7 @@
 //! The tree over the items of a model, and their leaves in its order: what lies together in space lies together in
 //! memory.
 
+use super::cluster::Cluster;
 use super::csg::Program;
 use super::instance::Instance;
 use super::leaf::Leaf;
@@ -36,7 +37,14 @@ impl Finder {
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
             .take(parts.items.len())
             .partition(|&number| parts.bounds[number as usize].is_finite());
-        let bounds = |place: usize| parts.bounds[bounded[place] as usize];
+        let leaf = |place: usize| match parts.items[bounded[place] as usize] {
+            Item::Leaf(leaf) => Some(&parts.leaves[leaf as usize]),
+            Item::Program(_) | Item::Instance(_) => None,
+        };
+        let bounds = |place: usize| {
+            let bounds = &parts.bounds[bounded[place] as usize];
+            leaf(place).map_or(*bounds, |leaf| leaf.tightened(bounds))
+        };
         let (mut tree, order) = Bvh::build_in_order(bounded.len(), bounds);
         // In large scenes the room is needed.
         parts.bounds = Vec::new();
@@ -51,7 +59,7 @@ impl Finder {
         };
         let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
         tree.know_balls(bounded.iter().map(|item| match item.item {
-            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball(),
+            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_around(),
             Item::Program(_) | Item::Instance(_) => None,
         }));
         Finder {
@@ -59,6 +67,20 @@ impl Finder {
             bounded,
             unbounded: unbounded.iter().map(numbered).collect(),
         }
+    }
+
+    /// All items together, if they are few and round.
+    pub(super) fn cluster(&self, parts: &Parts) -> Option<Cluster> {
+        if !self.unbounded.is_empty() || parts.leaves.len() != self.bounded.len() {
+            return None;
+        }
+        Cluster::new(self.bounded.len(), |place| match self.bounded[place].item {
+            Item::Leaf(leaf) => {
+                let leaf = &parts.leaves[leaf as usize];
+                leaf.ball().filter(|_| leaf.shape.has_roots_of_four())
+            }
+            Item::Program(_) | Item::Instance(_) => None,
+        })
     }
 
     /// The items that may hold a point.

@@ -9,6 +9,7 @@ use crate::accel::Bundle;
 use crate::color::Rgb;
 use crate::math::Ray;
 use crate::math::mersenne::Stream;
+use crate::radiosity::Session;
 use crate::shape::{Crossing, Root};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -43,15 +44,30 @@ pub struct Hit {
     pub departure: Departure,
 }
 
-/// Who looks: decides between `no_image`, `no_reflection` and `no_shadow`.
+/// Who looks: decides between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// A camera ray, or its straight or refracted continuation.
     Image,
     /// A reflected ray and what comes of it.
     Reflection,
+    /// A ray that gathers light from other surfaces, or its straight or refracted continuation.
+    Gathering,
+    /// What such a ray sees in a mirror.
+    GatheringReflection,
     /// A ray to a light.
     Shadow,
+}
+
+impl Seen {
+    /// Who looks after a mirror.
+    #[must_use]
+    pub fn mirrored(self) -> Seen {
+        match self {
+            Seen::Image | Seen::Reflection | Seen::Shadow => Seen::Reflection,
+            Seen::Gathering | Seen::GatheringReflection => Seen::GatheringReflection,
+        }
+    }
 }
 
 /// One question to the world.
@@ -78,6 +94,8 @@ pub struct Scratch {
     pub stream: Stream,
     /// The state of the generator that `crand` draws from.
     pub crand: u32,
+    /// What is known of radiosity, where that is drawn.
+    pub radiosity: Option<Box<Session>>,
     pub(super) sweep: Sweep,
     pub(super) roots: Vec<Root>,
     /// For each light, the item that stood last in its way.

@@ -12,6 +12,8 @@ pub struct Rays {
     pub onward: u64,
     /// Mirror images, and what comes of them.
     pub reflected: u64,
+    /// For radiosity, with what comes of them.
+    pub gathering: u64,
     /// From a point to a light.
     pub shadow: u64,
     /// From surface to surface on the way to a light.
@@ -22,7 +24,7 @@ impl Rays {
     /// All of them.
     #[must_use]
     pub fn sum(&self) -> u64 {
-        self.camera + self.onward + self.reflected + self.shadow + self.filtered
+        self.camera + self.onward + self.reflected + self.gathering + self.shadow + self.filtered
     }
 
     /// Counts a search for the nearest surface.
@@ -32,6 +34,7 @@ impl Rays {
             (Seen::Image, None) => self.camera += 1,
             (Seen::Image, Some(_)) => self.onward += 1,
             (Seen::Reflection, _) => self.reflected += 1,
+            (Seen::Gathering | Seen::GatheringReflection, _) => self.gathering += 1,
             (Seen::Shadow, _) => self.filtered += 1,
         }
     }
@@ -42,6 +45,7 @@ impl AddAssign for Rays {
         self.camera += other.camera;
         self.onward += other.onward;
         self.reflected += other.reflected;
+        self.gathering += other.gathering;
         self.shadow += other.shadow;
         self.filtered += other.filtered;
     }

@@ -140,6 +140,8 @@ impl World {
     #[inline(always)]
     pub(super) fn least_from(&self, blur: Option<f64>, seen: Seen) -> f64 {
         match (self.least_distance, seen) {
+            // How far samples reach depends on what is nearest to them, and the picture on how far they reach.
+            (_, Seen::Gathering) => POV_RAY_LEAST,
             (LeastDistance::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
             (LeastDistance::PovRay, Seen::Shadow) => POV_RAY_SHADOW,
             (LeastDistance::PovRay, _) => POV_RAY_LEAST,

@@ -8,7 +8,7 @@
 
 use super::flatten::{Flat, index};
 use super::instance::Instance;
-use super::looks::{Heritage, joined};
+use super::looks::{Heritage, Place, joined};
 use super::model::{Item, Model, Parts};
 use super::surface::Surface;
 use crate::math::{Bounds, Step, Transform};
@@ -37,6 +37,7 @@ pub(super) enum Slot {
         above: u32,
         object: Arc<Object>,
         steps: Arc<[Step]>,
+        place: Place,
     },
     /// The textures that a shape moved by `steps` has for its pieces, on that of the slot `above`.
     Skins {
@@ -106,13 +107,17 @@ impl Slots {
             && object.interior.is_none()
             && object.light_group.is_none()
             && object.flags == flags;
-        if is_plain {
+        // What it is handed down may count for it alone.
+        let is_in_sum = matches!(above.place, Place::Union | Place::Merge);
+        let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
+        if is_plain && !is_hidden_there {
             return above.slot;
         }
         self.push(Slot::Object {
             above: above.slot,
             object: Arc::new(object.clone()),
             steps: Arc::clone(&above.steps),
+            place: above.place,
         })
     }
 
@@ -148,10 +153,12 @@ impl Slots {
                     above,
                     object,
                     steps,
+                    place,
                 } => Slot::Object {
                     above: first + above,
                     object: Arc::clone(object),
                     steps: joined(steps, &root.steps),
+                    place: *place,
                 },
                 Slot::Skins {
                     above,
@@ -199,11 +206,12 @@ impl Flat {
         let Some(children) = object.shared_parts() else {
             return false;
         };
-        let key = Arc::as_ptr(children).addr();
+        let keeps_uv = self.keeps_uv || object.uses_uv() || below.uses_uv();
+        let key = (Arc::as_ptr(children).addr(), keeps_uv);
         let Some(mut shared) = self.shared.remove(&key).or_else(|| {
             let copies = Arc::strong_count(children) as u64;
             let is_worth = copies * u64::from(object.size().leaves) >= SHARED_FROM;
-            is_worth.then(|| Box::new(self.share(children)))
+            is_worth.then(|| Box::new(self.share(children, keeps_uv)))
         }) else {
             return false;
         };
@@ -231,14 +239,16 @@ impl Flat {
         true
     }
 
-    /// Prepares what copies share.
-    fn share(&mut self, children: &Children) -> Shared {
+    /// Prepares what copies share, with shapes that know their texture coordinates if they may be asked for.
+    fn share(&mut self, children: &Children, keeps_uv: bool) -> Shared {
+        let keeps_uv_around = std::mem::replace(&mut self.keeps_uv, keeps_uv);
         let around = std::mem::take(&mut self.parts);
         let slots_around = self.slots.replace(Slots::new());
         let nothing = Heritage::default();
         for child in &**children {
             self.add_below(child, &nothing);
         }
+        self.keeps_uv = keeps_uv_around;
         let parts = std::mem::replace(&mut self.parts, around);
         let slots = std::mem::replace(&mut self.slots, slots_around);
         let slots = slots.map_or_else(Vec::new, |slots| slots.list);
@@ -257,7 +267,8 @@ impl Flat {
     /// The first of a run of surfaces, one for each slot, for a copy that looks like `root`.
     fn surfaces_of(&mut self, shared: &mut Shared, root: &Heritage) -> u32 {
         if shared.slots.len() == 1 {
-            return self.surface(root, &[]);
+            let surface = self.new_surface(root, &[]);
+            return self.number_of(surface);
         }
         if let Some(last) = &shared.last
             && shared.looks_alike
@@ -279,8 +290,12 @@ impl Flat {
                     above,
                     object,
                     steps,
+                    place,
                 } => {
-                    let around = moved(*above, steps);
+                    let around = Heritage {
+                        place: *place,
+                        ..moved(*above, steps)
+                    };
                     (self.heritage(object, &around), &[][..])
                 }
                 Slot::Skins {

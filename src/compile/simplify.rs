@@ -183,7 +183,7 @@ fn index(len: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::super::csg::{Operand, Sweep};
-    use super::super::leaf::Extent;
+    use super::super::leaf::{Absorb, Extent};
     use super::*;
     use crate::math::random::Random;
     use crate::math::{Ray, Step};
@@ -244,7 +244,7 @@ mod tests {
             });
             let steps = [Step::Rotate(DVec3::new(0.0, 90.0, 0.0))];
             let steps = &steps[..usize::from(rng.bits().is_multiple_of(4))];
-            let (leaf, around) = Leaf::new(shape(rng), steps, 0, Extent::Solid);
+            let (leaf, around) = Leaf::new(shape(rng), (steps, Absorb::AllItCan), 0, Extent::Solid);
             leaves.push(leaf);
             bounds.push(around);
         }
@@ -320,7 +320,7 @@ mod tests {
             centre: DVec3::ZERO,
             radius: 1.0,
         });
-        let (leaf, bounds) = Leaf::new(ball, &[], 0, Extent::Solid);
+        let (leaf, bounds) = Leaf::new(ball, (&[], Absorb::AllItCan), 0, Extent::Solid);
         program.prepare(&vec![leaf; 4], &[bounds; 4]);
         assert_eq!(program.nodes.len(), 1);
         assert_eq!(program.nodes[0].children, 4);

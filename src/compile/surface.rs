@@ -4,7 +4,11 @@ use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
 use crate::color::Rgb;
+use crate::math::{Step, Transform};
+use crate::scene::Importance;
+use crate::shape::{Geometry, Shape};
 use crate::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
+use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
 /// The object switches that matter while tracing.
@@ -16,10 +20,16 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count, if it says so.
+    pub importance: Option<Importance>,
     /// Does not displace the atmosphere around it.
     pub hollow: bool,
     /// Lit from both sides.
     pub double_illuminate: bool,
+    /// All its patterns are asked at texture coordinates.
+    pub uv_mapping: bool,
 }
 
 impl Flags {
@@ -28,8 +38,33 @@ impl Flags {
         match seen {
             Seen::Image => !self.no_image,
             Seen::Reflection => !self.no_reflection,
+            Seen::Gathering => !self.no_radiosity,
+            Seen::GatheringReflection => !(self.no_reflection || self.no_radiosity),
             Seen::Shadow => !self.no_shadow,
         }
+    }
+}
+
+/// A shape before its transforms, where they have gone into its own numbers and texture coordinates are asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Unmoved {
+    shape: Shape,
+    object_from_world: DAffine3,
+}
+
+impl Unmoved {
+    /// The shape that these steps will move.
+    pub(super) fn new(shape: &Shape, steps: &[Step]) -> Self {
+        Unmoved {
+            shape: shape.clone(),
+            object_from_world: Transform::from_steps(steps).object_from_world,
+        }
+    }
+
+    /// The texture coordinates at a world point of a piece of the surface.
+    pub(super) fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        let local = self.object_from_world.transform_point3(point);
+        self.shape.uv(local, face)
     }
 }
 
@@ -48,6 +83,8 @@ pub struct Surface {
     pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
+    /// What gives its texture coordinates, if that is not the leaf as it is.
+    pub(super) unmoved: Option<Arc<Unmoved>>,
     /// What follows from its textures.
     traits: Traits,
 }
@@ -60,6 +97,7 @@ struct Traits {
     has_fresnel: bool,
     is_plain: bool,
     is_bumpy: bool,
+    uses_uv: bool,
     filters_evenly: bool,
 }
 
@@ -79,11 +117,13 @@ impl Surface {
         let has = |is_such: &dyn Fn(&PreparedLayer) -> bool| {
             textures().any(|texture| texture.has_layer(is_such))
         };
+        let uses_uv = flags.uv_mapping || textures().any(|texture| texture.uses_uv());
         let traits = Traits {
+            uses_uv,
             is_opaque: textures().all(|texture| texture.is_opaque()),
             is_lit_from_behind: has(&|layer| layer.finish.diffuse_back != 0.0),
             has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
-            is_plain: textures().count() == 1 && texture.is_plain(),
+            is_plain: textures().count() == 1 && texture.is_plain() && !uses_uv,
             is_bumpy: has(&|layer| layer.normal.is_some()),
             filters_evenly: textures().count() == 1 && texture.is_even(),
         };
@@ -94,8 +134,15 @@ impl Surface {
             interior,
             lights,
             flags,
+            unmoved: None,
             traits,
         }
+    }
+
+    /// Whether something in its looks asks for texture coordinates.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        self.traits.uses_uv
     }
 
     /// Whether light that comes from behind can be seen on it.
@@ -155,6 +202,8 @@ impl Surface {
             && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
             && self.flags == other.flags
+            && self.unmoved.is_none()
+            && other.unmoved.is_none()
     }
 
     /// Whether nothing can be seen through it.

@@ -314,16 +314,23 @@ impl World {
                 continue;
             }
             let start = first + half;
-            let four = *lot.four(start);
-            let asked = (&four, some);
-            let query = |lane| query(start + lane);
-            let take = |lane, found| take(lot, start + lane, found);
+            let asked = (&mut *lot, start, some);
             let unknown = match item.item {
                 Item::Program(program) => {
-                    self.ask_four::<ASKS_FACE>(lanes, program, asked, query, scratch, take)
+                    self.ask_four::<ASKS_FACE>(lanes, program, asked, &query, scratch, &mut take)
                 }
-                Item::Leaf(leaf) => self.ask_four_of_leaf(lanes, leaf, asked, query, take),
-                Item::Instance(_) => some,
+                Item::Leaf(leaf) if ASKS_FACE => {
+                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, &query, &mut take)
+                }
+                Item::Leaf(leaf) => {
+                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, &query, &mut take)
+                }
+                Item::Instance(copy) if ASKS_FACE => {
+                    self.ask_four_of_copy::<false>(lanes, copy, asked, &mut take)
+                }
+                Item::Instance(copy) => {
+                    self.ask_four_of_copy::<true>(lanes, copy, asked, &mut take)
+                }
             };
             left |= unknown << half;
         }

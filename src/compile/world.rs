@@ -16,9 +16,10 @@ use crate::interior::PreparedMedia;
 use crate::math::Bounds;
 use crate::math::noise::NoiseGenerator;
 use crate::options::{LeastDistance, RenderOptions};
+use crate::radiosity::Radiosity;
 use crate::scene::Scene;
 use crate::shape::{Shape, Shares};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// The settings of shading.
@@ -30,6 +31,8 @@ pub struct Globals {
     pub adc_bailout: f64,
     /// The length in which POV-Ray's own lengths count.
     pub unit: f64,
+    /// Where the origin of the scene's own coordinates lies.
+    pub origin: DVec3,
     /// `max_trace_level`.
     pub max_trace_level: u32,
     /// `ambient_light`.
@@ -44,6 +47,9 @@ pub struct Globals {
 
 /// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
 const TREE_FROM: usize = 3;
+
+/// Below this quality there is no radiosity (facts 4.11).
+const QUALITY_OF_RADIOSITY: u8 = 9;
 
 /// A scene, ready for rays.
 #[derive(Debug)]
@@ -68,6 +74,8 @@ pub struct World {
     pub fogs: Vec<Fog>,
     /// The rainbows.
     pub rainbows: Vec<Rainbow>,
+    /// Light that surfaces gather from each other, if it is drawn.
+    pub radiosity: Option<Radiosity>,
     /// The settings of shading.
     pub globals: Globals,
     /// All objects.
@@ -97,6 +105,13 @@ impl World {
             transmit: 1.0,
             ..Color::default()
         };
+        let radiosity = scene.globals.radiosity;
+        let radiosity = radiosity.filter(|_| options.quality >= QUALITY_OF_RADIOSITY);
+        // From version 3.7 on gathered light stands for `ambient`.
+        let ambient_light = match radiosity {
+            Some(_) if scene.version >= 3.7 => Rgb::BLACK,
+            _ => scene.globals.ambient_light,
+        };
         let mut world = World {
             camera: scene.camera.prepared(&scene.pattern_settings()),
             lens: Lens::new(&scene.camera, &scene.pattern_settings()),
@@ -124,8 +139,9 @@ impl World {
                 noise: scene.pattern_settings().noise_generator,
                 adc_bailout: scene.globals.adc_bailout,
                 unit: scene.globals.unit,
+                origin: scene.globals.origin,
                 max_trace_level: scene.globals.max_trace_level,
-                ambient_light: scene.globals.ambient_light,
+                ambient_light,
                 irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
                 has_alpha: options.alpha,
@@ -136,8 +152,10 @@ impl World {
             opaque: flat.surfaces.iter().map(Surface::is_opaque).collect(),
             hides_some: flat.surfaces.iter().any(|surface| {
                 let flags = &surface.flags;
-                flags.no_image || flags.no_reflection || flags.no_shadow
+                flags.no_image || flags.no_reflection || flags.no_radiosity || flags.no_shadow
             }),
+            radiosity: radiosity
+                .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             boxes,
             lights: flat.lights,
             surfaces: flat.surfaces,
@@ -207,6 +225,28 @@ impl World {
     pub fn shares(&self, hit: &Hit) -> Shares {
         let Departure { leaf, face, .. } = hit.departure;
         self.model.shares(leaf, hit.point, face)
+    }
+
+    /// Whether a hit looks from inside as it does from outside, whatever `interior_texture` says: so it is with blobs whose
+    /// components have textures of their own, and not with meshes (checked with POV-Ray).
+    #[must_use]
+    pub fn has_one_side(&self, hit: &Hit) -> bool {
+        let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
+        !self.surfaces[hit.surface as usize].skins.is_empty() && is_blob()
+    }
+
+    /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
+    #[must_use]
+    pub fn uv(&self, hit: &Hit) -> DVec2 {
+        let Departure { leaf, face, .. } = hit.departure;
+        let own = match &self.surfaces[hit.surface as usize].unmoved {
+            Some(unmoved) => unmoved.uv(hit.point, face),
+            None => self.model.uv(leaf, hit.point, face),
+        };
+        match own {
+            Some(uv) => DVec2::from(uv),
+            None => ((hit.point - self.globals.origin) / self.globals.unit).truncate(),
+        }
     }
 
     /// Whether some surface cannot be seen by some rays.

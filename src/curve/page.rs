@@ -30,7 +30,7 @@ figure { margin: 0; border-top: 3px solid var(--family, #888); padding-top: 0.4r
 figure .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 4px; }
 img { width: 100%; height: auto; display: block; image-rendering: auto; background: #000; }
 figcaption { font-size: 0.85rem; margin-top: 0.3rem; overflow-wrap: anywhere; }
-.truth { max-width: 480px; }
+.truth { max-width: 480px; margin-bottom: 24px; }
 @media (max-width: 700px) { body { padding: 0.5rem; } }
 ";
 

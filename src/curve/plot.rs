@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::ops::Range;
 
-use plotters::coord::combinators::IntoLogRange;
+use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
 use plotters::prelude::*;
 use resvg::{tiny_skia, usvg};
 
@@ -58,6 +58,19 @@ fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     least / 1.4..most * 2.0
 }
 
+/// Where lines of the grid stand: at 1, 2, and so on to 9 times each power of ten. Left to itself the plot has none below
+/// the first power in the range, and twice the number at each.
+fn grid(range: &Range<f64>) -> Vec<f64> {
+    let mut lines = Vec::new();
+    let mut power = 10f64.powf(range.start.log10().floor());
+    while power <= range.end {
+        let of_power = (1..10).map(|leading| f64::from(leading) * power);
+        lines.extend(of_power.filter(|line| range.contains(line)));
+        power *= 10.0;
+    }
+    lines
+}
+
 fn draw<'a>(
     area: &DrawingArea<SVGBackend<'a>, plotters::coord::Shift>,
     report: &Report,
@@ -72,7 +85,10 @@ fn draw<'a>(
         .margin(12)
         .x_label_area_size(46)
         .y_label_area_size(74)
-        .build_cartesian_2d(times.log_scale(), errors.log_scale())?;
+        .build_cartesian_2d(
+            times.clone().log_scale().with_key_points(grid(&times)),
+            errors.clone().log_scale().with_key_points(grid(&errors)),
+        )?;
     chart
         .configure_mesh()
         .x_desc("processor seconds of tracing")
@@ -177,6 +193,14 @@ mod tests {
     fn the_line_joins_what_nothing_betters() {
         let points = [(1.0, 0.5), (2.0, 0.7), (3.0, 0.2), (4.0, 0.3)];
         assert_eq!(best(&points), [(1.0, 0.5), (3.0, 0.2)]);
+    }
+
+    #[test]
+    fn lines_of_the_grid_reach_both_ends() {
+        let lines = grid(&(0.00035..0.021));
+        assert_eq!(lines.len(), 6 + 9 + 2);
+        assert!((lines[0] - 0.0004).abs() < 1e-12, "{lines:?}");
+        assert!((lines[16] - 0.02).abs() < 1e-12, "{lines:?}");
     }
 
     #[test]

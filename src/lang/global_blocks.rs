@@ -2,7 +2,7 @@
 
 use super::reader::Reader;
 use crate::args::{Args, Parse, Word};
-use crate::scene::{PhotonDensity, Photons, Radiosity, Subsurface};
+use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 use crate::source::{Code, Diagnostic, Span};
 
 /// Values that a setting may have, and how a person says it.
@@ -50,7 +50,6 @@ impl Reader<'_> {
             return Err(self.with_trace(Diagnostic::error(start, message)));
         }
         self.globals.radiosity = Some(settings);
-        self.note_undrawn("radiosity", start);
         Ok(())
     }
 
@@ -237,14 +236,16 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `radiosity { importance value }` of an object or of all: it counts only where radiosity is drawn.
-    pub(super) fn importance(&mut self) -> Parse<()> {
+    /// `radiosity { importance value }` of an object or of all.
+    pub(super) fn importance(&mut self) -> Parse<Option<Importance>> {
         self.pass();
         self.open_block()?;
+        let mut importance = None;
         if self.take_word(Word::Importance)? {
-            self.checked(&SHARE)?;
+            importance = Some(Importance::new(self.checked(&SHARE)?));
         }
-        Args::close(self)
+        Args::close(self)?;
+        Ok(importance)
     }
 
     /// A float within a range.

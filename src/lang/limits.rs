@@ -38,8 +38,6 @@ pub(super) const LEAVES: u64 = 200_000_000;
 pub(super) const SHOWN: u64 = 4_000_000_000;
 /// Objects with fewer shapes are looked into by `trace`, `inside` and patterns without counting more closely.
 pub(super) const PROBED: u32 = 1_000_000;
-/// Layers of one texture.
-pub(super) const LAYERS: usize = 100_000;
 /// Files that a scene has open at once.
 pub(super) const FILES: usize = 64;
 /// Bytes that a scene writes to files in a run.

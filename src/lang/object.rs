@@ -208,9 +208,8 @@ impl Reader<'_> {
 
     fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
         let token = self.raw();
-        let not_built = [Word::UvMapping, Word::CutawayTextures];
-        if let Some(word) = token.word().filter(|word| not_built.contains(word)) {
-            return self.not_built(word);
+        if token.word() == Some(Word::CutawayTextures) {
+            return self.not_built(Word::CutawayTextures);
         }
         if token
             .word()
@@ -243,7 +242,9 @@ impl Reader<'_> {
                 object.interior = Some(Arc::new(interior.after(&object.steps)));
             }
             Word::Material => self.material(object)?,
-            Word::Radiosity => self.importance()?,
+            Word::Radiosity => {
+                object.flags.importance = self.importance()?.or(object.flags.importance)
+            }
             Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
             _ => return self.switch(object, word),
         }
@@ -253,6 +254,13 @@ impl Reader<'_> {
     fn switch(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
         match word {
             Word::NoShadow => object.flags.no_shadow = true,
+            Word::UvMapping if object.texture.is_some() => {
+                let text =
+                    "expected `uv_mapping` before the texture of the object, found it behind";
+                let hint = "Move `uv_mapping` in front of the texture, or into it: `texture { uv_mapping ... }`.";
+                return Err(Box::new(self.error_here(text).with_hint(hint)));
+            }
+            Word::UvMapping => object.flags.uv_mapping = true,
             Word::Inverse => object.is_inverse = !object.is_inverse,
             Word::NoImage
             | Word::NoReflection
@@ -267,6 +275,7 @@ impl Reader<'_> {
                 match word {
                     Word::NoImage => object.flags.no_image = is_on,
                     Word::NoReflection => object.flags.no_reflection = is_on,
+                    Word::NoRadiosity => object.flags.no_radiosity = is_on,
                     Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
                     Word::Hollow => object.flags.hollow = Some(is_on),
                     // The others change no picture of what is built.
@@ -421,9 +430,10 @@ pub(super) fn baked(object: &mut Object) -> &mut Texture {
     };
     let attached = object.texture.get_or_insert_with(plain);
     let texture = Arc::make_mut(&mut attached.what);
-    steps[attached.after..]
-        .iter()
-        .for_each(|step| texture.transform(step));
+    if !object.flags.uv_mapping {
+        let moved = steps[attached.after..].iter();
+        moved.for_each(|step| texture.transform(step));
+    }
     attached.after = steps.len();
     object.steps = steps;
     texture

@@ -1,7 +1,6 @@
 //! The values that identifiers are given: whatever may stand behind `#declare X =`.
 
 use super::function::is_callable;
-use super::limits;
 use super::reader::Reader;
 use super::replay::Level;
 use super::value::{Element, Number, Value};
@@ -234,13 +233,10 @@ impl Reader<'_> {
 
     /// Textures that are chosen by a pattern have no layers, and textures that hold themselves twice double theirs.
     pub(super) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
-        if lower.is_patterned() || upper.is_patterned() {
-            return Err(self.error_taken("a texture that a pattern chooses is no layer of another"));
+        match lower.fault_below(upper) {
+            Some(fault) => Err(self.error_taken(fault)),
+            None => Ok(()),
         }
-        if lower.layers().len() + upper.layers().len() <= limits::LAYERS {
-            return Ok(());
-        }
-        Err(self.error_taken(format!("a texture has at most {} layers", limits::LAYERS)))
     }
 }
 

@@ -253,7 +253,10 @@ impl Reader<'_> {
                     layer.read_part(word, self)?;
                     self.set_default(layer);
                 }
-                Some(Word::Radiosity) => self.importance()?,
+                Some(Word::Radiosity) => {
+                    let usual = self.globals.importance;
+                    self.globals.importance = self.importance()?.unwrap_or(usual);
+                }
                 _ => {
                     return Err(self.expected_here(
                         "`texture`, `pigment`, `finish`, `camera` or `}` in `default`",

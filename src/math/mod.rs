@@ -8,6 +8,7 @@ pub(crate) mod conditioning;
 pub(crate) mod enclosed;
 #[cfg(test)]
 pub(crate) mod exact;
+mod halton;
 pub mod hash;
 pub(crate) mod hyperbolic;
 mod jitter;
@@ -27,6 +28,7 @@ mod transform;
 pub(crate) mod watertight;
 
 pub use bounds::Bounds;
+pub use halton::halton;
 pub use jitter::jitter;
 pub use ray::Ray;
 pub use shear::Shear;

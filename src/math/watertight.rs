@@ -59,6 +59,12 @@ impl RayFrame {
         self.ray.origin
     }
 
+    /// The direction of the ray.
+    #[inline]
+    pub(crate) fn dir(&self) -> DVec3 {
+        self.ray.dir
+    }
+
     /// The length of the ray's direction.
     #[inline]
     pub(crate) fn speed(&self) -> f64 {

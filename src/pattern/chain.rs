@@ -150,6 +150,12 @@ struct Turn {
 }
 
 impl Turns {
+    /// These turns and then others.
+    #[must_use]
+    pub fn then(&self, others: &Turns) -> Turns {
+        Turns(self.0.iter().chain(&others.0).copied().collect())
+    }
+
     /// A normal in pattern space; after each transform it is made one long if `is_unit`.
     #[must_use]
     pub fn to_pattern(&self, normal: DVec3, is_unit: bool) -> DVec3 {

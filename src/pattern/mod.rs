@@ -64,7 +64,7 @@ use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use crate::math::noise::{NoiseGenerator, Octaves};
 use crate::syntax::Class;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -187,9 +187,17 @@ pub struct Spot {
     pub normal: DVec3,
     /// The direction of the ray that sees it; zero where there is none.
     pub dir: DVec3,
+    /// The texture coordinates for `uv_mapping`; zero where nothing asks for them.
+    pub uv: DVec2,
 }
 
 impl Spot {
+    /// The point of pattern space for what is mapped by texture coordinates.
+    #[must_use]
+    pub fn on_the_map(&self) -> DVec3 {
+        self.uv.extend(0.0)
+    }
+
     /// A point in no surface, seen by nobody in particular.
     #[must_use]
     pub fn at(point: DVec3) -> Self {
@@ -197,6 +205,7 @@ impl Spot {
             point,
             normal: DVec3::ZERO,
             dir: DVec3::ZERO,
+            uv: DVec2::ZERO,
         }
     }
 }

@@ -2,15 +2,18 @@
 
 mod antialias;
 mod converge;
+mod gathered;
+mod pretrace;
 mod unfinished;
 
 pub use unfinished::{Found, Unfinished};
 
-use crate::compile::{Rays, Scratch, World};
+use crate::compile::{Rays, World};
 use crate::film::{Film, Leveller, Levels, Pixel};
-use crate::options::{Reached, RenderOptions, Sampling};
+use crate::options::{RadiosityTaken, Reached, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
+use gathered::Gathered;
 use rayon::prelude::*;
 use std::ops::Range;
 use unfinished::Piece;
@@ -38,6 +41,8 @@ pub struct Drawn {
     pub rays: Rays,
     /// What was reached, of a picture that was sampled until its error is small.
     pub reached: Option<Reached>,
+    /// What radiosity took, where it was drawn.
+    pub radiosity: Option<RadiosityTaken>,
 }
 
 /// Pixels of a tile, row by row, and the rays that they took.
@@ -59,18 +64,33 @@ pub fn render(
     unfinished: Option<&Unfinished>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
-    let tracer = Tracer::new(world, options.quality).until(&options.stop);
-    if let Sampling::Converging(how) = &options.sampling {
-        return converge::draw(&tracer, options, how, unfinished, progress);
+    if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
+        // What several threads do together for a moment is begun by one of them.
+        return rayon::scope(|_| render(world, options, unfinished, progress));
     }
-    let tiles = tiles(options);
+    let tracer = Tracer::new(world, options.quality).until(&options.stop);
+    let mut gathered = Gathered::pretraced(&tracer, options);
+    if let Sampling::Converging(how) = &options.sampling {
+        let (tracer, radiosity) = match gathered {
+            None => (tracer, None),
+            Some(gathered) => gathered.given_to(tracer),
+        };
+        let drawn = converge::draw(&tracer, options, how, unfinished, progress);
+        return Drawn { radiosity, ..drawn };
+    }
+    // A piece of an earlier run does not tell which samples it added.
+    let unfinished = unfinished.filter(|_| gathered.is_none());
+    let gathers = gathered.is_some();
+    let tiles = tiles_of(options);
     let leveller = options.only_for.as_ref().and_then(Leveller::of);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match unfinished {
             Some(unfinished) => kept_tile(unfinished, &tracer, tile, options, scratch),
             None => draw_tile(&tracer, tile, options, scratch),
         };
-        progress(pixels.len() as u64);
+        if !gathers {
+            progress(pixels.len() as u64);
+        }
         let kept = match &leveller {
             Some(leveller) => Kept::Levels(leveller.levels(&pixels)),
             None => Kept::Light(pixels),
@@ -83,14 +103,19 @@ pub fn render(
         Some(leveller) => Film::of_levels(Levels::black(leveller, width, height), columns, rows),
         None => Film::new(width, height, columns, rows),
     };
-    let mut rays = Rays::default();
+    let mut rays = gathered
+        .as_ref()
+        .map_or(Rays::default(), |gathered| gathered.rays);
     // Tiles by tiles, or all pixels would lie in memory twice.
     let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
     for some in tiles.chunks(at_once) {
-        let drawn: Vec<(Tile, Kept, Rays)> = some
-            .par_iter()
-            .map_init(BlockScratch::default, draw)
-            .collect();
+        let drawn: Vec<(Tile, Kept, Rays)> = match &mut gathered {
+            None => some
+                .par_iter()
+                .map_init(BlockScratch::default, draw)
+                .collect(),
+            Some(gathered) => gathered.draw(some, &draw, progress),
+        };
         for (tile, kept, of_tile) in drawn {
             rays += of_tile;
             match (kept, &mut film.levels) {
@@ -107,6 +132,7 @@ pub fn render(
         film,
         rays,
         reached: None,
+        radiosity: gathered.map(Gathered::taken),
     }
 }
 
@@ -121,7 +147,7 @@ fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pi
 
 /// The tiles that hold the pixels to be drawn. They lie on a grid of the whole picture, so that a part of it is drawn
 /// with the same blocks as the whole.
-fn tiles(options: &RenderOptions) -> Vec<Tile> {
+fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
     let starts = |range: &Range<u32>, side: u32| {
         let (first, end) = (range.start / TILE * TILE, range.end);
         (first..end)
@@ -185,12 +211,15 @@ fn draw_tile(
 ) -> (Tile, Pixels) {
     let wanted = wanted(tile, options);
     let pixels = match &options.sampling {
+        Sampling::Centres | Sampling::Converging(_) if minds_order(scratch) => {
+            draw_rows(tracer, &wanted, options, scratch)
+        }
         Sampling::Centres | Sampling::Converging(_) => {
             draw_blocks(tracer, &wanted, options, scratch)
         }
         Sampling::PovRay(how) => {
-            let mut scratch = Scratch::default();
-            let whole = Sampler::new(tracer, options, how).block(tile, &mut scratch);
+            let single = scratch.single();
+            let whole = Sampler::new(tracer, options, how).block(tile, single);
             let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
             let skipped = (wanted.columns.start - tile.columns.start) as usize;
             let pixels = rows
@@ -198,7 +227,7 @@ fn draw_tile(
                 .flat_map(|(row, _)| &row[skipped..skipped + wanted.columns.len()])
                 .copied()
                 .collect();
-            (pixels, scratch.rays)
+            (pixels, scratch.take_rays())
         }
     };
     (wanted, pixels)
@@ -227,6 +256,32 @@ fn draw_blocks(
                 let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
                 pixels[y as usize * width + x as usize] = Pixel::new(sample.rgb, sample.transmit);
             });
+        }
+    }
+    (pixels, scratch.take_rays())
+}
+
+/// Whether pixels are to be drawn row by row.
+fn minds_order(scratch: &mut BlockScratch) -> bool {
+    let session = &scratch.single().radiosity;
+    session
+        .as_ref()
+        .is_some_and(|session| session.minds_order())
+}
+
+/// The same, pixel by pixel.
+fn draw_rows(
+    tracer: &Tracer<'_>,
+    wanted: &Tile,
+    options: &RenderOptions,
+    scratch: &mut BlockScratch,
+) -> Pixels {
+    let (width, height) = (options.width, options.height);
+    let mut pixels = Vec::with_capacity(wanted.columns.len() * wanted.rows.len());
+    for y in wanted.rows.clone().map(f64::from) {
+        for x in wanted.columns.clone().map(f64::from) {
+            let sample = tracer.pixel(x, y, width, height, scratch.single());
+            pixels.push(Pixel::new(sample.rgb, sample.transmit));
         }
     }
     (pixels, scratch.take_rays())

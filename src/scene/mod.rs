@@ -9,7 +9,9 @@ mod objects;
 mod scaled;
 
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
-pub use object::{Attached, Children, Flags, Kind, LightGroup, Object, Operation, Size};
+pub use object::{
+    Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
+};
 pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;
@@ -17,6 +19,7 @@ use crate::camera::Camera;
 use crate::color::{Color, Gamma, Rgb};
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::Settings;
+use glam::DVec3;
 
 /// A whole scene.
 #[derive(Clone, Debug)]
@@ -59,10 +62,14 @@ pub struct Globals {
     pub irid_wavelength: Rgb,
     /// The length in which POV-Ray's own lengths count: how far away the sky is. 1 in a scene as it is written.
     pub unit: f64,
+    /// Where the origin of the file's coordinates lies.
+    pub origin: DVec3,
     /// How long the unit of the scene is, in millimetres.
     pub mm_per_unit: f64,
     /// Light that surfaces gather from each other, if the file asks for it.
     pub radiosity: Option<Radiosity>,
+    /// How many of the rays that gather light and meet an object count where it does not say (`#default`).
+    pub importance: Importance,
     /// How photons are shot, if the file says so.
     pub photons: Option<Photons>,
     /// How light in solids is sampled, if the file says so.
@@ -86,8 +93,10 @@ impl Default for Globals {
             charset: Charset::default(),
             irid_wavelength: IRID_WAVELENGTH,
             unit: 1.0,
+            origin: DVec3::ZERO,
             mm_per_unit: 10.0,
             radiosity: None,
+            importance: Importance::default(),
             photons: None,
             subsurface: None,
             noise_generator: None,

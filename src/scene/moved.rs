@@ -42,6 +42,7 @@ impl Scene {
         };
         self.objects = self.objects.one_by_one().map(moved).collect();
         self.camera = self.camera.moved(by);
+        self.globals.origin += by;
         self
     }
 

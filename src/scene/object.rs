@@ -3,7 +3,7 @@
 use crate::interior::Interior;
 use crate::light::{Light, ObjectPhotons};
 use crate::math::Step;
-use crate::shape::{Geometry, Shape};
+use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::Texture;
 use std::sync::Arc;
 
@@ -51,6 +51,8 @@ pub struct Size {
     pub leaves: u32,
     /// Whether lights are among them.
     pub has_lights: bool,
+    /// Whether some of the objects in it ask for texture coordinates.
+    pub uses_uv: bool,
     /// Combinations inside each other, without those that say no more than the one around them would say of their
     /// parts: differences whose first part is a difference, unions of unions.
     pub turns: u32,
@@ -121,10 +123,41 @@ pub struct Flags {
     pub no_image: bool,
     /// Not seen by reflected rays.
     pub no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count; `None` takes the parent's.
+    pub importance: Option<Importance>,
     /// Does not displace the atmosphere; `None` takes the parent's.
     pub hollow: Option<bool>,
     /// Lit from both sides.
     pub double_illuminate: bool,
+    /// `uv_mapping`: all patterns on it, and on what it holds, are asked at texture coordinates.
+    pub uv_mapping: bool,
+}
+
+/// The share of the rays that gather light that counts where they meet an object (`radiosity { importance }`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Importance(u64);
+
+impl Importance {
+    /// A share, above 0 and up to 1.
+    #[must_use]
+    pub fn new(share: f64) -> Self {
+        Importance(share.to_bits())
+    }
+
+    /// The share.
+    #[must_use]
+    pub fn share(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+impl Default for Importance {
+    /// All of them.
+    fn default() -> Self {
+        Importance::new(1.0)
+    }
 }
 
 impl Object {
@@ -135,6 +168,7 @@ impl Object {
             height: 1,
             leaves: 1,
             has_lights: matches!(kind, Kind::Light { .. }),
+            uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(Skin::uses_uv)),
             turns: 0,
         };
         let size = match &kind {
@@ -200,6 +234,14 @@ impl Object {
             && clipped_by.is_empty()
             && bounded_by.is_empty();
         is_plain.then_some(&texture.what)
+    }
+
+    /// Whether it or something in it asks for texture coordinates.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        let textures = [&self.texture, &self.interior_texture];
+        let mut textures = textures.into_iter().flatten();
+        self.size.uses_uv || self.flags.uv_mapping || textures.any(|own| own.what.uses_uv())
     }
 
     /// Whether it has an inside: no part of it is a patch or a light.
@@ -337,6 +379,7 @@ impl Size {
         let turns = part.size.turns + u32::from(is_turn);
         Size {
             turns: self.turns.max(turns),
+            uses_uv: self.uses_uv || part.uses_uv(),
             ..self.with(part.size)
         }
     }
@@ -347,6 +390,7 @@ impl Size {
             height: self.height.max(inner.height.saturating_add(1)),
             leaves: self.leaves.saturating_add(inner.leaves),
             has_lights: self.has_lights || inner.has_lights,
+            uses_uv: self.uses_uv || inner.uses_uv,
         }
     }
 }
@@ -388,6 +432,7 @@ mod tests {
             height: 21,
             leaves: 1 << 20,
             has_lights: true,
+            uses_uv: false,
             turns: 0,
         };
         assert_eq!(doubled.size(), size);
@@ -406,6 +451,7 @@ mod tests {
             height: 4,
             leaves: 2,
             has_lights: true,
+            uses_uv: false,
             turns: 1,
         };
         assert_eq!(object.size(), size);

@@ -56,6 +56,7 @@ impl Scene {
             media.transform(&Step::Scale(DVec3::splat(factor)));
         }
         self.globals.unit *= factor;
+        self.globals.origin *= factor;
         self
     }
 

@@ -352,14 +352,15 @@ impl Geometry for BicubicPatch {
         }
     }
 
-    fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
+    fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         let shares = self.weights(point, face);
         let corners = self.corners(face);
         let at = (0..3).fold(DVec2::ZERO, |sum, i| sum + shares[i] * corners[i].at);
         // The second parameter of the surface is the first of the texture.
         let [a, b, c, d] = self.net.uv;
         let (u, v) = (at.y, at.x);
-        ((1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * d + u * c)).to_array()
+        let uv = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * d + u * c);
+        Some(uv.to_array())
     }
 
     fn is_faceted(&self) -> bool {

@@ -12,7 +12,8 @@
 mod component;
 
 use self::component::{Component, Part, Parts};
-use super::{Crossing, Crossings, Geometry, Root, Start, first_visible, read};
+use super::{Crossing, Crossings, Geometry, Root, Share, Shares, Skin, Start};
+use super::{first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
 use crate::math::polynomial::{is_quartic_positive, sign_changes_between};
@@ -34,6 +35,8 @@ pub struct Blob(Arc<Field>);
 #[derive(Clone, Debug)]
 struct Field {
     components: Vec<Component>,
+    /// The textures that components have of their own.
+    skins: Vec<Skin>,
     threshold: f64,
     bounds: Bounds,
     tree: Option<Bvh>,
@@ -42,7 +45,9 @@ struct Field {
 impl PartialEq for Field {
     /// The rest follows.
     fn eq(&self, other: &Self) -> bool {
-        self.components == other.components && self.threshold == other.threshold
+        self.components == other.components
+            && self.skins == other.skins
+            && self.threshold == other.threshold
     }
 }
 
@@ -50,14 +55,19 @@ impl Blob {
     /// Reads components and `threshold`, in any order.
     ///
     /// # Errors
-    /// Malformed or non-finite parameters, a cylinder without length, no component at all, a texture of a component.
+    /// Malformed or non-finite parameters, a cylinder without length, no component at all.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let mut threshold = THRESHOLD;
         let mut components = Vec::new();
+        let mut skins = Vec::new();
         loop {
             if args.accept(Word::Threshold)? {
                 threshold = read::number(args, "the threshold of the blob")?;
-            } else if let Some(component) = Component::read(args)? {
+            } else if let Some((mut component, texture)) = Component::read(args)? {
+                if let Some(texture) = texture {
+                    component.skin = u32::try_from(skins.len()).unwrap_or(Share::OF_THE_OBJECT);
+                    skins.push(Skin(Arc::new(texture)));
+                }
                 components.push(component);
             } else {
                 break;
@@ -68,10 +78,10 @@ impl Blob {
                 .with_hint("write `sphere { <centre>, radius, strength }` behind the threshold");
             return Err(Box::new(error));
         }
-        Ok(Blob::new(components, threshold))
+        Ok(Blob::new(components, skins, threshold))
     }
 
-    fn new(components: Vec<Component>, threshold: f64) -> Self {
+    fn new(components: Vec<Component>, skins: Vec<Skin>, threshold: f64) -> Self {
         let boxes: Vec<Bounds> = components.iter().map(Component::bounds).collect();
         let reach = |sign: f64| {
             let some = components.iter().zip(&boxes);
@@ -83,6 +93,7 @@ impl Blob {
         let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes));
         Blob(Arc::new(Field {
             components,
+            skins,
             threshold,
             bounds,
             tree,
@@ -239,6 +250,31 @@ impl Geometry for Blob {
 
     fn absorb(&mut self, _: &Step) -> bool {
         false
+    }
+
+    fn skins(&self) -> &[Skin] {
+        &self.0.skins
+    }
+
+    /// Each component has a share as large as its field there, whether it adds or takes away.
+    fn shares(&self, point: DVec3, _: u32) -> Shares {
+        let mut shares = Shares::new();
+        if self.0.skins.is_empty() {
+            return shares;
+        }
+        let mut sum = 0.0;
+        self.0.around(point, |component| {
+            let weight = component.field(point).abs();
+            if weight > 0.0 {
+                let skin = component.skin;
+                shares.push(Share { weight, skin });
+                sum += weight;
+            }
+        });
+        for share in &mut shares {
+            share.weight /= sum;
+        }
+        shares
     }
 }
 

@@ -165,7 +165,7 @@ impl Geometry for Cuboid {
     }
 
     /// The cross of an unfolded cube: left, back, right and front in the middle row, top and bottom at the back.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = self.fractions(point);
         let off_centre = (p - 0.5).abs();
         let [quarter, third] = [0.25, 1.0 / 3.0];
@@ -175,7 +175,7 @@ impl Geometry for Cuboid {
             } else {
                 1.0 - p.z * third
             };
-            return [quarter + p.x * quarter, v];
+            return Some([quarter + p.x * quarter, v]);
         }
         let u = match (off_centre.x >= off_centre.z, p.x < 0.5, p.z < 0.5) {
             (true, true, _) => p.z * quarter,
@@ -183,7 +183,11 @@ impl Geometry for Cuboid {
             (false, _, true) => 1.0 - p.x * quarter,
             (false, _, false) => quarter + p.x * quarter,
         };
-        [u, third + p.y * third]
+        Some([u, third + p.y * third])
+    }
+
+    fn loses_uv(&self) -> bool {
+        true
     }
 }
 
@@ -262,7 +266,7 @@ mod tests {
     fn the_faces_lie_on_an_unfolded_cross() {
         let third = 1.0 / 3.0;
         let near = |p: DVec3, u: f64, v: f64| {
-            let uv = Cuboid::new(DVec3::ZERO, DVec3::ONE).uv(p);
+            let uv = Cuboid::new(DVec3::ZERO, DVec3::ONE).uv(p, 0).unwrap();
             assert!((uv[0] - u).abs() + (uv[1] - v).abs() < 1e-15, "{p}: {uv:?}");
         };
         near(DVec3::new(0.0, 0.4, 0.4), 0.1, third * 1.4);

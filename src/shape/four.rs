@@ -1,12 +1,16 @@
 //! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
 
 use super::Shape;
+use crate::math::Ray;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::math::lanes::Four;
 pub(crate) use crate::math::lanes::three::Three;
 pub(super) use crate::math::lanes::three::{dot, minus, plus, same, scaled};
 use glam::DAffine3;
+
+/// Places for roots: a torus has up to four on each of two stretches.
+pub(super) const MOST_ROOTS: usize = 8;
 
 /// Four rays.
 #[derive(Clone, Copy)]
@@ -45,7 +49,7 @@ impl<F: Four> FourSpans<F> {
 impl<F: Four> FourSpans<F> {
     /// The first ends with `from < t <= far`.
     #[inline(always)]
-    fn nearest(&self, from: F, far: F) -> FourNearest<F> {
+    pub(super) fn nearest(&self, from: F, far: F) -> FourNearest<F> {
         let within = F::both(from.below(self.enter), self.enter.not_above(far));
         let enters = F::both(self.is_met, within);
         let within = F::both(from.below(self.leave), self.leave.not_above(far));
@@ -60,12 +64,12 @@ impl<F: Four> FourSpans<F> {
     }
 }
 
-/// All roots of four lines with a shape of which no line meets more than four, all visible and of face 0, in order:
-/// they enter and leave in turn.
+/// All roots of four lines with a shape, all visible and of face 0, in order: they enter and leave in turn. Places may be
+/// left out.
 pub(crate) struct FourRoots<F: Four> {
-    pub(super) t: [F; 4],
+    pub(super) t: [F; MOST_ROOTS],
     /// For each place, which lines have a root there, one bit each.
-    pub(super) met: [u32; 4],
+    pub(super) met: [u32; MOST_ROOTS],
     /// Which lines must be asked for singly.
     pub(super) unknown: u32,
 }
@@ -85,8 +89,8 @@ impl<F: Four> FourRoots<F> {
     #[inline(always)]
     pub(super) fn none(unknown: u32) -> Self {
         FourRoots {
-            t: [F::all(f64::INFINITY); 4],
-            met: [0; 4],
+            t: [F::all(f64::INFINITY); MOST_ROOTS],
+            met: [0; MOST_ROOTS],
             unknown,
         }
     }
@@ -104,7 +108,7 @@ impl<F: Four> FourRoots<F> {
         let mut hidden = F::all(f64::NAN);
         if left != [0, 0] {
             let mut size = F::all(f64::INFINITY);
-            for place in 0..4 {
+            for place in 0..MOST_ROOTS {
                 let own = F::mask(self.met[place] & left[place % 2]);
                 let is_nearer = F::both(own, self.t[place].size().below(size));
                 size = F::pick(is_nearer, self.t[place].size(), size);
@@ -112,7 +116,7 @@ impl<F: Four> FourRoots<F> {
             }
         }
         let mut passed = 0;
-        for place in 0..4 {
+        for place in 0..MOST_ROOTS {
             if self.met[place] == 0 {
                 continue;
             }
@@ -128,6 +132,17 @@ impl<F: Four> FourRoots<F> {
             nearest.met |= new;
         }
         nearest
+    }
+}
+
+impl FourRays<f64> {
+    /// One ray.
+    #[inline(always)]
+    pub(super) fn of(ray: &Ray) -> Self {
+        FourRays {
+            origin: ray.origin.to_array(),
+            dir: ray.dir.to_array(),
+        }
     }
 }
 
@@ -180,19 +195,38 @@ impl Shape {
         }
     }
 
-    /// The first roots of four rays, as [`FourRoots::nearest`] finds them.
+    /// The first roots of those of four rays that are `there`, as [`FourRoots::nearest`] finds them. If `ANY` will do the
+    /// distance may be that of some place within the solid.
     #[inline(always)]
-    pub(crate) fn nearest_of_four<F: Four>(
+    pub(crate) fn nearest_of_four<F: Four, const ANY: bool>(
         &self,
         rays: &FourRays<F>,
-        from: F,
-        far: F,
+        (from, far): (F, F),
         left: [u32; 2],
+        there: u32,
     ) -> FourNearest<F> {
         match self {
-            Shape::Sphere(sphere) if left == [0, 0] => sphere.four(rays).nearest(from, far),
+            Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
+            Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }
+    }
+
+    /// Which of four rays that go out from the surface leave behind all that they enter, as
+    /// [`super::Geometry::is_left_behind`] tells of each.
+    #[inline(always)]
+    pub(crate) fn four_left_behind<F: Four>(&self, rays: &FourRays<F>) -> F::Mask {
+        match self {
+            Shape::Sphere(sphere) => sphere.four_left_behind(rays),
+            Shape::Torus(torus) => torus.four_left_behind(rays),
+            _ => F::mask(0),
+        }
+    }
+
+    /// Whether [`Shape::four_left_behind`] knows anything.
+    #[inline(always)]
+    pub(crate) fn tells_left_behind(&self) -> bool {
+        matches!(self, Shape::Sphere(_) | Shape::Torus(_))
     }
 
     /// The roots of four rays; all unknown for a shape that is not asked for four.
@@ -272,9 +306,9 @@ pub(super) fn chords<F: Four>(p: Three<F>, dir: Three<F>, radius: f64) -> (F, F,
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::Bounds;
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
-    use crate::math::{Bounds, Ray};
     use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;
 
@@ -298,18 +332,17 @@ mod tests {
             let roots = if self.shape.has_four() {
                 let spans = self.shape.four(&rays);
                 let met = F::bits(spans.is_met);
-                FourRoots {
-                    t: [spans.enter, spans.leave, spans.enter, spans.enter],
-                    met: [met, met, 0, 0],
-                    unknown: spans.unknown,
-                }
+                let mut roots = FourRoots::none(spans.unknown);
+                (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
+                (roots.met[0], roots.met[1]) = (met, met);
+                roots
             } else {
                 self.shape.roots_of_four(&rays)
             };
             [0, 1, 2, 3].map(|lane| {
                 let has = |bits: u32| bits >> lane & 1 == 1;
                 let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
-                let there = (0..4).filter(|&place| has(roots.met[place]));
+                let there = (0..MOST_ROOTS).filter(|&place| has(roots.met[place]));
                 let known = there.map(|place| (roots.t[place].store()[lane], crossing(place)));
                 (!has(roots.unknown)).then(|| known.collect())
             })
@@ -327,7 +360,7 @@ mod tests {
             Shape::Cylinder(Cylinder::read(&mut read("<-2, 0, 0>, <2, 0, 0>, 0.6")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.3")).unwrap()),
             Shape::Torus(Torus::read(&mut read("1, 0.01")).unwrap()),
-            Shape::Torus(Torus::read(&mut read("0.5, 0.8")).unwrap()),
+            Shape::Torus(Torus::read(&mut read("1, 1")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<1, 2, -0.5>, 0.25")).unwrap()),
             Shape::Plane(Plane::read(&mut read("<0, 1, 0>, -1")).unwrap()),
         ];

@@ -408,7 +408,7 @@ impl Geometry for Lathe {
     }
 
     /// Around the axis from +x towards +z, and along the curve.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let around = point.z.atan2(point.x) / TAU;
         let around = if around < 0.0 { around + 1.0 } else { around };
         let curve = &self.0.segments[..self.0.seen];
@@ -416,7 +416,7 @@ impl Geometry for Lathe {
             let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
             (count(number) + 0.5 * (x + 1.0)) / count(curve.len())
         });
-        [around, along]
+        Some([around, along])
     }
 }
 

@@ -471,19 +471,15 @@ impl Geometry for Mesh {
         (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
-    fn uv(&self, _: DVec3) -> [f64; 2] {
-        [0.0; 2]
-    }
-
-    fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
+    fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         let Some(looks) = &self.0.looks else {
-            return [0.0; 2];
+            return Some([0.0; 2]);
         };
-        looks.uv(
+        Some(looks.uv(
             face,
             self.0.corners[face as usize],
             self.weights(point, face),
-        )
+        ))
     }
 
     fn skins(&self) -> &[Skin] {

@@ -133,7 +133,8 @@ pub trait Geometry {
     }
 
     /// Whether all that the line enters lies before the start of the ray: the solid is convex, and the ray, where it is
-    /// near, goes away from it. What is not known is false.
+    /// near, goes away from it. For a ray that goes out from the surface it is enough that it starts where that is a part
+    /// of the hull. What is not known is false.
     fn is_left_behind(&self, _ray: &Ray) -> bool {
         false
     }
@@ -155,7 +156,7 @@ pub trait Geometry {
 
     /// Takes a transform into the shape's own numbers if the shape stays of its kind and POV-Ray does the same
     /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
-    /// Texture coordinates of the shape before the step are lost: whoever needs [`Geometry::uv`] keeps the transform.
+    /// With [`Geometry::loses_uv`], texture coordinates of the shape before the step are lost.
     fn absorb(&mut self, step: &Step) -> bool;
 
     /// Works out what rays need, when no further step is to be absorbed.
@@ -165,14 +166,15 @@ pub trait Geometry {
     /// a surface is searched for along a ray, how flat its pieces are.
     fn change_unit(&mut self, _factor: f64) {}
 
-    /// Texture coordinates of a surface point for `uv_mapping`.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
-        [point.x, point.y]
+    /// Texture coordinates of a point of the surface piece `face` for `uv_mapping`; `None` for the shapes that have none
+    /// of their own and take those of the world.
+    fn uv(&self, _point: DVec3, _face: u32) -> Option<[f64; 2]> {
+        None
     }
 
-    /// Texture coordinates of a point of the surface piece `face`.
-    fn uv_of_face(&self, point: DVec3, _face: u32) -> [f64; 2] {
-        self.uv(point)
+    /// Whether [`Geometry::uv`] is another after a step that [`Geometry::absorb`] has taken in.
+    fn loses_uv(&self) -> bool {
+        false
     }
 
     /// The textures that pieces of the surface have of their own.
@@ -290,14 +292,14 @@ macro_rules! shapes {
             fn change_unit(&mut self, factor: f64) {
                 match self { $(Shape::$name(shape) => shape.change_unit(factor)),+ }
             }
-            fn uv(&self, point: DVec3) -> [f64; 2] {
-                match self { $(Shape::$name(shape) => shape.uv(point)),+ }
+            fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
+                match self { $(Shape::$name(shape) => shape.uv(point, face)),+ }
+            }
+            fn loses_uv(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.loses_uv()),+ }
             }
             fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
-            }
-            fn uv_of_face(&self, point: DVec3, face: u32) -> [f64; 2] {
-                match self { $(Shape::$name(shape) => shape.uv_of_face(point, face)),+ }
             }
             fn skins(&self) -> &[Skin] {
                 match self { $(Shape::$name(shape) => shape.skins()),+ }

@@ -219,12 +219,12 @@ impl Geometry for Ovus {
     }
 
     /// Longitude and latitude as of a sphere about `<0, top radius / 2, 0>`.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = point - DVec3::Y * (0.5 * self.top);
         let around = p.z.atan2(p.x) / TAU;
         let around = if around < 0.0 { around + 1.0 } else { around };
         let rise = p.normalize_or_zero().y.clamp(-1.0, 1.0);
-        [around, 0.5 + rise.asin() / PI]
+        Some([around, 0.5 + rise.asin() / PI])
     }
 }
 

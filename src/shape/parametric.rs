@@ -344,8 +344,8 @@ impl Geometry for Parametric {
         Arc::make_mut(&mut self.0).unit *= factor;
     }
 
-    fn uv_of_face(&self, _: DVec3, face: u32) -> [f64; 2] {
-        self.0.parameters(face).to_array()
+    fn uv(&self, _: DVec3, face: u32) -> Option<[f64; 2]> {
+        Some(self.0.parameters(face).to_array())
     }
 
     fn is_faceted(&self) -> bool {

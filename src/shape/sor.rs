@@ -354,17 +354,25 @@ impl Geometry for Sor {
         false
     }
 
-    /// Around the axis from +x towards +z, and up the curve by the number of the ring; a cap goes on below 0 or above 1
-    /// as far as it is wide.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    /// Around the axis from +x towards +z, and up the curve by the number of the ring; the caps go on from -1 at the
+    /// middle of the lower one to 0 at its rim, and from 1 to 2 in the upper one.
+    fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         let profile = &self.profile;
         let around = point.z.atan2(point.x) / TAU;
         let around = if around < 0.0 { around + 1.0 } else { around };
         let number = profile.ring_at(point.y);
         let ring = &profile.rings[number];
+        let [base, apex] = profile
+            .ends_sq
+            .map(|radius_sq| across(point).length() / radius_sq.sqrt());
+        match face {
+            BASE => return Some([around, base - 1.0]),
+            APEX => return Some([around, 2.0 - apex]),
+            _ => {}
+        }
         let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
         let share = (0.5 * (ring.place(point.y) + 1.0)).clamp(0.0, 1.0);
-        [around, (count(number) + share) / count(profile.rings.len())]
+        Some([around, (count(number) + share) / count(profile.rings.len())])
     }
 }
 

@@ -8,7 +8,7 @@
 //! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
 use super::four::{
-    FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
+    FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
 };
 use super::{Geometry, Root, Start, even_scale, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
@@ -63,6 +63,17 @@ impl Sphere {
         let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         FourSpans::new((enter, leave), is_met, is_known)
+    }
+
+    /// The first surfaces on four rays with `from < t <= far`.
+    #[inline(always)]
+    pub(crate) fn nearest_of_four<F: Four>(
+        &self,
+        rays: &FourRays<F>,
+        from: F,
+        far: F,
+    ) -> FourNearest<F> {
+        self.four(rays).nearest(from, far)
     }
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
@@ -153,12 +164,16 @@ impl Geometry for Sphere {
     }
 
     /// Longitude from +x towards +z and latitude from the south pole, each as a share of the whole.
-    fn uv(&self, point: DVec3) -> [f64; 2] {
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = (point - self.centre) / self.radius;
         let longitude = p.z.atan2(p.x);
         let turn = if longitude < 0.0 { TAU } else { 0.0 };
         let latitude = p.y.clamp(-1.0, 1.0).asin();
-        [(longitude + turn) / TAU, 0.5 + latitude / PI]
+        Some([(longitude + turn) / TAU, 0.5 + latitude / PI])
+    }
+
+    fn loses_uv(&self) -> bool {
+        true
     }
 }
 
@@ -273,8 +288,8 @@ mod tests {
 
     #[test]
     fn u_turns_from_x_to_z_and_v_rises() {
-        assert_eq!(unit_sphere().uv(DVec3::Z), [0.25, 0.5]);
-        assert_eq!(unit_sphere().uv(DVec3::NEG_Z), [0.75, 0.5]);
-        assert_eq!(unit_sphere().uv(DVec3::Y)[1], 1.0);
+        assert_eq!(unit_sphere().uv(DVec3::Z, 0), Some([0.25, 0.5]));
+        assert_eq!(unit_sphere().uv(DVec3::NEG_Z, 0), Some([0.75, 0.5]));
+        assert_eq!(unit_sphere().uv(DVec3::Y, 0).unwrap()[1], 1.0);
     }
 }

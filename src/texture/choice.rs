@@ -3,7 +3,7 @@
 use super::{Patterned, PatternedKind, PreparedTexture, Texture};
 use crate::bitmap;
 use crate::math::Step;
-use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot};
+use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot, Turns};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -30,17 +30,26 @@ pub(super) enum Choice {
     Average(PreparedChain, Map<PreparedTexture>),
     /// Two in turn, as a checkerboard.
     Tiles(PreparedChain, Box<[PreparedTexture; 2]>),
+    /// One, at texture coordinates.
+    Uv(Box<PreparedTexture>),
     /// By the pixels of a picture.
     Material(PreparedChain, Box<bitmap::Source>, Vec<PreparedTexture>),
 }
 
 impl Choice {
     /// The form for drawing; `None` where there is nothing to choose from.
-    pub(super) fn new(patterned: &Patterned, after: &[Step], settings: &Settings) -> Option<Self> {
+    /// Points come to the entries as the pattern moves them, but normals as they are, so that the entries must turn them
+    /// themselves; they have been turned so `far` on their way to the choice.
+    pub(super) fn new(
+        patterned: &Patterned,
+        after: &[Step],
+        far: &Turns,
+        settings: &Settings,
+    ) -> Option<Self> {
         let modifiers = &patterned.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
-        // No other transforms act on the entries.
-        let entry = |texture: &Texture| texture.prepare(&[], settings);
+        let turns = far.then(&chain().turns());
+        let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &turns, settings);
         match &patterned.kind {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,
             PatternedKind::Map(pattern, Some(map)) => {
@@ -55,6 +64,7 @@ impl Choice {
                     Box::new([entry(first), entry(second)]),
                 ))
             }
+            PatternedKind::Uv(mapped) => Some(Choice::Uv(Box::new(entry(mapped)))),
             PatternedKind::Material(source, textures) => {
                 let textures = textures.iter().map(entry).collect();
                 let source = Box::new(source.clone());
@@ -70,8 +80,14 @@ impl Choice {
                 Box::new(map.entries().iter().map(|entry| &entry.1))
             }
             Choice::Tiles(_, two) => Box::new(two.iter()),
+            Choice::Uv(mapped) => Box::new(std::iter::once(&**mapped)),
             Choice::Material(_, _, textures) => Box::new(textures.iter()),
         }
+    }
+
+    /// Whether something in it asks for the texture coordinates of the surface.
+    pub(super) fn uses_uv(&self) -> bool {
+        matches!(self, Choice::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
     }
 
     /// Adds what is seen at a point.
@@ -103,6 +119,7 @@ impl Choice {
                 let moved = chain.moved(point);
                 two[tile(moved)].look(moved, spot, weight, to);
             }
+            Choice::Uv(mapped) => mapped.look(spot.on_the_map(), spot, weight, to),
             Choice::Material(chain, source, textures) => {
                 let moved = chain.moved(point);
                 if let Some(texture) = textures.get(source.material(moved) % textures.len().max(1))

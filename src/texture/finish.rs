@@ -16,6 +16,8 @@ pub struct Finish {
     pub diffuse: f32,
     /// Diffuse reflection of light from behind.
     pub diffuse_back: f32,
+    /// Both as the scene gives them: the share of light from all around that is thrown back.
+    pub diffuse_as_given: [f32; 2],
     /// The exponent of the diffuse cosine.
     pub brilliance: f32,
     /// The strength of Phong highlights, the `albedo` factor included.
@@ -54,6 +56,7 @@ impl Default for Finish {
             emission: Rgb::BLACK,
             diffuse: 0.6,
             diffuse_back: 0.0,
+            diffuse_as_given: [0.6, 0.0],
             brilliance: 1.0,
             phong: 0.0,
             phong_size: 40.0,
@@ -127,6 +130,7 @@ impl Finish {
                 self.diffuse = single(args.float()?);
                 args.comma()?;
                 self.diffuse_back = single(args.float_or(0.0)?);
+                self.diffuse_as_given = [self.diffuse, self.diffuse_back];
             }
             Word::Brilliance => self.brilliance = number(word, args)?,
             Word::Phong => {

@@ -1,15 +1,18 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
-use super::{Finish, Normal, Patterned, Pigment, PigmentKind, PreparedTexture};
+use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::Color;
 use crate::math::Step;
-use crate::pattern::Settings;
+use crate::pattern::{Settings, Turns};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// The last language version in which upper layers do not filter but only transmit.
 const LAST_WITHOUT_FILTER: f64 = 3.1;
+
+/// Textures that hold themselves twice double their layers.
+const MOST_LAYERS: usize = 100_000;
 
 /// One layer of a texture: the colour and how it answers to light.
 #[derive(Clone, Debug, Default)]
@@ -172,6 +175,16 @@ impl Texture {
         self.layers.last_mut().expect("a texture has a layer")
     }
 
+    /// What is wrong with laying another texture over this one, if anything is.
+    #[must_use]
+    pub fn fault_below(&self, upper: &Texture) -> Option<String> {
+        if self.is_patterned() || upper.is_patterned() {
+            return Some("a texture that a pattern chooses is no layer of another".to_owned());
+        }
+        let has_too_many = self.layers.len() + upper.layers.len() > MOST_LAYERS;
+        has_too_many.then(|| format!("a texture has at most {MOST_LAYERS} layers"))
+    }
+
     /// Lays another texture over this one. In versions up to 3.1 the upper layers transmit what they would filter.
     pub fn lay_over(&mut self, upper: Texture, version: f64) {
         for mut layer in upper.layers {
@@ -201,10 +214,25 @@ impl Texture {
             })
     }
 
+    /// Whether it asks for the texture coordinates of the surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        match &self.pattern {
+            None => self.layers.iter().any(|layer| {
+                let normal = layer.normal.as_ref();
+                layer.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+            }),
+            Some(pattern) => {
+                matches!(pattern.kind, PatternedKind::Uv(_))
+                    || pattern.textures().into_iter().any(Texture::uses_uv)
+            }
+        }
+    }
+
     /// The form for tracing, with the transforms of the object after those of the texture.
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
-        PreparedTexture::new(self, after, settings)
+        PreparedTexture::new(self, after, &Turns::default(), settings)
     }
 }
 

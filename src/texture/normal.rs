@@ -50,6 +50,8 @@ pub enum NormalKind {
     Image(bitmap::Source),
     /// Flat faces.
     Facets(Facets),
+    /// Other bumps at the texture coordinates of the surface.
+    Uv(Arc<Normal>),
 }
 
 /// The parameters of `facets`.
@@ -124,14 +126,17 @@ impl Normal {
         let Some(word) = args.word()? else {
             return Ok(normal);
         };
-        if let Some(kind) = NormalKind::begin(word, args)? {
+        if word == Word::UvMapping {
+            while args.accept(word)? {}
+            normal.kind = NormalKind::Uv(Normal::read_entry(args)?);
+        } else if let Some(kind) = NormalKind::begin(word, args)? {
             normal.kind = kind;
             if let NormalKind::Image(picture) = &normal.kind {
                 normal.amount = picture.bump_size.unwrap_or(normal.amount);
             }
             args.comma()?;
             normal.amount = args.float_or(normal.amount)?;
-        } else if word == Word::UvMapping || pattern::is_pattern(word) {
+        } else if pattern::is_pattern(word) {
             return Err(crate::args::not_built(args, word));
         }
         Ok(normal)
@@ -183,6 +188,18 @@ impl Normal {
             NormalKind::Normals(pattern, Normal::read_map(Keys::Positions, args)?)
         };
         Ok(true)
+    }
+
+    /// Whether some of the bumps are found by the texture coordinates of a surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        match &self.kind {
+            NormalKind::Uv(_) => true,
+            NormalKind::Normals(_, map) | NormalKind::Average(Some(map)) => {
+                map.entries().iter().any(|(_, entry)| entry.uses_uv())
+            }
+            _ => false,
+        }
     }
 
     /// Moves the bumps.
@@ -237,7 +254,10 @@ impl NormalKind {
             | NormalKind::Slopes(pattern, _)
             | NormalKind::Normals(pattern, _) => return pattern.read_modifier(word, args),
             NormalKind::Facets(facets) => facets,
-            NormalKind::None | NormalKind::Average(_) | NormalKind::Image(_) => return Ok(false),
+            NormalKind::None
+            | NormalKind::Average(_)
+            | NormalKind::Image(_)
+            | NormalKind::Uv(_) => return Ok(false),
         };
         let value = match word {
             Word::Size => &mut facets.size,

@@ -30,6 +30,8 @@ pub enum PatternedKind {
     Average(Option<Map<Texture>>),
     /// Two textures in turn, as tiles.
     Tiles(Arc<[Texture; 2]>),
+    /// One texture at the texture coordinates of the surface.
+    Uv(Arc<Texture>),
     /// The pixels of a picture: each value has its texture.
     Material(bitmap::Source, Arc<[Texture]>),
 }
@@ -42,6 +44,10 @@ impl Patterned {
             Word::Average => {
                 args.accept(word)?;
                 PatternedKind::Average(None)
+            }
+            Word::UvMapping => {
+                while args.accept(word)? {}
+                PatternedKind::Uv(Arc::new(Texture::entry(args, default)?))
             }
             Word::Tiles => {
                 args.accept(word)?;
@@ -118,6 +124,7 @@ impl Patterned {
                 map.entries().iter().map(|entry| &entry.1).collect()
             }
             PatternedKind::Tiles(two) => two.iter().collect(),
+            PatternedKind::Uv(mapped) => vec![mapped],
             PatternedKind::Material(_, textures) => textures.iter().collect(),
         }
     }
@@ -135,11 +142,16 @@ impl Texture {
     /// A malformed entry, or none.
     pub fn read_map(keys: Keys, args: &mut dyn Args, default: &Layer) -> Parse<Map<Texture>> {
         Map::read("texture_map", keys, args, &mut |args| {
-            let mut texture = Texture::begin(args, default)?;
-            while texture.read_item(args, default)? {}
-            texture.check(args)?;
-            Ok(texture)
+            Texture::entry(args, default)
         })
+    }
+
+    /// A texture without its braces.
+    fn entry(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
+        let mut texture = Texture::begin(args, default)?;
+        while texture.read_item(args, default)? {}
+        texture.check(args)?;
+        Ok(texture)
     }
 
     /// A name, a pattern, or the default texture.
@@ -152,8 +164,7 @@ impl Texture {
             && !matches!(word, Word::BumpMap | Word::ImageMap)
         {
             texture.pattern = Patterned::begin(word, args, default)?.map(Box::new);
-            let is_missing = word == Word::UvMapping || pattern::is_pattern(word);
-            if texture.pattern.is_none() && is_missing {
+            if texture.pattern.is_none() && pattern::is_pattern(word) {
                 return Err(crate::args::not_built(args, word));
             }
         }
@@ -233,6 +244,9 @@ mod tests {
             "{ brick texture { T } texture { T } mortar 0.2 }",
             "{ average texture_map { [T] [2 T] } no_bump_scale }",
             "{ tiles { texture { T } tile2 texture { T } } scale 2 }",
+            "{ uv_mapping T scale 2 }",
+            "{ uv_mapping pigment { rgb 1 } finish { phong 1 } }",
+            "{ uv_mapping gradient <1,0,0> texture_map { [0 T] [1 uv_mapping T] } scale 2 }",
         ] {
             assert!(read(text).unwrap().is_patterned(), "{text}");
         }
@@ -253,6 +267,9 @@ mod tests {
             "{ checker T T }",
             "{ tiles { texture { T } } }",
             "{ average }",
+            "{ uv_mapping texture { T } }",
+            "{ pigment { rgb 1 } uv_mapping }",
+            "{ T uv_mapping }",
         ] {
             assert!(read(text).is_err(), "{text}");
         }

@@ -32,6 +32,8 @@ pub enum PigmentKind {
     Average(Option<Box<Map<Pigment>>>),
     /// `image_map`: the colours of a picture.
     Image(Box<bitmap::Source>),
+    /// `uv_mapping`: another pigment at the texture coordinates of the surface.
+    Uv(Box<Pigment>),
 }
 
 /// A pattern, and what its values are looked up among.
@@ -122,7 +124,31 @@ impl Pigment {
     /// # Errors
     /// A malformed value, or a word that is not built yet.
     pub fn read_inside(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
-        Pigment::read_known(args, base)?.read_on(args, Family::Pigment)
+        let known = Pigment::read_known(args, base)?;
+        if args.accept(Word::UvMapping)? {
+            let mapped = Pigment::entry(args)?;
+            return known.mapped(mapped).read_on(args, Family::Pigment);
+        }
+        known.read_on(args, Family::Pigment)
+    }
+
+    /// This pigment with another one, at texture coordinates, for its pattern.
+    fn mapped(mut self, mapped: Pigment) -> Pigment {
+        self.quick_color = mapped.quick_color.clone().or(self.quick_color);
+        self.kind = PigmentKind::Uv(Box::new(mapped));
+        self
+    }
+
+    /// Whether it takes some of its colours from the texture coordinates of a surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        let any = |map: &Map<Pigment>| map.entries().iter().any(|(_, entry)| entry.uses_uv());
+        match &self.kind {
+            PigmentKind::Uv(_) => true,
+            PigmentKind::Pigments(mapped) => any(&mapped.map),
+            PigmentKind::Average(map) => map.as_ref().is_some_and(|map| any(map)),
+            PigmentKind::Plain(_) | PigmentKind::Colors(_) | PigmentKind::Image(_) => false,
+        }
     }
 
     /// This pigment, changed by all that follows up to the end of a block; `what` is the word of the block.
@@ -150,8 +176,20 @@ impl Pigment {
 
     /// An entry of a map: a pigment without its braces.
     fn entry(args: &mut dyn Args) -> Parse<Pigment> {
-        let default = default_of(args);
-        Pigment::read_known(args, &default)?.read_entry(args, Family::Pigment)
+        let default: Pigment = default_of(args);
+        let mut known = Pigment::read_known(args, &default)?;
+        let mut is_mapped = false;
+        // Once more says nothing new, and a faulty scene may say it a million times.
+        while args.accept(Word::UvMapping)? {
+            known = Pigment::read_known(args, &default)?;
+            is_mapped = true;
+        }
+        let entry = known.read_entry(args, Family::Pigment)?;
+        Ok(if is_mapped {
+            default.mapped(entry)
+        } else {
+            entry
+        })
     }
 
     fn read_known(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
@@ -192,7 +230,13 @@ impl Pigment {
                 .modifiers
                 .change(|modifiers| modifiers.read(word, args))?
             || self.read_pattern(word, args, family)?;
-        if !is_known && (pattern::is_pattern(word) || word == Word::UvMapping) {
+        if !is_known && word == Word::UvMapping {
+            return Err(args.expected(match family {
+                Family::Pigment => "`uv_mapping` at the start of the pigment, before its pattern",
+                Family::Density => "a pattern of space in `density`, which has no surface",
+            }));
+        }
+        if !is_known && pattern::is_pattern(word) {
             return Err(not_built(args, word));
         }
         Ok(is_known)
@@ -299,6 +343,7 @@ impl Pigment {
                     **map = all_changed(map);
                 }
             }
+            PigmentKind::Uv(mapped) => mapped.filter_to_transmit(),
             PigmentKind::Image(_) => {}
         }
     }
@@ -462,7 +507,7 @@ mod tests {
         assert_eq!(error("{ pavement }"), "`pavement` is not built yet");
         assert_eq!(
             error("{ rgb 1 uv_mapping }"),
-            "`uv_mapping` is not built yet"
+            "expected `uv_mapping` at the start of the pigment, before its pattern, found `uv_mapping`"
         );
     }
 
@@ -472,5 +517,31 @@ mod tests {
             error("{ checker rgb 1 rgb 0 brick_size 2 }"),
             "expected a colour, a pattern or `}` in `pigment`, found `brick_size`"
         );
+    }
+
+    #[test]
+    fn uv_mapping_begins_another_pigment() {
+        // POV-Ray 3.7 forgets what stood before, and moves the texture coordinates by what stands behind.
+        let known = Pigment::plain(Color::opaque(Rgb::WHITE));
+        for text in [
+            "{ uv_mapping gradient <1,0,0> scale 2 }",
+            "{ P uv_mapping gradient <1,0,0> scale 2 }",
+        ] {
+            let mut args = TextArgs::new(text).with("P", known.clone());
+            let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
+            assert!(pigment.uses_uv() && pigment.modifiers.get().is_none());
+            let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
+            let spot = Spot {
+                uv: glam::DVec2::new(0.5, 0.0),
+                ..Spot::at(DVec3::ONE)
+            };
+            assert_eq!(prepared.color(&spot).rgb.r, 0.25);
+        }
+        let density = crate::interior::Density::read(&mut TextArgs::new("{ uv_mapping bozo }"));
+        let message = density
+            .map(|_| ())
+            .expect_err("space has no texture coordinates")
+            .message;
+        assert!(message.contains("which has no surface"), "{message}");
     }
 }

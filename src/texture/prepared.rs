@@ -6,7 +6,9 @@ use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
 use crate::math::Step;
-use crate::pattern::{Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot};
+use crate::pattern::{
+    Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot, Turns,
+};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -19,6 +21,7 @@ pub struct PreparedTexture {
     choice: Option<Box<Choice>>,
     is_opaque: bool,
     has_reflection: bool,
+    uses_uv: bool,
 }
 
 /// A layer ready for rays.
@@ -47,10 +50,14 @@ pub enum PreparedPigment {
     Average(Box<(PreparedChain, Map<PreparedPigment>)>),
     /// The colours of a picture.
     Image(Box<(PreparedChain, bitmap::Source)>),
+    /// Another pigment at the texture coordinates.
+    Uv(Box<PreparedPigment>),
 }
 
 impl PreparedTexture {
-    pub(super) fn new(texture: &Texture, after: &[Step], settings: &Settings) -> Self {
+    /// The form for drawing, with the transforms of what carries it after its own; normals have been turned so `far` on
+    /// their way to it.
+    pub(super) fn new(texture: &Texture, after: &[Step], far: &Turns, settings: &Settings) -> Self {
         let prepare = |layer: &Layer| PreparedLayer {
             pigment: PreparedPigment::new(&layer.pigment, after, settings),
             quick_color: layer.pigment.quick_color.clone(),
@@ -58,12 +65,13 @@ impl PreparedTexture {
             normal: layer
                 .normal
                 .as_ref()
-                .and_then(|normal| PreparedNormal::new(normal, after, settings).map(Box::new)),
+                .and_then(|normal| PreparedNormal::new(normal, after, settings))
+                .map(|normal| Box::new(normal.within(far))),
         };
         let layers: SmallVec<[PreparedLayer; 1]> =
             texture.layers().iter().rev().map(prepare).collect();
         let choice = texture.pattern();
-        let choice = choice.and_then(|choice| Choice::new(choice, after, settings));
+        let choice = choice.and_then(|choice| Choice::new(choice, after, far, settings));
         let (is_opaque, has_reflection) = match &choice {
             None => (
                 layers
@@ -76,11 +84,16 @@ impl PreparedTexture {
                 choice.textures().any(PreparedTexture::has_reflection),
             ),
         };
+        let uses_uv = match &choice {
+            None => layers.iter().any(PreparedLayer::uses_uv),
+            Some(choice) => choice.uses_uv(),
+        };
         PreparedTexture {
             layers,
             choice: choice.map(Box::new),
             is_opaque,
             has_reflection,
+            uses_uv,
         }
     }
 
@@ -114,6 +127,12 @@ impl PreparedTexture {
             }),
             Some(choice) => choice.look(point, spot, weight, to),
         }
+    }
+
+    /// Whether something in it asks for the texture coordinates of the surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        self.uses_uv
     }
 
     /// Whether no light passes anywhere: some layer has neither filter nor transmit.
@@ -169,6 +188,13 @@ impl PreparedTexture {
     }
 }
 
+impl PreparedLayer {
+    fn uses_uv(&self) -> bool {
+        let normal = self.normal.as_ref();
+        self.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+    }
+}
+
 impl PreparedPigment {
     /// The form for drawing, with the transforms of what carries the pigment after its own.
     #[must_use]
@@ -194,6 +220,10 @@ impl PreparedPigment {
             PigmentKind::Image(source) => {
                 let chain = modifiers.prepare_chain(after, settings);
                 PreparedPigment::Image(Box::new((chain, (**source).clone())))
+            }
+            // Neither its own transforms nor those around it move texture coordinates.
+            PigmentKind::Uv(mapped) => {
+                PreparedPigment::Uv(Box::new(Self::new(mapped, &[], settings)))
             }
             PigmentKind::Average(None) => PreparedPigment::Plain(Color::default()),
         }
@@ -238,6 +268,7 @@ impl PreparedPigment {
                 Color::average(map.entries().iter().map(weighted))
             }
             PreparedPigment::Image(both) => both.1.color(both.0.moved(point)),
+            PreparedPigment::Uv(mapped) => mapped.patterned(spot.on_the_map(), spot),
         }
     }
 
@@ -255,6 +286,22 @@ impl PreparedPigment {
             PreparedPigment::Pigments(both) => any(&both.1),
             PreparedPigment::Average(both) => any(&both.1),
             PreparedPigment::Image(both) => both.1.can_be_transparent(),
+            PreparedPigment::Uv(mapped) => mapped.can_be_transparent(),
+        }
+    }
+
+    fn uses_uv(&self) -> bool {
+        let any = |map: &Map<PreparedPigment>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.uses_uv())
+        };
+        match self {
+            PreparedPigment::Uv(_) => true,
+            PreparedPigment::Pigments(both) => any(&both.1),
+            PreparedPigment::Average(both) => any(&both.1),
+            PreparedPigment::Plain(_) | PreparedPigment::Colors(_) | PreparedPigment::Image(_) => {
+                false
+            }
         }
     }
 }
@@ -312,5 +359,20 @@ mod tests {
     fn reflection_is_noticed() {
         assert!(prepare("{ finish { reflection 0.5 } }", &[]).has_reflection());
         assert!(!prepare("{ finish { reflection 0 } }", &[]).has_reflection());
+    }
+
+    #[test]
+    fn what_is_uv_mapped_is_asked_at_the_texture_coordinates() {
+        let text = "{ pigment { gradient <0,0,1> pigment_map { [0 uv_mapping gradient <1,0,0>] [1 rgb 0] } scale 8 } }";
+        let texture = prepare(text, &[Step::Scale(DVec3::splat(2.0))]);
+        let spot = Spot {
+            uv: glam::DVec2::new(0.25, 0.5),
+            ..Spot::at(DVec3::new(0.9, 0.9, 0.0))
+        };
+        assert!(texture.uses_uv());
+        assert_eq!(texture.layers()[0].pigment.color(&spot).rgb.r, 0.25);
+        assert!(!prepare("{ pigment { gradient <1,0,0> } normal { bumps } }", &[]).uses_uv());
+        assert!(prepare("{ normal { uv_mapping bumps } }", &[]).uses_uv());
+        assert!(prepare("{ uv_mapping pigment { rgb 1 } }", &[]).uses_uv());
     }
 }

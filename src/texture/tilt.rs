@@ -50,6 +50,8 @@ enum Relief {
     Image(PreparedChain, bitmap::Source),
     /// Flat faces.
     Facets(PreparedChain, Facets),
+    /// Other bumps at texture coordinates.
+    Uv(Box<PreparedNormal>),
 }
 
 impl PreparedNormal {
@@ -75,9 +77,10 @@ impl PreparedNormal {
             }
             NormalKind::Image(source) => Relief::Image(chain(), source.clone()),
             NormalKind::Facets(facets) => Relief::Facets(chain(), *facets),
+            NormalKind::Uv(mapped) => Relief::Uv(Box::new(entry(mapped))),
         };
         let turns = match &relief {
-            Relief::Flat => Turns::default(),
+            Relief::Flat | Relief::Uv(_) => Turns::default(),
             Relief::Pattern(pattern) | Relief::Slopes(pattern, _) | Relief::Normals(pattern, _) => {
                 pattern.turns()
             }
@@ -92,6 +95,13 @@ impl PreparedNormal {
             accuracy: normal.accuracy,
             is_unit: !normal.has_no_bump_scale,
         })
+    }
+
+    /// The same for normals that must be turned so before, on their way to what carries the bumps.
+    #[must_use]
+    pub(super) fn within(mut self, around: &Turns) -> Self {
+        self.turns = around.then(&self.turns);
+        self
     }
 
     /// No bumps, as an entry of a map.
@@ -147,10 +157,23 @@ impl PreparedNormal {
             }
             Relief::Image(chain, source) => self.by_picture(own, chain.moved(point), source),
             Relief::Facets(chain, facets) => facet(own, chain.moved(point), facets),
+            Relief::Uv(mapped) => mapped.tilted(spot.on_the_map(), own, spot),
         };
         let tilted = self.turns.back(tilted, self.is_unit);
         let unit = tilted.normalize_or_zero();
         if unit == DVec3::ZERO { normal } else { unit }
+    }
+
+    pub(super) fn uses_uv(&self) -> bool {
+        let any = |map: &Map<PreparedNormal>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.uses_uv())
+        };
+        match &self.relief {
+            Relief::Uv(_) => true,
+            Relief::Normals(_, map) | Relief::Average(_, map) => any(map),
+            _ => false,
+        }
     }
 
     /// A normal tilted by the slope of heights about a point.

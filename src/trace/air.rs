@@ -33,7 +33,7 @@ impl Tracer<'_> {
         lights: LightList,
         scratch: &mut Scratch,
     ) -> Option<Air> {
-        if !self.has_air() || !self.is_in_air(&path.inside) {
+        if !self.has_air() || self.is_airless(path) || !self.is_in_air(&path.inside) {
             return None;
         }
         let inside = self.media_inside(path, length, lights, scratch);

@@ -82,6 +82,11 @@ impl BlockScratch {
         self.parts_of_block.clone_from(&self.parts);
     }
 
+    /// What it keeps for rays that are followed one at a time.
+    pub fn single(&mut self) -> &mut Scratch {
+        &mut self.single
+    }
+
     /// How many rays were followed with it since this was last asked.
     pub fn take_rays(&mut self) -> Rays {
         std::mem::take(&mut self.single.rays)
@@ -183,12 +188,14 @@ impl Tracer<'_> {
         let known = scratch.known(number);
         let hits = &scratch.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
-        begin_sample(x, y, &mut scratch.single);
-        self.trace(
-            self.camera_path(Ray::new(self.world.camera.location(), dir)),
-            Some((hit, &known)),
-            &mut scratch.single,
-        )
+        let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
+        let single = &mut scratch.single;
+        if self.world.radiosity.is_some() {
+            let see = |single: &mut Scratch| self.trace(path, Some((hit, &known)), single);
+            return self.noted((x, y), single, see);
+        }
+        begin_sample(x, y, single);
+        self.trace(path, Some((hit, &known)), single)
     }
 
     /// Searches for what the camera sees; false if its rays do not start in one

@@ -189,7 +189,7 @@ impl Tracer<'_> {
         let arrival = light.arrival(lit.at.point);
         if let Some(area) = &light.area
             && area.is_full
-            && self.quality.has_area_lights
+            && self.samples_areas(lit.path)
         {
             let lamps = Lamps::new(number, light, area, lit, light.color);
             return self.light_up_by_lamps(lamps, coat, scratch);
@@ -212,9 +212,14 @@ impl Tracer<'_> {
             to_light: arrival.to_light,
             side,
             arriving,
-            has_highlights: side.is_in_front && !light.is_shadowless(),
+            has_highlights: side.is_in_front && !light.is_shadowless() && lit.path.gathered == 0,
         };
         self.shine(&shining, &lit.at, coat, scratch)
+    }
+
+    /// Whether area lights are more than a point to a ray.
+    fn samples_areas(&self, path: &Path) -> bool {
+        self.quality.has_area_lights && path.gathered == 0
     }
 
     /// What is left of light after all that stands between a point and the lamps of its source.
@@ -231,7 +236,7 @@ impl Tracer<'_> {
             return arriving;
         }
         match &light.area {
-            Some(area) if self.quality.has_area_lights => {
+            Some(area) if self.samples_areas(lit.path) => {
                 let lamps = Lamps::new(number, light, area, lit, arriving);
                 self.through_area(&lamps, scratch)
             }

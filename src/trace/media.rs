@@ -151,9 +151,10 @@ impl Tracer<'_> {
         Some(self.sum_up(&stretch, &intervals, scratch))
     }
 
-    /// The lights that media scatter, and where their beams cross a ray.
+    /// The lights that media scatter, and where their beams cross a ray. Those of light groups are not among them, whatever
+    /// the ray meets behind (checked with POV-Ray).
     fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
-        let lights = self.world.lights.of(lights).iter();
+        let lights = self.world.lights.outside_groups(lights).iter();
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
             if !light.media_interaction {

@@ -2,18 +2,20 @@
 //!
 //! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
-//! at most `max_trace_level` deep. Missing: radiosity, photons, light below the surface.
+//! at most `max_trace_level` deep. Missing: photons, light below the surface.
 
 mod air;
 mod area;
 mod block;
 mod film;
+mod gather;
 mod lens;
 mod light;
 mod media;
 mod passage;
 mod plain;
 mod plain_four;
+mod radiosity;
 mod shadows;
 mod spectrum;
 mod surface;
@@ -27,6 +29,7 @@ use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
+use crate::radiosity::{Mode, Session};
 use air::Air;
 pub use block::{BLOCK, BlockScratch, Met};
 use glam::DVec3;
@@ -95,6 +98,8 @@ struct Path {
     level: u32,
     /// The largest share that its colour can have in the sample.
     weight: f64,
+    /// How often light was gathered on the way ([`radiosity`]).
+    gathered: usize,
     inside: Inside,
     /// Its wavelength in nanometres, if it comes of light that was split.
     wavelength: Option<f64>,
@@ -126,6 +131,8 @@ pub struct Tracer<'w> {
     around_camera: Inside,
     background: Background,
     reflected_background: Background,
+    /// The samples of gathered light for threads that have no others.
+    samples: Option<Box<Session>>,
     stop: Stop,
 }
 
@@ -160,11 +167,12 @@ impl<'w> Tracer<'w> {
             quality,
             has_media,
             minds_backs: world.surfaces.iter().any(minds_back),
-            takes_plain: !has_media && plain::suits(world, quality),
+            takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
             minds_interiors,
             around_camera,
             background,
             reflected_background,
+            samples: None,
             stop: Stop::default(),
         }
     }
@@ -184,11 +192,32 @@ impl<'w> Tracer<'w> {
         }
     }
 
+    /// The same with samples of gathered light, to which it adds none: points of the picture may be asked for in any
+    /// order.
+    #[must_use]
+    pub fn with_samples(self, samples: &Session) -> Self {
+        let samples = Some(Box::new(samples.in_mode(Mode::Lone)));
+        Tracer { samples, ..self }
+    }
+
     /// What the camera sees at a point of a picture of `width` by `height` pixels; whole `x` and `y` are centres of
     /// pixels. Where the camera has no ray the sample is black and lets everything through.
     #[must_use]
     pub fn pixel(&self, x: f64, y: f64, width: u32, height: u32, scratch: &mut Scratch) -> Sample {
+        if self.world.radiosity.is_some() {
+            let see = |scratch: &mut Scratch| self.fresh_pixel((x, y), (width, height), scratch);
+            return self.noted((x, y), scratch, see);
+        }
         begin_sample(x, y, scratch);
+        self.fresh_pixel((x, y), (width, height), scratch)
+    }
+
+    fn fresh_pixel(
+        &self,
+        (x, y): (f64, f64),
+        (width, height): (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
         match &self.world.lens {
             Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
             None => {
@@ -221,6 +250,7 @@ impl<'w> Tracer<'w> {
             seen: Seen::Image,
             level: 0,
             weight: 1.0,
+            gathered: 0,
             inside,
             wavelength: None,
         }
@@ -293,14 +323,16 @@ impl<'w> Tracer<'w> {
     fn is_worth(&self, path: &Path) -> bool {
         let globals = &self.world.globals;
         path.level < globals.max_trace_level
-            && path.weight >= globals.adc_bailout
+            && path.weight >= self.bailout(path)
             && !self.stop.is_asked()
     }
 
     /// What a ray sees that meets nothing.
     fn behind_everything(&self, dir: DVec3, seen: Seen) -> Sample {
         let background = match seen {
-            Seen::Reflection => &self.reflected_background,
+            Seen::Reflection | Seen::Gathering | Seen::GatheringReflection => {
+                &self.reflected_background
+            }
             Seen::Image | Seen::Shadow => &self.background,
         };
         match &self.world.sky {

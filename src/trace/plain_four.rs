@@ -9,6 +9,7 @@ use crate::compile::{FourHits, FourWays, LightList, Seen, Way};
 use crate::light::Light;
 use crate::pattern::Spot;
 use crate::texture::Finish;
+use glam::DVec2;
 
 /// What is seen at four places.
 pub(super) struct FourSeen {
@@ -142,6 +143,7 @@ impl Tracer<'_> {
                 point: hits.point(lane),
                 normal: hits.facing(lane),
                 dir: hits.dir(lane),
+                uv: DVec2::ZERO,
             });
             let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color);
             put(&mut coats.own, lane, own);

@@ -1,16 +1,17 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
 use super::light::{Coat, Known, Lit, Viewed, metallic, mirrored};
+use super::radiosity::{Gathered, Gathering};
 use super::through::StraightOn;
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
-use crate::compile::{Hit, Scratch, Seen, Surface};
+use crate::compile::{Hit, Scratch, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
 use crate::shape::Shares;
 use crate::texture::{Finish, Look, Looks, PreparedLayer, PreparedTexture};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// What is seen at a hit.
@@ -85,11 +86,15 @@ impl Tracer<'_> {
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self.looks(surface, hit, path.ray.dir).as_slice() {
-            [only] if only.weight == 1.0 => self.shade_texture(path, hit, only, known, scratch),
+            [only] if only.weight == 1.0 => {
+                self.shade_texture(path, hit, (only, &mut None), known, scratch)
+            }
             several => {
                 let mut sum = View::NOTHING;
+                let mut tilted = None;
                 for look in several {
-                    let view = self.shade_texture(path, hit, look, known, scratch);
+                    let one = (look, &mut tilted);
+                    let view = self.shade_texture(path, hit, one, known, scratch);
                     sum.add(look.weight, view);
                 }
                 sum
@@ -101,8 +106,8 @@ impl Tracer<'_> {
     /// of a smooth triangle decide which side is seen, not the order of its corners.
     fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
-            Some(inside) if hit.shading_normal.dot(dir) > 0.0 => {
-                return look_of(inside, hit, dir);
+            Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
+                return self.look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
         };
@@ -112,24 +117,66 @@ impl Tracer<'_> {
             self.world.shares(hit)
         };
         if shares.is_empty() {
-            return look_of(outside, hit, dir);
+            return self.look_of(outside, hit, dir);
         }
         let least = self.world.globals.adc_bailout;
         let drawn = shares.iter().filter(|share| share.weight >= least);
         let mut looks = Looks::new();
+        let (point, spot) = self.place(hit, dir);
         for share in drawn {
-            let skin = &surface.skins[share.skin as usize];
-            skin.look(hit.point, &spot(hit, dir), single(share.weight), &mut looks);
+            let skin = surface.skins.get(share.skin as usize);
+            let texture = skin.map_or(outside, |skin| skin);
+            texture.look(point, &spot, single(share.weight), &mut looks);
         }
         looks
     }
 
-    /// What a ray sees of one texture at a hit.
+    /// What a ray sees of a texture that covers a hit alone.
+    #[inline]
+    fn look_of<'t>(&self, texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
+        if texture.is_patterned() {
+            let (point, spot) = self.place(hit, dir);
+            let mut looks = Looks::new();
+            texture.look(point, &spot, 1.0, &mut looks);
+            return looks;
+        }
+        let is_mapped = self.world.surfaces[hit.surface as usize].flags.uv_mapping;
+        Looks::from_buf([Look {
+            weight: 1.0,
+            texture,
+            point: if is_mapped {
+                self.place(hit, dir).0
+            } else {
+                hit.point
+            },
+        }])
+    }
+
+    /// The point at which the patterns of a hit are asked, and the place itself.
+    #[inline]
+    fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, Spot) {
+        let mut spot = spot(hit, dir);
+        let surface = &self.world.surfaces[hit.surface as usize];
+        if !surface.uses_uv() {
+            return (hit.point, spot);
+        }
+        spot.uv = self.world.uv(hit);
+        let is_mapped = surface.flags.uv_mapping;
+        let point = if is_mapped {
+            spot.on_the_map()
+        } else {
+            hit.point
+        };
+        (point, spot)
+    }
+
+    /// What a ray sees of one texture at a hit. `tilted` is the normal that bumps have made last at this hit: as in POV-Ray
+    /// that is the one whose slope patterns see, also those of layers and textures that have no bumps.
     fn shade_texture(
         &self,
         path: &Path,
         hit: &Hit,
-        look: &Look,
+        (look, tilted): (&Look, &mut Option<DVec3>),
         known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
@@ -138,7 +185,8 @@ impl Tracer<'_> {
         let mut view = View::NOTHING;
         if !self.quality.has_light {
             if let Some(lowest) = texture.layers().last() {
-                view.rgb = self.color(lowest, look.point, &spot(hit, path.ray.dir)).rgb;
+                let (_, spot) = self.place(hit, path.ray.dir);
+                view.rgb = self.color(lowest, look.point, &spot).rgb;
             }
             return view;
         }
@@ -152,30 +200,44 @@ impl Tracer<'_> {
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
-        let spot = spot(hit, path.ray.dir);
+        let mut gathered = Gathered::default();
+        let (_, mut spot) = self.place(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
-            let color = self.color(layer, look.point, &spot);
             lit.at.normal = self.normal(layer, look.point, &spot);
             top.get_or_insert(lit.at.normal);
-            view.rgb += self.layer(&lit, layer, color, scratch) * filter;
+            if layer.normal.is_some() {
+                *tilted = Some(lit.at.normal);
+            }
+            spot.normal = tilted.unwrap_or(flat);
+            let color = self.color(layer, look.point, &spot);
+            spot.normal = flat;
+            let mut own = self.layer(&lit, layer, color, scratch);
+            if let Some(radiosity) = &self.world.radiosity {
+                let gathering = Gathering::new(radiosity, &lit, flat);
+                own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
+            }
+            view.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                let mut mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                // Though the layers above take nothing from it.
+                mirror.weight *= f64::from(filter.grey());
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
                 mirrors.push(mirror);
             }
             filter *= color.transmission();
-            if self.is_opaque(filter) {
+            if self.is_opaque(path, filter) {
                 break;
             }
         }
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
-        if self.quality.has_transparency && !self.is_opaque(filter.map(f32::abs)) {
-            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
+        if self.quality.has_transparency && !self.is_opaque(path, filter.map(f32::abs)) {
+            let film = texture.layers().first().map(|top| &top.finish.irid);
+            is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
         }
         if !is_total {
             for mirror in &mirrors {
@@ -252,23 +314,21 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, mirror.dir),
             from: Some(hit.departure),
-            seen: Seen::Reflection,
+            seen: path.seen.mirrored(),
             level: path.level + 1,
             weight: path.weight * mirror.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&path.inside),
             wavelength: path.wavelength,
         };
-        let Sample { rgb, .. } = self.trace(onward, None, scratch);
-        let exponent = mirror.finish.reflection.exponent;
-        let rgb = if exponent == 1.0 {
-            rgb
-        } else {
-            rgb.map(|c| c.powf(1.0 / exponent))
-        };
+        let Sample { mut rgb, .. } = self.trace(onward, None, scratch);
         let irid = &mirror.finish.irid;
         if irid.amount > 0.0 {
-            let film = self.film(irid, &lit.at, mirror.dir);
-            return rgb * mirror.reflectivity * film;
+            rgb *= self.film(irid, &lit.at, mirror.dir);
+        }
+        let exponent = mirror.finish.reflection.exponent;
+        if exponent != 1.0 {
+            rgb = rgb.map(|c| c.powf(1.0 / exponent));
         }
         rgb * mirror.reflectivity
     }
@@ -278,7 +338,7 @@ impl Tracer<'_> {
         let surface = &self.world.surfaces[hit.surface as usize];
         let looks = self.looks(surface, hit, ray.dir);
         let caustics = f64::from(self.interior_of(hit).caustics);
-        let spot = spot(hit, ray.dir);
+        let (_, spot) = self.place(hit, ray.dir);
         looks.iter().fold(Rgb::BLACK, |sum, look| {
             let layers = look.texture.layers().iter();
             let light = layers.fold(Rgb::WHITE, |light, layer| {
@@ -316,24 +376,9 @@ impl Tracer<'_> {
         self.world.interiors.get(id)
     }
 
-    fn is_opaque(&self, filter: Rgb) -> bool {
-        f64::from(filter.grey()) <= self.world.globals.adc_bailout
+    fn is_opaque(&self, path: &Path, filter: Rgb) -> bool {
+        f64::from(filter.grey()) <= self.bailout(path)
     }
-}
-
-/// What a ray sees of a texture that covers a hit alone.
-#[inline]
-fn look_of<'t>(texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
-    if texture.is_patterned() {
-        let mut looks = Looks::new();
-        texture.look(hit.point, &spot(hit, dir), 1.0, &mut looks);
-        return looks;
-    }
-    Looks::from_buf([Look {
-        weight: 1.0,
-        texture,
-        point: hit.point,
-    }])
 }
 
 /// The place that patterns are asked about.
@@ -343,6 +388,7 @@ pub(super) fn spot(hit: &Hit, dir: DVec3) -> Spot {
         point: hit.point,
         normal: facing_normal(hit, dir),
         dir,
+        uv: DVec2::ZERO,
     }
 }
 

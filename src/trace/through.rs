@@ -5,8 +5,9 @@ use super::passage::{Bend, Passage, bend};
 use super::surface::{View, facing_normal, mirrored_off, single};
 use super::{Inside, Path, Sample, Tracer, spectrum};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch, Seen};
+use crate::compile::{Hit, Scratch};
 use crate::math::Ray;
+use crate::texture::Irid;
 use glam::DVec3;
 
 /// What shines through without a bend.
@@ -22,7 +23,9 @@ pub(super) struct StraightOn {
 }
 
 /// What a surface does to light that comes through it.
-struct Through {
+struct Through<'f> {
+    /// The film on the top layer.
+    film: Option<&'f Irid>,
     /// The factor on light.
     factor: Rgb,
     /// The factor on the transparency of what is behind.
@@ -39,7 +42,7 @@ impl Tracer<'_> {
         &self,
         lit: &Lit,
         hit: &Hit,
-        filter: Rgb,
+        (filter, film): (Rgb, Option<&Irid>),
         view: &mut View,
         scratch: &mut Scratch,
     ) -> bool {
@@ -52,6 +55,7 @@ impl Tracer<'_> {
             Rgb::WHITE
         };
         let through = Through {
+            film,
             factor: filter * fade * interior.refraction,
             transmit: fade.grey() * filter.grey(),
             weight: f64::from(filter.max()),
@@ -81,8 +85,7 @@ impl Tracer<'_> {
             Bend::Total => {
                 // All light comes back, whatever the layers would filter.
                 let factor = fade * interior.refraction;
-                view.rgb +=
-                    factor * self.thrown_back(lit, hit, through.weight, path.wavelength, scratch);
+                view.rgb += factor * self.thrown_back(lit, hit, &through, path.wavelength, scratch);
                 true
             }
         }
@@ -105,6 +108,7 @@ impl Tracer<'_> {
             seen: path.seen,
             level: path.level + 1,
             weight: path.weight * through.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&through.passage.inside),
             wavelength,
         };
@@ -120,7 +124,7 @@ impl Tracer<'_> {
         &self,
         lit: &Lit,
         hit: &Hit,
-        weight: f64,
+        through: &Through,
         wavelength: Option<f64>,
         scratch: &mut Scratch,
     ) -> Rgb {
@@ -130,13 +134,18 @@ impl Tracer<'_> {
         let onward = Path {
             ray: Ray::new(hit.point, dir),
             from: Some(hit.departure),
-            seen: Seen::Reflection,
+            seen: path.seen.mirrored(),
             level: path.level + 1,
-            weight: path.weight * weight,
+            weight: path.weight * through.weight,
+            gathered: path.gathered,
             inside: Inside::from_slice(&path.inside),
             wavelength,
         };
-        self.trace(onward, None, scratch).rgb
+        let rgb = self.trace(onward, None, scratch).rgb;
+        match through.film {
+            Some(film) if film.amount > 0.0 => rgb * self.film(film, &lit.at, dir),
+            _ => rgb,
+        }
     }
 
     /// Adds what comes through a surface that splits white light: the mean of its colours, each on a way of its own.
@@ -161,7 +170,7 @@ impl Tracer<'_> {
                 Bend::None => dir,
                 Bend::To(dir) => dir,
                 Bend::Total => {
-                    let light = self.thrown_back(lit, hit, through.weight, wavelength, scratch);
+                    let light = self.thrown_back(lit, hit, through, wavelength, scratch);
                     sum += band.hue * through.factor * light;
                     continue;
                 }

@@ -160,6 +160,91 @@ impl Four for [f64; 4] {
     }
 }
 
+/// A single number, as if it stood in all four places: what is written for four gives one ray the same bits.
+impl Four for f64 {
+    type Mask = bool;
+    #[inline(always)]
+    fn all(x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn load(from: &[f64; 4]) -> Self {
+        from[0]
+    }
+    #[inline(always)]
+    fn store(self) -> [f64; 4] {
+        [self; 4]
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        self - other
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        self / other
+    }
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    #[inline(always)]
+    fn size(self) -> Self {
+        self.abs()
+    }
+    #[inline(always)]
+    fn negated(self) -> Self {
+        -self
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn not_above(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn equals(self, other: Self) -> bool {
+        self == other
+    }
+    #[inline(always)]
+    fn pick(mask: bool, first: Self, second: Self) -> Self {
+        if mask { first } else { second }
+    }
+    #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a & b
+    }
+    #[inline(always)]
+    fn either(a: bool, b: bool) -> bool {
+        a | b
+    }
+    #[inline(always)]
+    fn bits(mask: bool) -> u32 {
+        if mask { 0b1111 } else { 0 }
+    }
+    #[inline(always)]
+    fn mask(bits: u32) -> bool {
+        bits & 1 == 1
+    }
+}
+
 /// Only for work that runs inside [`four_wide`].
 #[cfg(target_arch = "x86_64")]
 mod wide {

@@ -112,6 +112,7 @@ pub(super) fn draw(
         film: drawing.film,
         rays: drawing.rays,
         reached,
+        radiosity: None,
     }
 }
 

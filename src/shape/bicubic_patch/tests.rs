@@ -49,7 +49,9 @@ fn texture_coordinates_run_along_v_first() {
     let patch = patch("type 1 u_steps 3 v_steps 3");
     let hit = patch.nearest(&Ray::new(DVec3::new(2.0, 1.0, -9.0), DVec3::Z), 0.0, 99.0);
     let hit = hit.unwrap();
-    let uv = patch.uv_of_face(DVec3::new(2.0, 1.0, hit.t - 9.0), hit.face);
+    let uv = patch
+        .uv(DVec3::new(2.0, 1.0, hit.t - 9.0), hit.face)
+        .unwrap();
     assert!((uv[0] - 2.0 / 3.0).abs() < 1e-9 && (uv[1] - 1.0 / 3.0).abs() < 1e-9);
 }
 

@@ -4,8 +4,9 @@ use crate::args::{Args, Parse, Word, transform_step};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable, unit};
 use crate::math::{Bounds, Ray, Step, Transform};
-use crate::shape::read;
-use crate::source::{Code, Diagnostic};
+use crate::shape::{Share, Skin, read};
+use crate::source::Diagnostic;
+use crate::texture::Texture;
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
 
@@ -13,6 +14,8 @@ use smallvec::SmallVec;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Component {
     pub(super) strength: f64,
+    /// Which of the textures of the blob it has.
+    pub(super) skin: u32,
     /// Takes the blob to the space in which the radius is 1, one end is the origin and the other above it.
     unit_from_blob: DAffine3,
     /// The height of the other end; zero for a sphere.
@@ -60,21 +63,23 @@ impl Part {
 }
 
 impl Component {
-    /// The component that begins at the next word, if one does.
-    pub(super) fn read(args: &mut dyn Args) -> Parse<Option<Self>> {
+    /// The component that begins at the next word, if one does, with the texture that it has of its own.
+    pub(super) fn read(args: &mut dyn Args) -> Parse<Option<(Self, Option<Texture>)>> {
         if args.accept(Word::Component)? {
             let strength = read::number(args, "the strength of the component")?;
             let radius = read::number(args, "the radius of the component")?;
             let centre = read::vector(args, "the centre of the component")?;
-            return Ok(Some(Component::sphere(centre, radius, strength, &[])));
+            let component = Component::sphere(centre, radius, strength, &[]);
+            return Ok(Some((component, None)));
         }
         if args.accept(Word::Sphere)? {
             args.open()?;
             let centre = read::vector(args, "the centre of the component")?;
             let radius = read::number(args, "the radius of the component")?;
             let strength = read_strength(args)?;
-            let steps = read_modifiers(args)?;
-            return Ok(Some(Component::sphere(centre, radius, strength, &steps)));
+            let (steps, texture) = read_modifiers(args)?;
+            let component = Component::sphere(centre, radius, strength, &steps);
+            return Ok(Some((component, texture)));
         }
         if !args.accept(Word::Cylinder)? {
             return Ok(None);
@@ -86,10 +91,10 @@ impl Component {
         let at = at.to(args.last_span());
         let radius = read::number(args, "the radius of the component")?;
         let strength = read_strength(args)?;
-        let steps = read_modifiers(args)?;
+        let (steps, texture) = read_modifiers(args)?;
         let component = Component::cylinder([end, other], radius, strength, &steps);
         match component {
-            Some(component) => Ok(Some(component)),
+            Some(component) => Ok(Some((component, texture))),
             None => Err(Box::new(
                 Diagnostic::error(at, "degenerate cylindrical component in blob")
                     .with_hint("its two ends are one point: write a `sphere` instead"),
@@ -147,6 +152,7 @@ impl Component {
         let is_empty = reach == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
         Component {
             strength,
+            skin: Share::OF_THE_OBJECT,
             unit_from_blob,
             length,
             bounds: if is_empty { Bounds::EMPTY } else { bounds },
@@ -259,25 +265,27 @@ fn read_strength(args: &mut dyn Args) -> Parse<f64> {
     read::number(args, "the strength of the component")
 }
 
-/// Transforms up to the closing brace.
-fn read_modifiers(args: &mut dyn Args) -> Parse<Vec<Step>> {
+/// Transforms and textures up to the closing brace; the transforms move the textures before them.
+fn read_modifiers(args: &mut dyn Args) -> Parse<(Vec<Step>, Option<Texture>)> {
     let mut steps = Vec::new();
+    let mut texture: Option<Texture> = None;
     loop {
         if args.accept_close()? {
-            return Ok(steps);
+            return Ok((steps, texture));
         }
         if let Some(step) = transform_step(args)? {
+            if let Some(texture) = &mut texture {
+                texture.transform(&step);
+            }
             steps.push(step);
             continue;
         }
-        let textures = [Word::Texture, Word::Pigment, Word::Normal, Word::Finish];
-        if let Some(word) = args.word()?.filter(|word| textures.contains(word)) {
-            let message = format!("`{word}` of a component of a blob is not built yet");
-            let error = Diagnostic::error(args.span(), message).with_code(Code::NotBuilt);
-            return Err(Box::new(error.with_hint(
-                "give the whole blob one texture, behind its components",
-            )));
+        let is_known = match args.word()? {
+            Some(word) => Skin::read_over(&mut texture, word, args)?,
+            None => false,
+        };
+        if !is_known {
+            return Err(args.expected("a transform, a texture or `}` in a component of a blob"));
         }
-        return Err(args.expected("a transform or `}` in a component of a blob"));
     }
 }

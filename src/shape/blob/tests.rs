@@ -73,7 +73,7 @@ fn a_threshold_of_zero_draws_the_reach_of_the_field() {
 }
 
 #[test]
-fn a_cylinder_without_length_a_blob_without_components_and_textures_of_components_are_errors() {
+fn a_cylinder_without_length_a_blob_without_components_and_switches_of_components_are_errors() {
     for (text, expected) in [
         (
             "cylinder { <1,1,1>, <1,1,1>, 1, 1 }",
@@ -81,8 +81,8 @@ fn a_cylinder_without_length_a_blob_without_components_and_textures_of_component
         ),
         ("threshold 1", "need at least one component in a blob"),
         (
-            "sphere { <0,0,0>, 1, 1 pigment { rgb 1 } }",
-            "`pigment` of a component of a blob is not built yet",
+            "sphere { <0,0,0>, 1, 1 no_shadow }",
+            "expected a transform, a texture or `}` in a component of a blob, found `no_shadow`",
         ),
     ] {
         let error = Blob::read(&mut TextArgs::new(text)).unwrap_err();
@@ -100,4 +100,36 @@ fn negative_radii_count_as_positive_and_zero_is_nothing() {
     assert!(nothing.bounds().is_empty());
     let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
     assert_eq!(nothing.nearest(&ray, 0.0, f64::INFINITY), None);
+}
+
+/// POV-Ray 3.7 blends them like this: what is taken away counts as what is added does.
+#[test]
+fn components_share_the_look_of_a_point_by_their_fields() {
+    let pair = blob(
+        "threshold 0.2 sphere { <-0.5,0,0>, 1, 1 pigment { rgb 1 } }
+        sphere { <0.5,0,0>, 1, -0.5 } sphere { <5,0,0>, 1, 1 finish { phong 1 } }",
+    );
+    assert_eq!(pair.skins().len(), 2);
+    let shares = pair.shares(DVec3::ZERO, 0);
+    let shares: Vec<_> = shares
+        .iter()
+        .map(|share| (share.skin, share.weight))
+        .collect();
+    let expected = [(0, 2.0 / 3.0), (Share::OF_THE_OBJECT, 1.0 / 3.0)];
+    assert_eq!(shares, expected);
+    assert!(blob(PAIR).shares(DVec3::ZERO, 0).is_empty());
+}
+
+#[test]
+fn transforms_of_a_component_move_the_textures_before_them() {
+    let text = "sphere { <0,0,0>, 1, 1 translate <1,0,0> pigment { checker } scale 2 }";
+    let moved = blob(text);
+    let steps = |texture: &crate::texture::Texture| {
+        let modifiers = texture.layers()[0].pigment.modifiers.get();
+        modifiers.map(|modifiers| modifiers.chain.steps().to_vec())
+    };
+    assert_eq!(
+        steps(&moved.skins()[0].0),
+        Some(vec![Step::Scale(DVec3::splat(2.0))])
+    );
 }

@@ -112,7 +112,7 @@ fn too_few_points_and_points_beyond_the_axis_are_errors() {
 #[test]
 fn u_turns_from_x_to_z_and_v_follows_the_curve() {
     let cone = lathe("3, <0,-1>, <1,0>, <0,1>");
-    assert_eq!(cone.uv(DVec3::new(0.0, 0.0, 1.0)), [0.25, 0.5]);
-    let [_, v] = cone.uv(DVec3::new(-0.5, 0.5, 0.0));
+    assert_eq!(cone.uv(DVec3::new(0.0, 0.0, 1.0), 0), Some([0.25, 0.5]));
+    let [_, v] = cone.uv(DVec3::new(-0.5, 0.5, 0.0), 0).unwrap();
     assert!((v - 0.75).abs() < 1e-12);
 }

@@ -88,6 +88,15 @@ fn few_points_negative_radii_and_heights_that_fall_are_errors() {
 #[test]
 fn v_counts_the_rings() {
     let vase = sor(VASE);
-    let [u, v] = vase.uv(DVec3::new(0.0, -0.2, 1.0));
+    let [u, v] = vase.uv(DVec3::new(0.0, -0.2, 1.0), 0).unwrap();
     assert!((u - 0.25).abs() < 1e-15 && (v - 1.0 / 3.0).abs() < 1e-15);
+}
+
+/// POV-Ray 3.7 gives the rim of the lower cap 0 and its middle -1, those of the upper one 1 and 2.
+#[test]
+fn v_goes_on_over_the_caps() {
+    let vase = sor("6, <0.1,-1.5>, <0.6,-1>, <1,-0.5>, <0.7,0.3>, <0.5,1>, <0.1,1.5>");
+    let v = |x: f64, y: f64, face| vase.uv(DVec3::new(x, y, 0.0), face).unwrap()[1];
+    assert_eq!((v(0.6, -1.0, BASE), v(0.0, -1.0, BASE)), (0.0, -1.0));
+    assert_eq!((v(0.5, 1.0, APEX), v(0.0, 1.0, APEX)), (1.0, 2.0));
 }

@@ -1,0 +1,8 @@
+// Camera: bumps before a camera are those at the angles of a fisheye.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { fisheye angle 140 location <0, 1, -5> look_at <0, 0.5, 0> normal { bumps 0.3 scale 0.25 } }
+light_source { <3, 5, -9>, rgb 1 }
+plane { y, 0 pigment { checker rgb 1 rgb 0.5 } }
+sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0, 0, 1>] } scale 0.5 } }
+sphere { y, 1 pigment { checker rgb <0, 1, 0> rgb 1 scale 0.3 } }

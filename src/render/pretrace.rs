@@ -1,0 +1,138 @@
+//! The passes before a picture with radiosity: few rays first, then more and more, so that samples lie everywhere before
+//! they are used. Block by block and ray by ray as POV-Ray does it, on one thread, since each sample depends on those
+//! before it.
+
+use super::tiles_of;
+use crate::compile::Scratch;
+use crate::math::mersenne;
+use crate::options::RenderOptions;
+use crate::trace::Tracer;
+use std::ops::Range;
+
+/// Rounding must not add a pass.
+const SLACK: f64 = 1e-10;
+/// By how much the random numbers of passes and of blocks are apart.
+const OF_PASS: u32 = 17;
+const OF_BLOCK: u32 = 13;
+/// How many random numbers there are to jitter with.
+const NUMBERS: u32 = 2047;
+/// More passes there are not, however small the last spacing.
+const MOST_PASSES: u32 = 64;
+
+/// The spacings of the rays of each pass, in pixels. Where the last would be much larger than the first there are none;
+/// POV-Ray then counts below zero and makes a great many.
+fn spacings(options: &RenderOptions, start: f64, end: f64) -> impl Iterator<Item = f64> + use<> {
+    let size = f64::from(options.width.max(options.height));
+    let (start, end) = (start * size, (end * size).max(1.0));
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "saturates, and is not negative"
+    )]
+    let steps = ((start / end).log2() + 2.0 - SLACK).floor().max(0.0) as u32;
+    (0..steps.min(MOST_PASSES)).map(move |pass| (start / f64::from(pass).exp2()).max(end))
+}
+
+/// Numbers from -1 to 1 by which rays are moved.
+struct Jitter {
+    last: u32,
+}
+
+impl Jitter {
+    fn of_block(pass: u32, block: u32) -> Self {
+        let last = (pass + 1) * OF_PASS;
+        Jitter {
+            last: last.wrapping_add(block.wrapping_mul(OF_BLOCK)) % NUMBERS,
+        }
+    }
+
+    fn next_number(&mut self) -> f64 {
+        self.last = (self.last + 1) % NUMBERS;
+        2.0 * mersenne::random(self.last) - 1.0
+    }
+}
+
+/// The first place of a grid of this spacing in a range, and those after it.
+fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<> {
+    let (first, end) = (f64::from(range.start), f64::from(range.end));
+    let start = ((first - 0.5) / spacing).ceil() * spacing;
+    let all = std::iter::successors(Some(start), move |at| Some(at + spacing));
+    all.skip_while(move |&at| at < first)
+        .take_while(move |&at| at < end)
+}
+
+/// Makes the samples of a picture.
+pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &mut Scratch) {
+    let Some(radiosity) = &tracer.world().radiosity else {
+        return;
+    };
+    let settings = &radiosity.settings;
+    let whole = RenderOptions {
+        columns: 0..options.width,
+        rows: 0..options.height,
+        ..options.clone()
+    };
+    let tiles = tiles_of(&whole);
+    let spacings = spacings(options, settings.pretrace_start, settings.pretrace_end);
+    for (pass, spacing) in (0..).zip(spacings) {
+        for (block, tile) in (0..).zip(&tiles) {
+            let mut jitter = Jitter::of_block(pass, block);
+            let amount = (0.5 * spacing).min(1.0);
+            let middle = 0.5 * (spacing - 1.0);
+            for y in places(&tile.rows, spacing) {
+                for x in places(&tile.columns, spacing) {
+                    let down = amount * jitter.next_number();
+                    let right = amount * jitter.next_number();
+                    let (x, y) = (x + middle + right, y + middle + down);
+                    let _ = tracer.pixel(x, y, options.width, options.height, scratch);
+                }
+            }
+            if options.stop.is_asked() {
+                return;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(width: u32, start: f64, end: f64) -> Vec<f64> {
+        let options = RenderOptions {
+            width,
+            height: width / 2,
+            ..RenderOptions::default()
+        };
+        spacings(&options, start, end).collect()
+    }
+
+    /// Numbers of passes as POV-Ray 3.7 tells them.
+    #[test]
+    fn passes_halve_the_spacing_down_to_the_last() {
+        assert_eq!(of(160, 0.08, 0.04), [12.8, 6.4]);
+        assert_eq!(of(160, 0.08, 0.03), [12.8, 6.4, 4.8]);
+        assert_eq!(of(160, 1.0, 1.0), [160.0]);
+        assert_eq!(of(8, 0.08, 0.04), [1.0]);
+        assert!(of(4, 0.08, 0.04).is_empty());
+        assert!(of(160, 0.01, 1.0).is_empty());
+    }
+
+    #[test]
+    fn places_of_a_block_lie_on_a_grid_of_the_picture() {
+        let of = |range: Range<u32>| places(&range, 12.8).collect::<Vec<_>>();
+        assert_eq!(of(0..32), [0.0, 12.8, 25.6]);
+        let next = of(32..64);
+        assert_eq!(next.len(), 2);
+        assert!((next[0] - 38.4).abs() < 1e-9 && (next[1] - 51.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn jitter_starts_behind_the_numbers_of_pass_and_block() {
+        let mut jitter = Jitter::of_block(1, 2);
+        assert_eq!(
+            jitter.next_number(),
+            2.0 * mersenne::random(2 * 17 + 2 * 13 + 1) - 1.0
+        );
+    }
+}

@@ -1,0 +1,179 @@
+//! Light that a surface gathers from others: what samples near a point know of it, or what a new sample finds.
+//!
+//! The numbers are those of [`crate::radiosity`].
+
+use super::light::Lit;
+use super::{Path, Sample, Tracer, begin_sample};
+use crate::color::{Color, Rgb};
+use crate::compile::{Departure, Scratch};
+use crate::radiosity::{Known, Mode, Radiosity};
+use crate::texture::PreparedLayer;
+use glam::DVec3;
+
+/// Light that arrives at the front and at the back of a surface, where it was asked for.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Gathered {
+    front: Option<Rgb>,
+    back: Option<Rgb>,
+}
+
+/// A point that gathers light.
+pub(super) struct Gathering<'r> {
+    pub(super) radiosity: &'r Radiosity,
+    point: DVec3,
+    pub(super) departure: Option<Departure>,
+    /// The unit normals on the side of the viewer: with bumps, if those count, and without.
+    normal: DVec3,
+    pub(super) flat: DVec3,
+    pub(super) depth: usize,
+    /// The weight of the ray that came here.
+    weight: f64,
+}
+
+impl<'r> Gathering<'r> {
+    /// Where a ray meets a surface of this normal without bumps.
+    pub(super) fn new(radiosity: &'r Radiosity, lit: &Lit, flat: DVec3) -> Self {
+        let has_normals = radiosity.settings.has_normals;
+        Gathering {
+            radiosity,
+            point: lit.at.point,
+            departure: lit.departure.copied(),
+            normal: if has_normals { lit.at.normal } else { flat },
+            flat,
+            depth: lit.path.gathered,
+            weight: lit.path.weight,
+        }
+    }
+}
+
+impl Tracer<'_> {
+    /// The weight below which a ray is not followed.
+    pub(super) fn bailout(&self, path: &Path) -> f64 {
+        self.bailout_at(path.gathered)
+    }
+
+    fn bailout_at(&self, depth: usize) -> f64 {
+        match &self.world.radiosity {
+            Some(radiosity) if depth > 0 => radiosity.settings.adc_bailout,
+            _ => self.world.globals.adc_bailout,
+        }
+    }
+
+    /// Whether a ray meets neither fog nor media.
+    pub(super) fn is_airless(&self, path: &Path) -> bool {
+        let radiosity = self.world.radiosity.as_ref();
+        path.gathered > 0 && !radiosity.is_some_and(|radiosity| radiosity.settings.has_media)
+    }
+
+    /// What is seen at a point of the picture; what was noted of it and still holds is not looked at again.
+    pub(super) fn noted(
+        &self,
+        (x, y): (f64, f64),
+        scratch: &mut Scratch,
+        see: impl FnOnce(&mut Scratch) -> Sample,
+    ) -> Sample {
+        if let Some(session) = &mut scratch.radiosity {
+            match session.mode {
+                Mode::Watch => session.notes.begin(),
+                Mode::Grow => {
+                    if let Some((rgb, transmit)) = session.notes.recall(x, y, &session.cache) {
+                        return Sample { rgb, transmit };
+                    }
+                }
+                Mode::Lone => {}
+            }
+        } else {
+            scratch.radiosity.clone_from(&self.samples);
+        }
+        begin_sample(x, y, scratch);
+        let seen = see(scratch);
+        if let Some(session) = &mut scratch.radiosity
+            && session.mode == Mode::Watch
+        {
+            session.notes.end(x, y, (seen.rgb, seen.transmit));
+        }
+        seen
+    }
+
+    /// What a layer throws back of the light that its surface gathers.
+    pub(super) fn gathered(
+        &self,
+        gathering: &Gathering,
+        (layer, color, filter): (&PreparedLayer, Color, Rgb),
+        known: &mut Gathered,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let settings = &gathering.radiosity.settings;
+        if gathering.depth >= settings.recursion_limit as usize || scratch.radiosity.is_none() {
+            return Rgb::BLACK;
+        }
+        let (_, coat) = self.coat(layer, color);
+        let [front, back] = layer.finish.diffuse_as_given;
+        let mut sum = Rgb::BLACK;
+        let sides = [
+            (front, &mut known.front, 1.0),
+            (back, &mut known.back, -1.0),
+        ];
+        for (diffuse, known, side) in sides {
+            let share = coat.opacity * f64::from(diffuse);
+            let weight = f64::from((filter * coat.rgb).grey()) * share;
+            let light = match *known {
+                Some(light) => light,
+                None if weight > self.bailout_at(gathering.depth) => {
+                    let weight = gathering.weight * weight;
+                    *known.insert(self.light_around(gathering, side, weight, scratch))
+                }
+                None => continue,
+            };
+            sum += coat.rgb * light * share;
+        }
+        sum
+    }
+
+    /// The light that arrives at a point in front (1) or at the back (-1).
+    fn light_around(
+        &self,
+        gathering: &Gathering,
+        side: f64,
+        weight: f64,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let &Gathering {
+            radiosity, depth, ..
+        } = gathering;
+        let Some(session) = scratch.radiosity.as_deref_mut() else {
+            return Rgb::BLACK;
+        };
+        let at = (gathering.point, side * gathering.normal);
+        let look = session.look(radiosity, at, depth, weight);
+        let mut mean = match session.known(radiosity, &look) {
+            Known::Unknown => return Rgb::BLACK,
+            Known::Enough(mean) => mean,
+            Known::Short(mut mean) => {
+                let quality = session.quality;
+                session.begin(depth);
+                let (sample, is_kept) = self.gather(gathering, (&look, side), scratch);
+                mean.weight += sample.quality;
+                mean.sum += sample.light * sample.quality;
+                if let Some(session) = scratch.radiosity.as_deref_mut() {
+                    session.quality = quality;
+                    if is_kept {
+                        session.keep(radiosity, sample);
+                    }
+                }
+                mean
+            }
+        };
+        if let Some(session) = scratch.radiosity.as_deref_mut() {
+            session.used(radiosity, depth, &mean);
+        }
+        mean.sum = mean.sum * (1.0 / mean.weight);
+        let settings = &radiosity.settings;
+        let grey = settings.gray_threshold;
+        if grey > 0.0 {
+            let light = mean.sum;
+            mean.sum = light * (1.0 - grey) + Rgb::splat(light.grey()) * grey;
+        }
+        mean.sum * settings.brightness
+    }
+}

@@ -1,5 +1,0 @@
-// mistake in line 2: a word that is not built yet
-global_settings { radiosity { count 20 } }
-sphere { 0, 1 }
-camera { location -5*z look_at 0 }
-light_source { <4, 6, -8>, rgb 1 }
