@@ -10,9 +10,35 @@ use crate::scene::{Kind, Object, Operation};
 use crate::shape::Geometry;
 use std::sync::Arc;
 
+/// What lies around a part of a combination.
+#[derive(Clone, Copy)]
+pub(super) struct Around {
+    /// A box around what can be seen of it.
+    pub(super) shown: Bounds,
+    /// A box around its inside.
+    pub(super) solid: Bounds,
+}
+
+impl Around {
+    const EMPTY: Around = Around {
+        shown: Bounds::EMPTY,
+        solid: Bounds::EMPTY,
+    };
+    const EVERYTHING: Around = Around {
+        shown: Bounds::EVERYTHING,
+        solid: Bounds::EVERYTHING,
+    };
+}
+
 impl Flat {
     pub(super) fn add_program(&mut self, object: &Object, above: &Heritage) {
-        let (program, bounds) = self.program(object, above);
+        let (program, around) = self.program(object, above);
+        // POV-Ray asks only what has the camera in its box whether it lies inside; questions for insides ask all.
+        let bounds = if self.asks_insides {
+            around.solid
+        } else {
+            around.shown
+        };
         if bounds.is_empty() {
             self.parts.leaves.truncate(program.first as usize);
             return;
@@ -22,7 +48,7 @@ impl Flat {
         self.parts.programs.push(program);
     }
 
-    pub(super) fn program(&mut self, object: &Object, above: &Heritage) -> (Program, Bounds) {
+    pub(super) fn program(&mut self, object: &Object, above: &Heritage) -> (Program, Around) {
         let root = Node {
             combine: Combine::Union,
             is_inverse: false,
@@ -36,21 +62,21 @@ impl Flat {
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
         let outer_gates = std::mem::take(&mut self.gates);
-        let around = Heritage {
+        let above = Heritage {
             place: Place::Whole,
             ..above.clone()
         };
-        let bounds = self.add_node(object, &around, &mut program, 0, false);
+        let around = self.add_node(object, &above, &mut program, 0, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         program.prepare(&self.parts.leaves, &of_operands);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&object, &around);
             program.gates.push(Gate { operands, bound });
         }
-        (program, bounds)
+        (program, around)
     }
 
-    /// Adds an object under a node and gives the bounds of what it shows.
+    /// Adds an object under a node and gives its bounds.
     fn add_node(
         &mut self,
         object: &Object,
@@ -58,7 +84,7 @@ impl Flat {
         program: &mut Program,
         parent: u32,
         is_hidden: bool,
-    ) -> Bounds {
+    ) -> Around {
         let below = self.heritage(object, above);
         let first = index(program.operands.len());
         let bounds = self.add_clipped(object, above, &below, program, (parent, is_hidden));
@@ -84,7 +110,7 @@ impl Flat {
         below: &Heritage,
         program: &mut Program,
         (parent, is_hidden): (u32, bool),
-    ) -> Bounds {
+    ) -> Around {
         if object.clipped_by.is_empty() {
             return self.add_bare(
                 object,
@@ -94,7 +120,7 @@ impl Flat {
                 is_hidden,
             );
         }
-        let node = push_node(program, Combine::Intersection, false, parent);
+        let node = push_node(program, Combine::Intersection, parent);
         let mut bounds =
             self.add_bare(object, below, program, (node, object.is_inverse), is_hidden);
         for clip in &object.clipped_by {
@@ -104,7 +130,8 @@ impl Flat {
                 ..below.clone()
             };
             let held = self.add_node(&clip.what, &around, program, node, true);
-            bounds = bounds.intersection(&held);
+            bounds.shown = bounds.shown.intersection(&held.solid);
+            bounds.solid = bounds.solid.intersection(&held.solid);
         }
         bounds
     }
@@ -117,7 +144,7 @@ impl Flat {
         program: &mut Program,
         place: (u32, bool),
         is_hidden: bool,
-    ) -> Bounds {
+    ) -> Around {
         let (parent, is_inverse) = place;
         match &object.kind {
             Kind::Light { .. } => {
@@ -130,7 +157,7 @@ impl Flat {
                     ..held.clone()
                 };
                 self.add_light(&object.kind, &outside, held);
-                Bounds::EMPTY
+                Around::EMPTY
             }
             Kind::Shape(shape) => {
                 let (surface, absorb) = self.surface_of(shape, below);
@@ -144,91 +171,76 @@ impl Flat {
                     is_inverse,
                     is_hidden,
                 });
-                if is_inverse {
+                let solid = if is_inverse {
                     Bounds::EVERYTHING
                 } else {
                     bounds
+                };
+                Around {
+                    shown: bounds,
+                    solid,
                 }
             }
             Kind::Csg {
                 operation,
                 children,
             } => {
-                let combine = match operation {
-                    // The inverse of a union is the intersection of inverses: inner surfaces do not show.
-                    Operation::Union if is_inverse => Combine::Merge,
-                    Operation::Union => Combine::Union,
-                    Operation::Merge => Combine::Merge,
-                    Operation::Intersection | Operation::Difference => Combine::Intersection,
+                let is_sum = matches!(operation, Operation::Union | Operation::Merge);
+                let combine = match (operation, is_inverse) {
+                    (Operation::Union, false) => Combine::Union,
+                    // Of an inverse intersection inner surfaces do not show.
+                    _ if is_sum != is_inverse => Combine::Merge,
+                    _ => Combine::Intersection,
                 };
-                let node = push_node(program, combine, is_inverse, parent);
-                let bounds =
-                    self.add_children(*operation, children, below, program, (node, is_hidden));
-                if is_inverse {
-                    Bounds::EVERYTHING
-                } else {
-                    bounds
-                }
+                let node = push_node(program, combine, parent);
+                let signs =
+                    (0..).map(|at| is_inverse != (*operation == Operation::Difference && at > 0));
+                let below = Heritage {
+                    place: match operation {
+                        Operation::Union => Place::Union,
+                        Operation::Merge => Place::Merge,
+                        Operation::Intersection | Operation::Difference => Place::Cut,
+                    },
+                    ..below.clone()
+                };
+                self.add_children(children, signs, &below, program, (node, is_hidden))
             }
         }
     }
 
+    /// Adds children, each inverse or not as it is itself, unless `signs` exchange that: a combination hands its
+    /// inversion down to its parts, and what clips them stays as it is (measured with POV-Ray).
     fn add_children(
         &mut self,
-        operation: Operation,
         children: &[Arc<Object>],
+        signs: impl Iterator<Item = bool>,
         below: &Heritage,
         program: &mut Program,
         (node, is_hidden): (u32, bool),
-    ) -> Bounds {
-        let is_sum = matches!(operation, Operation::Union | Operation::Merge);
-        let below = &Heritage {
-            place: match operation {
-                Operation::Union => Place::Union,
-                Operation::Merge => Place::Merge,
-                Operation::Intersection | Operation::Difference => Place::Cut,
-            },
-            ..below.clone()
-        };
-        let mut sum = if is_sum {
-            Bounds::EMPTY
+    ) -> Around {
+        let is_product = program.nodes[node as usize].combine == Combine::Intersection;
+        let mut sum = if is_product {
+            Around::EVERYTHING
         } else {
-            Bounds::EVERYTHING
+            Around::EMPTY
         };
-        for (at, child) in children.iter().enumerate() {
-            let child = if operation == Operation::Difference && at > 0 {
+        for (child, is_exchanged) in children.iter().zip(signs) {
+            let child = if is_exchanged {
                 let mut cut = (**child).clone();
                 cut.is_inverse = !cut.is_inverse;
-                self.add_cut(&cut, below, program, node, is_hidden)
+                self.add_node(&cut, below, program, node, is_hidden)
             } else {
                 self.add_node(child, below, program, node, is_hidden)
             };
-            sum = if is_sum {
-                sum.union(&child)
+            if is_product {
+                sum.solid = sum.solid.intersection(&child.solid);
+                sum.shown = sum.solid;
             } else {
-                sum.intersection(&child)
-            };
+                sum.solid = sum.solid.union(&child.solid);
+                sum.shown = sum.shown.union(&child.shown);
+            }
         }
         sum
-    }
-
-    /// What a difference takes away: its inverse as a whole, clips included.
-    fn add_cut(
-        &mut self,
-        cut: &Object,
-        above: &Heritage,
-        program: &mut Program,
-        node: u32,
-        is_hidden: bool,
-    ) -> Bounds {
-        if cut.clipped_by.is_empty() {
-            return self.add_node(cut, above, program, node, is_hidden);
-        }
-        let mut inner = cut.clone();
-        inner.is_inverse = !inner.is_inverse;
-        let outer = push_node(program, Combine::Union, true, node);
-        self.add_node(&inner, above, program, outer, is_hidden);
-        Bounds::EVERYTHING
     }
 }
 
@@ -238,12 +250,12 @@ pub(super) fn is_gated(object: &Object) -> bool {
     !object.bounded_by.is_empty() && !needs_none
 }
 
-fn push_node(program: &mut Program, combine: Combine, is_inverse: bool, parent: u32) -> u32 {
+fn push_node(program: &mut Program, combine: Combine, parent: u32) -> u32 {
     let node = index(program.nodes.len());
     program.nodes[parent as usize].children += 1;
     program.nodes.push(Node {
         combine,
-        is_inverse,
+        is_inverse: false,
         children: 0,
         parent,
     });

@@ -321,7 +321,8 @@ impl Program {
             ..
         } = self.nodes[node];
         let holds = match combine {
-            Combine::Intersection => counts[node] == children && children > 0,
+            // One of nothing holds all, as in POV-Ray.
+            Combine::Intersection => counts[node] == children,
             Combine::Union | Combine::Merge => counts[node] > 0,
         };
         holds != is_inverse

@@ -10,8 +10,12 @@
 //! Error bound: `accuracy` along the ray, as POV-Ray's (`tests/stability`, item 51), and that alone.
 //!
 //! `evaluate` raises the gradient along each ray anew; in POV-Ray it stays raised for the rays that come later, so that
-//! the picture depends on their order. `max_trace` says how many roots POV-Ray looks for; here all are found that are
-//! wanted. Normals are differences over `accuracy`.
+//! the picture depends on their order. Normals are differences over `accuracy`.
+//!
+//! What can be seen, and what lies inside, are two things in a combination (measured with POV-Ray): the inside is exact,
+//! but of the surface a ray shows no more than its first `max_trace` roots. The container is seen where a ray that
+//! comes from outside enters the solid through it, and there again as the first of the roots, `accuracy` behind; and
+//! where a ray that starts within it leaves the solid through it. Neither counts as a root.
 
 use super::container::{Container, End};
 use super::{Crossing, Geometry, Root, Start, read};
@@ -31,6 +35,8 @@ const MOST_HALVINGS: u32 = 64;
 /// Pieces into which the stretch of one ray is cut. Only numbers that mean nothing need more (a container of 10³⁰ and a
 /// gradient as large), and POV-Ray does not end there.
 const MOST_PIECES: u32 = 1 << 18;
+/// Roots of one ray that `all_intersections` shows, and the largest `max_trace`.
+const MOST_TRACED: f64 = 10.0;
 /// Roots of one ray.
 const MOST_ROOTS: usize = 1000;
 /// What `accuracy` and `max_gradient` are where the scene says nothing.
@@ -53,6 +59,8 @@ struct Solid {
     unit: f64,
     gradient: f64,
     evaluate: Option<Evaluate>,
+    /// How many roots of a ray can be seen.
+    traced: u32,
     is_open: bool,
 }
 
@@ -70,7 +78,7 @@ impl PartialEq for Solid {
             && [self.threshold, self.accuracy, self.gradient]
                 == [other.threshold, other.accuracy, other.gradient]
             && self.evaluate == other.evaluate
-            && self.is_open == other.is_open
+            && (self.is_open, self.traced) == (other.is_open, other.traced)
     }
 }
 
@@ -91,6 +99,7 @@ impl Isosurface {
             unit: 1.0,
             gradient: MAX_GRADIENT,
             evaluate: None,
+            traced: 1,
             is_open: false,
         };
         while read_word(args, &mut solid)? {}
@@ -115,9 +124,12 @@ fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
         solid.gradient = least;
         solid.evaluate = Some(Evaluate { factor });
     } else if args.accept(Word::MaxTrace)? {
-        args.float()?;
+        let traced = args.float()?;
+        solid.traced = traced.clamp(1.0, MOST_TRACED) as u32;
     } else if args.accept(Word::AllIntersections)? {
-        args.float_or(1.0)?;
+        if args.float_or(1.0)? != 0.0 {
+            solid.traced = MOST_TRACED as u32;
+        }
     } else if args.accept(Word::Open)? {
         solid.is_open = args.float_or(1.0)? != 0.0;
     } else {
@@ -172,12 +184,23 @@ impl Solid {
         };
         let mut is_inside = false;
         let mut at = enter.0.max(0.0);
+        let mut traced = 0;
         let value = search.value(at, 1.0);
         let starts_outside = enter.0 > self.way();
         if starts_outside {
             is_inside = value < 0.0;
             if is_inside && !emit(self.face(enter, Crossing::Enter)) {
                 return Start::Outside;
+            }
+            if is_inside && !self.is_open {
+                let again = search.root(at, leave.0, 1.0);
+                if let Some(t) = again {
+                    at = t + AFTER_ROOT * self.way();
+                    traced = 1;
+                    if !emit(self.surface(t, Crossing::Touch, true)) {
+                        return Start::Outside;
+                    }
+                }
             }
         } else if value < self.gradient * self.accuracy * AT_SURFACE {
             // This may lie beyond the container, whose end is then the root.
@@ -190,6 +213,9 @@ impl Solid {
             Start::Outside
         };
         for _ in 0..MOST_ROOTS {
+            if at >= leave.0 {
+                break;
+            }
             let Some(t) = search.root(at, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
@@ -200,23 +226,29 @@ impl Solid {
             };
             is_inside = !is_inside;
             at = t + AFTER_ROOT * self.way();
-            let goes_on = emit(Root {
-                t,
-                crossing,
-                face: SURFACE,
-                is_visible: t > self.way(),
-            });
-            if !goes_on {
+            traced += 1;
+            if !emit(self.surface(t, crossing, traced <= self.traced)) {
                 return start;
-            }
-            if at >= leave.0 {
-                break;
             }
         }
         if is_inside {
-            emit(self.face(leave, Crossing::Leave));
+            let face = self.face(leave, Crossing::Leave);
+            emit(Root {
+                is_visible: face.is_visible && !starts_outside,
+                ..face
+            });
         }
         start
+    }
+
+    /// A root of the function.
+    fn surface(&self, t: f64, crossing: Crossing, is_traced: bool) -> Root {
+        Root {
+            t,
+            crossing,
+            face: SURFACE,
+            is_visible: is_traced && t > self.way(),
+        }
     }
 
     /// A root on the container.
@@ -360,6 +392,10 @@ mod tests {
     }
 
     fn ball(is_open: bool) -> Isosurface {
+        ball_traced(is_open, 1)
+    }
+
+    fn ball_traced(is_open: bool, traced: u32) -> Isosurface {
         Isosurface(Arc::new(Solid {
             function: Arc::new(Function::of(Kind::Field(Arc::new(Ball)))),
             container: Container::DEFAULT,
@@ -368,6 +404,7 @@ mod tests {
             unit: 1.0,
             gradient: 1.0,
             evaluate: None,
+            traced,
             is_open,
         }))
     }
