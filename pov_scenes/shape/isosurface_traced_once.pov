@@ -8,7 +8,7 @@ plane { y, -1.4 pigment { checker rgb 0.9, rgb <0.3, 0.4, 0.5> } }
 #declare Cut = isosurface {
   function { x*x + y*y*y*y + z*z - 0.7 }
   contained_by { box { -1.1, 1.1 } }
-  max_gradient 6
+  max_gradient 6 accuracy 1e-6
 }
 difference {
   box { -1, 1 pigment { rgb <0.9, 0.5, 0.3> } }

@@ -36,7 +36,7 @@ const MOST_HALVINGS: u32 = 64;
 /// gradient as large), and POV-Ray does not end there.
 const MOST_PIECES: u32 = 1 << 18;
 /// Roots of one ray that `all_intersections` shows, and the largest `max_trace`.
-const MOST_TRACED: f64 = 10.0;
+const MOST_TRACED: u32 = 10;
 /// Roots of one ray.
 const MOST_ROOTS: usize = 1000;
 /// What `accuracy` and `max_gradient` are where the scene says nothing.
@@ -125,10 +125,11 @@ fn read_word(args: &mut dyn Args, solid: &mut Solid) -> Parse<bool> {
         solid.evaluate = Some(Evaluate { factor });
     } else if args.accept(Word::MaxTrace)? {
         let traced = args.float()?;
-        solid.traced = traced.clamp(1.0, MOST_TRACED) as u32;
+        let more = (2..=MOST_TRACED).take_while(|&count| f64::from(count) <= traced);
+        solid.traced = more.last().unwrap_or(1);
     } else if args.accept(Word::AllIntersections)? {
         if args.float_or(1.0)? != 0.0 {
-            solid.traced = MOST_TRACED as u32;
+            solid.traced = MOST_TRACED;
         }
     } else if args.accept(Word::Open)? {
         solid.is_open = args.float_or(1.0)? != 0.0;
@@ -213,9 +214,6 @@ impl Solid {
             Start::Outside
         };
         for _ in 0..MOST_ROOTS {
-            if at >= leave.0 {
-                break;
-            }
             let Some(t) = search.root(at, leave.0, if is_inside { -1.0 } else { 1.0 }) else {
                 break;
             };
@@ -229,6 +227,9 @@ impl Solid {
             traced += 1;
             if !emit(self.surface(t, crossing, traced <= self.traced)) {
                 return start;
+            }
+            if at >= leave.0 {
+                break;
             }
         }
         if is_inside {
@@ -392,10 +393,6 @@ mod tests {
     }
 
     fn ball(is_open: bool) -> Isosurface {
-        ball_traced(is_open, 1)
-    }
-
-    fn ball_traced(is_open: bool, traced: u32) -> Isosurface {
         Isosurface(Arc::new(Solid {
             function: Arc::new(Function::of(Kind::Field(Arc::new(Ball)))),
             container: Container::DEFAULT,
@@ -404,7 +401,7 @@ mod tests {
             unit: 1.0,
             gradient: 1.0,
             evaluate: None,
-            traced,
+            traced: 1,
             is_open,
         }))
     }
@@ -427,13 +424,16 @@ mod tests {
     #[test]
     fn a_container_closes_what_it_cuts_unless_it_is_open() {
         let (origin, dir) = (DVec3::new(0.0, 0.0, -3.0), DVec3::Z);
-        for is_open in [false, true] {
-            let expected = [
-                (2.0, Crossing::Enter, !is_open),
-                (4.0, Crossing::Leave, !is_open),
-            ];
-            assert_eq!(roots(&ball(is_open), origin, dir), expected);
-        }
+        let (enter, leave) = (Crossing::Enter, Crossing::Leave);
+        // The container is seen where the ray comes in, and there again as the first root, but not where it goes out.
+        let closed = [
+            (2.0, enter, true),
+            (2.0, Crossing::Touch, true),
+            (4.0, leave, false),
+        ];
+        assert_eq!(roots(&ball(false), origin, dir), closed);
+        let open = [(2.0, enter, false), (4.0, leave, false)];
+        assert_eq!(roots(&ball(true), origin, dir), open);
     }
 
     #[test]
