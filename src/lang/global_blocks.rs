@@ -5,6 +5,9 @@ use crate::args::{Args, Parse, Word};
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 use crate::source::{Code, Diagnostic, Span};
 
+/// The directions that radiosity has unless a scene says how many.
+const ALL_DIRECTIONS: u32 = 1600;
+
 /// Values that a setting may have, and how a person says it.
 struct Range {
     is_in: fn(f64) -> bool,
@@ -92,7 +95,12 @@ impl Reader<'_> {
             Word::Count => {
                 settings.count = count(self.checked(&POSITIVE)?);
                 if self.accept_mark(',')? {
-                    settings.directions = Some(count(self.checked(&POSITIVE)?));
+                    let at = self.span();
+                    let directions = count(self.checked(&POSITIVE)?);
+                    settings.directions = Some(directions);
+                    if directions < ALL_DIRECTIONS {
+                        self.warn_of(at, "the second number of `count`, below 1600,");
+                    }
                 }
             }
             Word::ErrorBound => settings.error_bound = self.checked(&POSITIVE)?,
@@ -107,7 +115,11 @@ impl Reader<'_> {
             Word::NearestCount => {
                 settings.nearest_count = count(self.checked(&UP_TO_TWENTY)?);
                 if self.accept_mark(',')? {
+                    let at = self.span();
                     settings.nearest_count_aim = count(self.checked(&COUNT)?);
+                    if settings.nearest_count_aim > 0 {
+                        self.warn_of(at, "the second number of `nearest_count`");
+                    }
                 }
             }
             Word::PretraceEnd => settings.pretrace_end = self.checked(&SHARE)?,
@@ -242,10 +254,21 @@ impl Reader<'_> {
         self.open_block()?;
         let mut importance = None;
         if self.take_word(Word::Importance)? {
-            importance = Some(Importance::new(self.checked(&SHARE)?));
+            let at = self.span();
+            let share = self.checked(&SHARE)?;
+            importance = Some(Importance::new(share));
+            if share < 1.0 {
+                self.warn_of(at, "an `importance` below 1");
+            }
         }
         Args::close(self)?;
         Ok(importance)
+    }
+
+    /// Says that the light gathered will not be quite POV-Ray's because of some setting.
+    fn warn_of(&mut self, at: Span, setting: &str) {
+        let message = format!("{setting} is not obeyed as by POV-Ray: its radiosity will differ");
+        self.warn(Diagnostic::warning(at, message));
     }
 
     /// A float within a range.
