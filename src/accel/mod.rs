@@ -8,21 +8,24 @@
 
 mod build;
 mod bundle;
+mod lookup;
 mod node;
 mod raster;
+mod rod;
 mod view;
 mod vista;
 
 pub use bundle::{Bundle, Ended};
 
-pub use vista::{Rod, Vista};
+pub use rod::Rod;
+pub use vista::Vista;
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
 use build::Entry;
 use bundle::Ball;
 use glam::DVec3;
-use node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
+use node::{Cell, Child, Frame, Node, WIDTH};
 use rayon::prelude::*;
 
 /// A tree over items, which it knows by their position in the list it was built from.
@@ -278,16 +281,6 @@ impl Bvh {
                 }
             }
         }
-    }
-
-    /// The box of all boxes.
-    fn whole(&self) -> Option<Cell> {
-        let root = self.nodes.first()?;
-        let cells = (0..WIDTH).filter(|&place| root.child(place) != Child::NOTHING);
-        cells.map(|place| root.cell(place)).reduce(|a, b| Cell {
-            low: [0, 1, 2].map(|axis| smaller(a.low[axis], b.low[axis])),
-            high: [0, 1, 2].map(|axis| larger(a.high[axis], b.high[axis])),
-        })
     }
 
     fn root(&self) -> Option<Child> {

@@ -101,6 +101,14 @@ pub(super) fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
+impl Cell {
+    /// The corners with the smallest and the largest coordinates.
+    pub(super) fn ends(&self) -> (DVec3, DVec3) {
+        let corner = |of: [f32; 3]| DVec3::from(of.map(f64::from));
+        (corner(self.low), corner(self.high))
+    }
+}
+
 impl Frame {
     /// The frame for boxes within `bounds`.
     pub(super) fn new(bounds: &Bounds) -> Self {

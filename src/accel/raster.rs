@@ -73,6 +73,22 @@ impl Rect {
         Some(shared)
     }
 
+    /// Whether no slope is larger than this.
+    pub(super) fn is_within(&self, slope: f64) -> bool {
+        let mut slopes = self.low.iter().chain(&self.high);
+        slopes.all(|one| one.abs() <= slope)
+    }
+
+    /// The rectangle around both.
+    pub(super) fn around(&self, other: &Rect) -> Rect {
+        let mut around = *self;
+        for side in 0..2 {
+            around.low[side] = self.low[side].min(other.low[side]);
+            around.high[side] = self.high[side].max(other.high[side]);
+        }
+        around
+    }
+
     fn is_empty(&self) -> bool {
         self.low[0] == f64::INFINITY
     }

@@ -422,8 +422,13 @@ fn rays_find_by_their_cells_what_they_find_alone() {
                 seen += u32::from(best.is_some());
             }
             let lamp = Vista::from_outside(&tree, from, rod).unwrap();
-            let middle = at + rng.vector(1.0) * size;
-            let points = [(); 8].map(|()| middle + rng.vector(0.1) * size);
+            // Behind something, or just beside it.
+            let points = [(); 8].map(|()| {
+                let pick = usize::try_from(rng.bits() % 700).expect("small");
+                let sphere = &spheres[pick];
+                let aim = sphere.centre + 1.2 * rng.vector(sphere.radius);
+                from + 2.0 * (aim - from)
+            });
             let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
             let ends = points.map(|point| point.distance(from));
             let best = looked_up(&lamp, (&spheres, &order), &rays, Some(ends));
@@ -448,4 +453,23 @@ fn no_flat_view_is_had_from_among_the_items() {
     let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
     assert!(Vista::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
     assert!(Vista::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
+}
+
+#[test]
+fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
+    let mut spheres = spheres(100, 1.0, DVec3::ZERO);
+    spheres.push(Sphere {
+        centre: DVec3::ZERO,
+        radius: 50.0,
+    });
+    let bounds = bounds_of(&spheres);
+    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+    tree.know_balls(order.iter().map(|&item| {
+        let sphere = &spheres[item as usize];
+        Some((sphere.centre, sphere.radius, true))
+    }));
+    let lamp = Vista::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
+    for point in [DVec3::ZERO, 40.0 * DVec3::X, 60.0 * DVec3::Y] {
+        assert!(lamp.between(point, |place| order[place as usize] == 100));
+    }
 }

@@ -79,9 +79,9 @@ impl View {
     }
 
     /// The slopes between which a box lies.
-    pub(super) fn rect_of_cell(&self, cell: &Cell) -> Extent {
-        let low = DVec3::from(cell.low.map(f64::from)) - self.origin;
-        let high = DVec3::from(cell.high.map(f64::from)) - self.origin;
+    fn rect_of_cell(&self, cell: &Cell) -> Extent {
+        let (low, high) = cell.ends();
+        let (low, high) = (low - self.origin, high - self.origin);
         let size = low.abs().max(high.abs()).max_element() * self.axes[2].length();
         let mut rect = Rect::EMPTY;
         let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);

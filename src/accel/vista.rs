@@ -6,103 +6,51 @@
 //! favour of being met: what is visited is more than what is met, never less. So answers are those of the tree, to the bit.
 
 use super::Bvh;
-use super::bundle::{
-    Ball, DOUBT, FARTHEST, Group, GroupAndBall, GroupAndBox, LANES, Slab, all, cross, dot,
-    frame_end, length_sq, load,
-};
+use super::bundle::{Ball, DOUBT, FARTHEST, Slab};
 use super::node::{Cell, Frame};
-use super::raster::{Grid, Raster, Rect};
+use super::raster::{Raster, Rect};
+use super::rod::{Rod, SeenRod};
 use super::view::{Extent, View};
-use crate::math::lanes::{Eight, Kernel, Lanes, eight};
-use crate::math::rounding::{f32_above, nearest};
-use glam::{DVec3, Vec3};
+use crate::math::rounding::nearest;
+use glam::DVec3;
 
-/// Adding and subtracting this rounds a small number to a whole one.
-const WHOLE: f32 = 8_388_608.0;
 /// The view of a camera goes on beside the picture for so many times as many pixels as lie together.
 const BESIDE: f64 = 2.0;
 /// A direction from a lamp to its items has at least this cosine with the middle one, or a flat grid is no use.
 const LEAST_COSINE: f64 = 0.4;
+/// So many items may lie around the point or beside the grid: every ray asks about them.
+const MOST_AROUND: usize = 8;
 
 /// What lies around a point.
 #[derive(Clone, Debug)]
 pub struct Vista {
     /// The frame of the tree, and the point in it.
-    frame: Frame,
-    origin: DVec3,
+    pub(super) frame: Frame,
+    pub(super) origin: DVec3,
     /// How slopes are measured: those across and up are `axes[0] · dir / axes[2] · dir` and `axes[1] · dir / axes[2] · dir`.
-    axes: [[f32; 3]; 3],
-    raster: Raster,
-    known: Vec<Known>,
-    slabs: Vec<Slab>,
-    rods: Vec<SeenRod>,
+    pub(super) axes: [[f32; 3]; 3],
+    pub(super) raster: Raster,
+    /// The items that are no part of the picture that the grid holds: those around the point, and beside it.
+    pub(super) around: Vec<u32>,
+    pub(super) known: Vec<Known>,
+    pub(super) slabs: Vec<Slab>,
+    pub(super) rods: Vec<SeenRod>,
 }
 
 /// An item as it is seen.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+pub(super) struct Known {
     /// A ball around it, relative to the point.
-    centre: [f32; 3],
-    radius: f32,
+    pub(super) centre: [f32; 3],
+    pub(super) radius: f32,
     /// Nothing of it is nearer.
-    near: f32,
+    pub(super) near: f32,
     /// Its box, and the rod around it; [`NONE`] where the ball tells as much.
-    slab: u32,
-    rod: u32,
+    pub(super) slab: u32,
+    pub(super) rod: u32,
 }
 
-const NONE: u32 = u32::MAX;
-
-/// A round rod without ends that holds an item: a point of its axis, the direction of that, and its radius.
-pub type Rod = (DVec3, DVec3, f64);
-
-/// The same as seen from a point.
-#[derive(Clone, Copy, Debug)]
-struct SeenRod {
-    from: [f32; 3],
-    way: [f32; 3],
-    /// The square of the radius, and of what rounding may add to a distance from it, with room for the sum of both.
-    radius_sq: f32,
-    slack_sq: f32,
-}
-
-impl SeenRod {
-    fn new((from, way, radius): Rod, frame: &Frame, origin: DVec3) -> Option<Self> {
-        let from = frame.place(from) - origin;
-        let way = way.try_normalize()?;
-        // The point of the axis that is nearest tells it best.
-        let from = from - from.dot(way) * way;
-        let radius = f64::from(f32_above(radius * frame.scale() * (1.0 + 1e-6)));
-        let slack = 16.0 * f64::from(DOUBT) * (from.length() + radius);
-        // (a + b)² is at most 1.01 a² + 101 b².
-        let rod = SeenRod {
-            from: [from.x, from.y, from.z].map(nearest),
-            way: [way.x, way.y, way.z].map(nearest),
-            radius_sq: f32_above(1.01 * radius * radius),
-            slack_sq: f32_above(101.0 * slack * slack),
-        };
-        (rod.radius_sq.is_finite() && rod.slack_sq.is_finite()).then_some(rod)
-    }
-}
-
-/// Which rays of a group may come as near to the axis of a rod as its radius, one bit each.
-struct GroupAndRod<'a> {
-    group: &'a Group,
-    rod: &'a SeenRod,
-}
-
-impl Kernel for GroupAndRod<'_> {
-    type Answer = u32;
-
-    #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let across: [E; 3] = cross(load(&self.group.dir), all(self.rod.way));
-        let off = dot(across, all(self.rod.from));
-        let limit = length_sq(across).times(E::all(self.rod.radius_sq));
-        off.times(off)
-            .not_above(limit.plus(E::all(self.rod.slack_sq)))
-    }
-}
+pub(super) const NONE: u32 = u32::MAX;
 
 impl Known {
     /// Out of view.
@@ -136,27 +84,8 @@ impl Known {
     }
 }
 
-/// Eight rays from the point of a vista, or to it.
-#[derive(Debug)]
-pub(crate) struct EightRays {
-    group: Group,
-    scale: f64,
-    farthest: f32,
-    /// Which of them are there, one bit each.
-    there: u32,
-}
-
-impl EightRays {
-    /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
-    #[inline(always)]
-    pub(crate) fn end(&mut self, ray: usize, end: f64) {
-        self.group.end[ray % LANES] = frame_end(end, self.scale);
-        self.farthest = self.group.farthest();
-    }
-}
-
 impl Vista {
-    /// What a lamp at a point sees of all items; `None` where a flat grid is no use.
+    /// What a lamp at a point sees of all items; `None` where a flat grid is no use, since they lie all around.
     #[must_use]
     pub fn from_outside(
         tree: &Bvh,
@@ -164,20 +93,20 @@ impl Vista {
         rods: impl Fn(u32) -> Option<Rod>,
     ) -> Option<Vista> {
         let origin = tree.frame.place(point);
-        let along = (-origin).try_normalize()?;
+        let mut sum = DVec3::ZERO;
+        tree.each_item(|_, cell| {
+            let (low, high) = cell.ends();
+            if !(low.cmple(origin) & origin.cmple(high)).all() {
+                sum += (0.5 * low + 0.5 * high - origin).normalize_or_zero();
+            }
+        });
+        let along = sum.try_normalize()?;
         let (across, up) = along.any_orthonormal_pair();
         let view = View {
             origin,
             axes: [across, up, along],
         };
-        let whole = tree.whole()?;
-        let reach = (1.0 / (LEAST_COSINE * LEAST_COSINE) - 1.0).sqrt();
-        let Extent::Within(window) = view.rect_of_cell(&whole) else {
-            return None;
-        };
-        let mut slopes = window.low.iter().chain(&window.high);
-        let is_narrow = slopes.all(|slope| slope.abs() <= reach);
-        is_narrow.then(|| Vista::new(tree, (&view, window), rods, None))?
+        Vista::new(tree, (&view, None), rods, None)
     }
 
     /// What a camera at a point sees: slopes are measured by `axes` and go from -0.5 to 0.5 across and up the picture, of
@@ -200,12 +129,12 @@ impl Vista {
             low: beside.map(|beside| -0.5 - beside),
             high: beside.map(|beside| 0.5 + beside),
         };
-        Vista::new(tree, (&view, window), rods, Some(together))
+        Vista::new(tree, (&view, Some(window)), rods, Some(together))
     }
 
     fn new(
         tree: &Bvh,
-        (view, window): (&View, Rect),
+        (view, window): (&View, Option<Rect>),
         rods: impl Fn(u32) -> Option<Rod>,
         together: Option<[f64; 2]>,
     ) -> Option<Vista> {
@@ -224,18 +153,23 @@ impl Vista {
         tree.each_item(|item, _| count = count.max(item as usize + 1));
         let mut rects = vec![Rect::EMPTY; count];
         let mut known = vec![Known::NOTHING; count];
-        let (mut slabs, mut seen_rods) = (Vec::new(), Vec::new());
+        let (mut slabs, mut seen_rods, mut around) = (Vec::new(), Vec::new(), Vec::new());
+        let mut seen = Rect::EMPTY;
+        let reach = (1.0 / (LEAST_COSINE * LEAST_COSINE) - 1.0).sqrt();
         tree.each_item(|item, cell| {
             let ball = tree.balls.get(item as usize).copied().flatten();
-            let rect = match view.rect(ball.as_ref(), &cell) {
-                Extent::Nowhere => return,
-                Extent::Within(rect) => rect,
-                Extent::Everywhere => window,
-            };
-            let Some(rect) = rect.shared(&window) else {
-                return;
-            };
-            rects[item as usize] = rect;
+            match (view.rect(ball.as_ref(), &cell), &window) {
+                (Extent::Nowhere, Some(_)) => return,
+                (Extent::Within(rect), Some(window)) => match rect.shared(window) {
+                    Some(rect) => rects[item as usize] = rect,
+                    None => return,
+                },
+                (Extent::Within(rect), None) if rect.is_within(reach) => {
+                    rects[item as usize] = rect;
+                    seen = seen.around(&rect);
+                }
+                _ => around.push(item),
+            }
             let known = &mut known[item as usize];
             *known = Known::new(ball, &cell, view.origin, &mut slabs);
             let rod = rods(item).and_then(|rod| SeenRod::new(rod, &tree.frame, view.origin));
@@ -244,6 +178,10 @@ impl Vista {
                 seen_rods.push(rod);
             }
         });
+        if around.len() > MOST_AROUND {
+            return None;
+        }
+        let window = window.unwrap_or(seen);
         let raster = Raster::new(&rects, |item| known[item].near, window, together)?;
         if !view.is_sharp(&window, &raster.grid) {
             return None;
@@ -256,6 +194,7 @@ impl Vista {
             origin: view.origin,
             axes,
             raster,
+            around,
             known,
             slabs,
             rods: seen_rods,
@@ -267,202 +206,9 @@ impl Vista {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.raster.bytes()
+            + self.around.capacity() * size_of::<u32>()
             + self.known.capacity() * size_of::<Known>()
             + self.slabs.capacity() * size_of::<Slab>()
             + self.rods.capacity() * size_of::<SeenRod>()
-    }
-
-    /// Rays from here of these unit directions, which end at such distances, four and four, of which those marked in `there`
-    /// are there.
-    #[inline(always)]
-    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> EightRays {
-        let mut rays = EightRays {
-            group: Group::EMPTY,
-            scale: self.frame.scale(),
-            farthest: 0.0,
-            there,
-        };
-        rays.group.take(0, halves[0], rays.scale);
-        rays.group.take(1, halves[1], rays.scale);
-        for (ray, end) in rays.group.end.iter_mut().enumerate() {
-            if there >> ray & 1 == 0 {
-                *end = f32::NEG_INFINITY;
-            }
-        }
-        rays.farthest = rays.group.farthest();
-        rays
-    }
-
-    /// The same for rays to here, of which the distances tell where they begin.
-    #[inline(always)]
-    pub(crate) fn rays_back(
-        &self,
-        halves: [(&[[f64; 4]; 3], &[f64; 4]); 2],
-        there: u32,
-    ) -> EightRays {
-        let mut rays = self.rays(halves, there);
-        for dir in &mut rays.group.dir {
-            for dir in dir {
-                *dir = -*dir;
-            }
-        }
-        rays
-    }
-
-    /// Visits, the nearest first, items with those of eight rays that may meet them before they end, one bit each; `visit` notes new ends. Gives the rays that leave the view.
-    #[inline(always)]
-    pub(crate) fn each(
-        &self,
-        lanes: Lanes,
-        rays: &mut EightRays,
-        mut visit: impl FnMut(u32, u32, &mut EightRays),
-    ) -> u32 {
-        let vista = self;
-        let group = &rays.group;
-        let (cells, inside) = eight(lanes, &CellsOf { vista, group });
-        let there = rays.there;
-        let mut left = inside & there;
-        while left != 0 {
-            let cell = cells[left.trailing_zeros() as usize % LANES];
-            let cells = &cells;
-            let alike = left & eight(lanes, &Alike { cells, cell });
-            left &= !alike;
-            for &item in self.raster.items(number_of(cell)) {
-                let known = &self.known[item as usize];
-                if known.near > rays.farthest {
-                    break;
-                }
-                let group = &rays.group;
-                let ball = GroupAndBall {
-                    group,
-                    centre: Vec3::from_array(known.centre),
-                    radius: known.radius,
-                };
-                let mut may_meet = alike & eight(lanes, &ball);
-                if may_meet != 0 && known.slab != NONE {
-                    let slab = &self.slabs[known.slab as usize];
-                    may_meet &= eight(lanes, &GroupAndBox { group, slab });
-                }
-                if may_meet != 0 && known.rod != NONE {
-                    let rod = &self.rods[known.rod as usize];
-                    may_meet &= eight(lanes, &GroupAndRod { group, rod });
-                }
-                if may_meet != 0 {
-                    visit(item, may_meet, rays);
-                }
-            }
-        }
-        there & !inside
-    }
-
-    /// Visits, the nearest first, the items that may lie between here and a point, until `visit` says to stop. Says
-    /// whether it did.
-    #[inline(always)]
-    pub(crate) fn between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
-        let way = self.frame.place(point) - self.origin;
-        let distance = way.length();
-        let dir = (way / distance).as_vec3();
-        let [across, up, along] = self.axes.map(Vec3::from_array);
-        let depth = along.dot(dir);
-        let grid = &self.raster.grid;
-        let mut cell = 0;
-        for (side, axis) in [up, across].into_iter().enumerate() {
-            let side = 1 - side;
-            let at = axis.dot(dir) / depth * grid.rate[side] + grid.start[side];
-            let size = grid.size[side];
-            if !(depth > 0.0 && at >= 0.0 && at < as_number(size)) {
-                return false;
-            }
-            cell = cell * size as usize + number_of(at);
-        }
-        let end = nearest(distance) * (1.0 + 4.0 * DOUBT);
-        for &item in self.raster.items(cell) {
-            let known = &self.known[item as usize];
-            if known.near > end {
-                break;
-            }
-            let centre = Vec3::from_array(known.centre);
-            let limit = known.radius * known.radius * (1.0 + 4.0 * DOUBT);
-            let along = dir.dot(centre);
-            if dir.cross(centre).length_squared() > limit
-                || along - known.radius > end
-                || along + known.radius < 0.0
-            {
-                continue;
-            }
-            if known.slab != NONE && !self.slabs[known.slab as usize].is_met(dir, end) {
-                continue;
-            }
-            if visit(item) {
-                return true;
-            }
-        }
-        false
-    }
-}
-
-/// The number of a cell that is there.
-#[inline(always)]
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a small whole number"
-)]
-fn number_of(cell: f32) -> usize {
-    cell as u32 as usize
-}
-
-#[inline(always)]
-#[allow(clippy::cast_precision_loss, reason = "a grid has few rows")]
-fn as_number(size: u32) -> f32 {
-    size as f32
-}
-
-/// In which cells eight rays are, and which of them are in any, one bit each.
-struct CellsOf<'a> {
-    vista: &'a Vista,
-    group: &'a Group,
-}
-
-impl Kernel for CellsOf<'_> {
-    type Answer = ([f32; LANES], u32);
-
-    #[inline(always)]
-    fn run<E: Eight>(&self) -> ([f32; LANES], u32) {
-        let Grid { rate, start, size } = self.vista.raster.grid;
-        let dir: [E; 3] = load(&self.group.dir);
-        let depth = dot(all(self.vista.axes[2]), dir);
-        let mut inside = E::all(f32::MIN_POSITIVE).not_above(depth);
-        let mut cells = E::all(0.0);
-        for side in [1, 0] {
-            let slope = dot(all(self.vista.axes[side]), dir).over(depth);
-            let at = slope.times(E::all(rate[side])).plus(E::all(start[side]));
-            // Rounded to the nearest of the middles of cells; which of two at their edge does not matter.
-            let whole = at
-                .minus(E::all(0.5))
-                .plus(E::all(WHOLE))
-                .minus(E::all(WHOLE));
-            let size = as_number(size[side]);
-            inside &= E::all(0.0).not_above(whole) & whole.not_above(E::all(size - 1.0));
-            cells = cells.times(E::all(size)).plus(whole);
-        }
-        (cells.store(), inside)
-    }
-}
-
-/// Which of eight cells are this one, one bit each.
-struct Alike<'a> {
-    cells: &'a [f32; LANES],
-    cell: f32,
-}
-
-impl Kernel for Alike<'_> {
-    type Answer = u32;
-
-    #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let cells = E::load(self.cells);
-        let cell = E::all(self.cell);
-        cells.not_above(cell) & cell.not_above(cells)
     }
 }

@@ -57,20 +57,30 @@ impl World {
             far: f64::INFINITY,
             seen: Seen::Image,
         };
-        lot.look(origin, self.least_distance(&query(0)), asked);
-        for &item in &self.finder().unbounded {
-            let asked = ((item, there), &query);
-            self.offer_to_eight(lanes, asked, (lot, &mut bests), scratch, |_, _| {});
-        }
+        // Most rays beside everything are not even asked about.
+        let mut are_in_lot = !self.finder().unbounded.is_empty();
+        let mut ends = [[f64::INFINITY; 4]; 2];
         let last = hits.len() - 1;
-        let half = |four: usize| (&asked[four].dir, &lot.four(4 * four).far);
-        let mut rays = vista.rays([half(0), half(last)], there);
+        if are_in_lot {
+            lot.look(origin, self.least_distance(&query(0)), asked);
+            for &item in &self.finder().unbounded {
+                let asked = ((item, there), &query);
+                self.offer_to_eight(lanes, asked, (lot, &mut bests), scratch, |_, _| {});
+            }
+            ends = [lot.four(0).far, lot.four(4 * last).far];
+        }
+        let halves = [(&asked[0].dir, &ends[0]), (&asked[last].dir, &ends[1])];
+        let mut rays = vista.rays(halves, there);
         let beside = vista.each(
             lanes,
             &mut rays,
             #[inline(always)]
             |place, may_meet, rays| {
                 let item = self.finder().bounded[place as usize];
+                if !are_in_lot {
+                    lot.look(origin, self.least_distance(&query(0)), asked);
+                    are_in_lot = true;
+                }
                 self.offer_to_eight(
                     lanes,
                     ((item, may_meet), &query),
@@ -81,6 +91,10 @@ impl World {
                 );
             },
         );
+        if !are_in_lot && beside == 0 {
+            hits.iter_mut().for_each(FourHits::meet_nothing);
+            return;
+        }
         each_bit(beside, |ray| {
             bests[ray % EIGHT] = self.nearest_found(lanes, &query(ray), scratch);
         });

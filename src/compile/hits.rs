@@ -73,6 +73,13 @@ impl FourHits {
         put(&mut self.dir, lane, dir);
     }
 
+    /// Notes that no ray meets anything.
+    #[inline(always)]
+    pub(super) fn meet_nothing(&mut self) {
+        self.met = 0;
+        self.leaf = [NO_LEAF; 4];
+    }
+
     /// Where a ray meets something.
     #[must_use]
     #[inline(always)]
@@ -269,8 +276,7 @@ impl World {
         bests: &[Option<Best>],
         hits: &mut FourHits,
     ) {
-        hits.met = 0;
-        hits.leaf = [NO_LEAF; 4];
+        hits.meet_nothing();
         let mut centre = [[0.0; 4]; 3];
         let mut balls = 0;
         for (lane, best) in bests.iter().enumerate().take(4) {

@@ -27,6 +27,16 @@ impl FourSeen {
         known: 0,
     };
 
+    /// The same at all of these.
+    #[inline(always)]
+    fn alike(Sample { rgb, transmit }: Sample, known: u32) -> FourSeen {
+        FourSeen {
+            rgb: [[rgb.r; 4], [rgb.g; 4], [rgb.b; 4]],
+            transmit: [transmit; 4],
+            known,
+        }
+    }
+
     /// What is seen at one of them, if that is known.
     #[inline(always)]
     pub(super) fn sample(&self, lane: usize) -> Option<Sample> {
@@ -82,6 +92,9 @@ impl Tracer<'_> {
         }
         let hits = &scratch.hits[four];
         let there = 0b1111 >> (4 - count.min(4));
+        if there & hits.met == 0 && self.world.sky.is_none() {
+            return FourSeen::alike(self.background.seen, there);
+        }
         each_lane(there & !hits.met, |lane| {
             let behind = self.behind_everything(hits.dir(lane), Seen::Image);
             put(&mut seen.rgb, lane, behind.rgb);

@@ -1,0 +1,238 @@
+//! Rays that have the point of a [`Vista`] in common look up what they may meet.
+
+use super::bundle::{DOUBT, Group, GroupAndBall, GroupAndBox, LANES, all, dot, frame_end, load};
+use super::raster::Grid;
+use super::rod::GroupAndRod;
+use super::vista::{NONE, Vista};
+use crate::math::lanes::{Eight, Kernel, Lanes, eight};
+use crate::math::rounding::nearest;
+use glam::{DVec3, Vec3};
+
+/// Adding and subtracting this rounds a small number, negative or not, to a whole one: 1.5 times 2 to the 23.
+const WHOLE: f32 = 12_582_912.0;
+
+/// Eight rays from the point of a vista, or to it.
+#[derive(Debug)]
+pub(crate) struct EightRays {
+    group: Group,
+    scale: f64,
+    farthest: f32,
+    /// Which of them are there, one bit each.
+    there: u32,
+}
+
+impl EightRays {
+    /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
+    #[inline(always)]
+    pub(crate) fn end(&mut self, ray: usize, end: f64) {
+        self.group.end[ray % LANES] = frame_end(end, self.scale);
+        self.farthest = self.group.farthest();
+    }
+}
+
+impl Vista {
+    /// Rays from here of these unit directions, which end at such distances, four and four, of which those marked in `there`
+    /// are there.
+    #[inline(always)]
+    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> EightRays {
+        let mut rays = EightRays {
+            group: Group::EMPTY,
+            scale: self.frame.scale(),
+            farthest: 0.0,
+            there,
+        };
+        rays.group.take(0, halves[0], rays.scale);
+        rays.group.take(1, halves[1], rays.scale);
+        for (ray, end) in rays.group.end.iter_mut().enumerate() {
+            if there >> ray & 1 == 0 {
+                *end = f32::NEG_INFINITY;
+            }
+        }
+        rays.farthest = rays.group.farthest();
+        rays
+    }
+
+    /// The same for rays to here, of which the distances tell where they begin.
+    #[inline(always)]
+    pub(crate) fn rays_back(
+        &self,
+        halves: [(&[[f64; 4]; 3], &[f64; 4]); 2],
+        there: u32,
+    ) -> EightRays {
+        let mut rays = self.rays(halves, there);
+        for dir in &mut rays.group.dir {
+            for dir in dir {
+                *dir = -*dir;
+            }
+        }
+        rays
+    }
+
+    /// Visits, the nearest first, items with those of eight rays that may meet them before they end, one bit each; `visit` notes new ends. Gives the rays that leave the view.
+    #[inline(always)]
+    pub(crate) fn each(
+        &self,
+        lanes: Lanes,
+        rays: &mut EightRays,
+        mut visit: impl FnMut(u32, u32, &mut EightRays),
+    ) -> u32 {
+        let vista = self;
+        let group = &rays.group;
+        let (cells, inside) = eight(lanes, &CellsOf { vista, group });
+        let there = rays.there;
+        for &item in &self.around {
+            let may_meet = there & self.may_meet(lanes, item, &rays.group);
+            if may_meet != 0 {
+                visit(item, may_meet, rays);
+            }
+        }
+        let mut left = inside & there;
+        while left != 0 {
+            let cell = cells[left.trailing_zeros() as usize % LANES];
+            let cells = &cells;
+            let alike = left & eight(lanes, &Alike { cells, cell });
+            left &= !alike;
+            for &item in self.raster.items(number_of(cell)) {
+                let known = &self.known[item as usize];
+                if known.near > rays.farthest {
+                    break;
+                }
+                let may_meet = alike & self.may_meet(lanes, item, &rays.group);
+                if may_meet != 0 {
+                    visit(item, may_meet, rays);
+                }
+            }
+        }
+        there & !inside
+    }
+
+    /// Which rays of a group may meet an item, one bit each.
+    #[inline(always)]
+    fn may_meet(&self, lanes: Lanes, item: u32, group: &Group) -> u32 {
+        let known = &self.known[item as usize];
+        let ball = GroupAndBall {
+            group,
+            centre: Vec3::from_array(known.centre),
+            radius: known.radius,
+        };
+        let mut may_meet = eight(lanes, &ball);
+        if may_meet != 0 && known.slab != NONE {
+            let slab = &self.slabs[known.slab as usize];
+            may_meet &= eight(lanes, &GroupAndBox { group, slab });
+        }
+        if may_meet != 0 && known.rod != NONE {
+            let rod = &self.rods[known.rod as usize];
+            may_meet &= eight(lanes, &GroupAndRod { group, rod });
+        }
+        may_meet
+    }
+
+    /// Visits the items that may lie between here and a point, until `visit` says to stop. Says
+    /// whether it did.
+    #[inline(always)]
+    pub(crate) fn between(&self, point: DVec3, mut visit: impl FnMut(u32) -> bool) -> bool {
+        let way = self.frame.place(point) - self.origin;
+        let distance = way.length();
+        let dir = (way / distance).as_vec3();
+        let [across, up, along] = self.axes.map(Vec3::from_array);
+        let end = nearest(distance) * (1.0 + 4.0 * DOUBT);
+        let mut is_stopped = |item: u32| self.may_lie_on(dir, end, item) && visit(item);
+        if self.around.iter().any(|&item| is_stopped(item)) {
+            return true;
+        }
+        let depth = along.dot(dir);
+        let grid = &self.raster.grid;
+        let mut cell = 0;
+        for (side, axis) in [(1, up), (0, across)] {
+            let at = axis.dot(dir) / depth * grid.rate[side] + grid.start[side];
+            let size = grid.size[side];
+            if !(depth > 0.0 && at >= 0.0 && at < as_number(size)) {
+                return false;
+            }
+            cell = cell * size as usize + number_of(at);
+        }
+        let items = self.raster.items(cell).iter();
+        let mut before = items.take_while(|&&item| self.known[item as usize].near <= end);
+        before.any(|&item| is_stopped(item))
+    }
+
+    /// Whether an item may lie on a ray from here in this direction before it ends.
+    #[inline(always)]
+    fn may_lie_on(&self, dir: Vec3, end: f32, item: u32) -> bool {
+        let known = &self.known[item as usize];
+        let centre = Vec3::from_array(known.centre);
+        let limit = known.radius * known.radius * (1.0 + 4.0 * DOUBT);
+        let along = dir.dot(centre);
+        // As eight rays are tried: what is not a number misses.
+        dir.cross(centre).length_squared() <= limit
+            && along - known.radius <= end
+            && along + known.radius >= 0.0
+            && (known.slab == NONE || self.slabs[known.slab as usize].is_met(dir, end))
+    }
+}
+
+/// The number of a cell that is there.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a small whole number"
+)]
+fn number_of(cell: f32) -> usize {
+    cell as u32 as usize
+}
+
+#[inline(always)]
+#[allow(clippy::cast_precision_loss, reason = "a grid has few rows")]
+fn as_number(size: u32) -> f32 {
+    size as f32
+}
+
+/// In which cells eight rays are, and which of them are in any, one bit each.
+struct CellsOf<'a> {
+    vista: &'a Vista,
+    group: &'a Group,
+}
+
+impl Kernel for CellsOf<'_> {
+    type Answer = ([f32; LANES], u32);
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> ([f32; LANES], u32) {
+        let Grid { rate, start, size } = self.vista.raster.grid;
+        let dir: [E; 3] = load(&self.group.dir);
+        let depth = dot(all(self.vista.axes[2]), dir);
+        let mut inside = E::all(f32::MIN_POSITIVE).not_above(depth);
+        let mut cells = E::all(0.0);
+        for side in [1, 0] {
+            let slope = dot(all(self.vista.axes[side]), dir).over(depth);
+            let at = slope.times(E::all(rate[side])).plus(E::all(start[side]));
+            // Rounded to the nearest of the middles of cells; which of two at their edge does not matter.
+            let whole = at
+                .minus(E::all(0.5))
+                .plus(E::all(WHOLE))
+                .minus(E::all(WHOLE));
+            let size = as_number(size[side]);
+            inside &= E::all(0.0).not_above(whole) & whole.not_above(E::all(size - 1.0));
+            cells = cells.times(E::all(size)).plus(whole);
+        }
+        (cells.store(), inside)
+    }
+}
+
+/// Which of eight cells are this one, one bit each.
+struct Alike<'a> {
+    cells: &'a [f32; LANES],
+    cell: f32,
+}
+
+impl Kernel for Alike<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let cells = E::load(self.cells);
+        let cell = E::all(self.cell);
+        cells.not_above(cell) & cell.not_above(cells)
+    }
+}
