@@ -218,8 +218,8 @@ impl Program {
         self.try_gates(passing.leaves, passing.ray, sweep);
         let (mut from, mut to) = (from, to);
         for &number in &self.order.required {
-            self.ask(number, passing, (f64::NEG_INFINITY, f64::INFINITY), sweep);
-            let (before, after) = sides(&sweep.roots, sweep.state.leaf_in[number as usize]);
+            let start = self.ask(number, passing, (from, to), sweep);
+            let (before, after) = sides(&sweep.roots, start);
             if !before {
                 from = from.max(sweep.roots.first()?.t);
             }
@@ -244,8 +244,15 @@ impl Program {
         Some(to)
     }
 
-    /// Adds the roots of a leaf, unless none of them matters from `from` to `to`, and its state at the start.
-    fn ask(&self, number: u32, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) {
+    /// Adds the roots of a leaf, unless none of them lies from `from` to `to`, and its state before them. Gives where the
+    /// line starts.
+    fn ask(
+        &self,
+        number: u32,
+        passing: Passing,
+        (from, to): (f64, f64),
+        sweep: &mut Sweep,
+    ) -> Start {
         let leaf = self.first + number;
         sweep.roots.clear();
         let is_missed = sweep
@@ -257,18 +264,20 @@ impl Program {
         } else {
             passing.leaves[leaf as usize].roots(passing.ray, &mut sweep.roots)
         };
-        if start == Start::Inside {
+        let is_over = sweep.roots.last().is_some_and(|last| last.t < from);
+        let is_in = if is_over {
+            sides(&sweep.roots, start).1
+        } else {
+            start == Start::Inside
+        };
+        if is_in {
             let operand = &self.operands[number as usize];
             let is_in = !operand.is_inverse;
             sweep.state.set(number, is_in);
             self.climb(operand.parent, is_in, &mut sweep.state);
         }
-        let (Some(first), Some(last)) = (sweep.roots.first(), sweep.roots.last()) else {
-            return;
-        };
-        let is_over = last.t < from && start == Start::Outside && last.crossing != Crossing::Enter;
-        if is_over || first.t > to {
-            return;
+        if is_over || sweep.roots.first().is_none_or(|first| first.t > to) {
+            return start;
         }
         if let Some(left) = passing.departure.filter(|departure| departure.leaf == leaf) {
             hide_departure(
@@ -280,6 +289,7 @@ impl Program {
         }
         let event = |&root: &Root| Event { root, leaf: number };
         sweep.events.extend(sweep.roots.iter().map(event));
+        start
     }
 
     /// Notes which operands the ray cannot meet because it misses what bounds them.
@@ -435,8 +445,9 @@ impl Program {
     }
 }
 
-/// Whether a leaf holds the ray before the first of its roots, as given, and after the last.
-fn sides(roots: &[Root], before: bool) -> (bool, bool) {
+/// Whether a leaf holds the ray before the first of its roots and after the last.
+fn sides(roots: &[Root], start: Start) -> (bool, bool) {
+    let before = start == Start::Inside;
     let after = roots
         .iter()
         .rev()

@@ -1,11 +1,15 @@
-//! Combinations of the most frequent form, for four rays at once: what simple solids have in common, less others.
+//! Combinations for four rays at once.
 //!
 //! With few operands no sorting pays. A surface is shown where the ray is within all solids that are to be shared and
 //! outside of all that are taken away; each end of a span is tried against the other spans (Roth 1982, turned about:
 //! all ends, all spans, no order). Where two ends fall together, and wherever a shape has doubts, the answer is that the
 //! ray must be asked for singly: so what is found is what [`Program::nearest`] finds, to the bit.
+//!
+//! A combination of many operands is cut down to those whose boxes some of the four rays meet, by the tree over them: the
+//! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `four_of_tree`.
 
-use super::csg::{Combine, Found, NONE, Program, hide_departure};
+use super::csg::{Combine, Found, Program, hide_departure};
+use super::four_of_tree::Tree;
 use super::leaf::Leaf;
 use super::lot::{FourQueries, Lot};
 use super::query::{Query, Scratch};
@@ -13,46 +17,177 @@ use super::search::SKIN;
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
 use crate::shape::{Crossing, FourRays, FourSpans, Root};
+use smallvec::SmallVec;
 
-/// Combinations of up to so many operands are tried end by end; the work grows with the square.
-const MOST_OPERANDS: usize = 8;
+/// Up to so many operands are tried end by end, besides those that must all hold; the work grows with the square.
+pub(super) const MOST_OPERANDS: usize = 16;
+/// Up to so many nodes are.
+pub(super) const MOST_NODES: usize = 8;
+
+/// The numbers of some operands.
+pub(super) type Numbers = SmallVec<[u32; MOST_OPERANDS]>;
+
+/// In which way four rays can be asked about a combination at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// In none.
+    Singly,
+    /// As one intersection.
+    Intersection,
+    /// As a combination of combinations.
+    Tree,
+}
 
 /// Four rays on their way through a combination.
-struct Passing<'a> {
-    program: &'a Program,
-    leaves: &'a [Leaf],
-    rays: &'a FourQueries,
+#[derive(Clone, Copy)]
+pub(super) struct Passing<'a> {
+    pub(super) program: &'a Program,
+    pub(super) leaves: &'a [Leaf],
+    pub(super) rays: &'a FourQueries,
     /// Which rays there are, one bit each.
-    there: u32,
+    pub(super) there: u32,
+    /// The operands that count besides those that must all hold.
+    pub(super) others: &'a [u32],
 }
 
 /// What four rays find.
-struct FoundByFour {
-    t: [f64; 4],
+pub(super) struct FoundByFour {
+    pub(super) t: [f64; 4],
     /// The operand, a whole number.
-    operand: [f64; 4],
+    pub(super) operand: [f64; 4],
     /// Which rays meet something.
-    met: u32,
+    pub(super) met: u32,
     /// Which rays must be asked for singly.
-    unknown: u32,
+    pub(super) unknown: u32,
 }
 
+/// Where four rays are inside of what must all hold, and where along them something may be shown.
+pub(super) struct Narrowed<F> {
+    pub(super) low: F,
+    pub(super) high: F,
+    enter: End<F>,
+    leave: End<F>,
+    /// Which rays must be asked for singly.
+    pub(super) unknown: u32,
+}
+
+/// The last of several ends, or the first.
+#[derive(Clone, Copy)]
+struct End<F> {
+    t: F,
+    /// The operand, a whole number; below zero if it only clips.
+    operand: F,
+    /// Above zero where two of them fall together.
+    tied: F,
+}
+
+impl<F: Four> End<F> {
+    #[inline(always)]
+    fn at(t: f64) -> Self {
+        End {
+            t: F::all(t),
+            operand: F::all(-1.0),
+            tied: F::all(0.0),
+        }
+    }
+
+    /// Takes in the end of an operand, which counts where `is_new`.
+    #[inline(always)]
+    fn take(&mut self, t: F, operand: F, is_new: F::Mask) {
+        let [zero, one] = [F::all(0.0), F::all(1.0)];
+        let tied = F::pick(t.equals(self.t), one, self.tied);
+        self.tied = F::pick(is_new, zero, tied);
+        self.operand = F::pick(is_new, operand, self.operand);
+        self.t = F::pick(is_new, t, self.t);
+    }
+
+    /// Where it may be shown: infinitely far where it only clips.
+    #[inline(always)]
+    fn shown(&self) -> F {
+        let zero = F::all(0.0);
+        let is_shown = F::either(zero.not_above(self.operand), zero.below(self.tied));
+        F::pick(is_shown, self.t, F::all(f64::INFINITY))
+    }
+}
+
+/// Asks where along four rays something may be shown, and on which of them.
+struct Narrowing<'a>(Passing<'a>);
+
 impl Program {
-    /// Whether it has the form that four rays can be asked about.
-    pub(super) fn suits_four(&self, leaves: &[Leaf]) -> bool {
-        let [node] = self.nodes.as_slice() else {
-            return false;
-        };
+    /// In which way four rays can be asked about it at once.
+    pub(super) fn way_of_four(&self, leaves: &[Leaf]) -> Way {
         let own = &leaves[self.first as usize..][..self.operands.len()];
-        node.combine == Combine::Intersection
-            && !node.is_inverse
-            && node.parent == NONE
-            && self.gates.is_empty()
-            && self.operands.len() <= MOST_OPERANDS
-            && !self.order.required.is_empty()
-            && self.order.tree.is_none()
-            && self.operands.iter().all(|operand| !operand.is_hidden)
-            && own.iter().all(|leaf| leaf.shape.has_four())
+        let asked = self.order.others.len();
+        if !self.gates.is_empty()
+            || asked > MOST_OPERANDS
+            || !own.iter().all(|leaf| leaf.shape.has_four())
+        {
+            return Way::Singly;
+        }
+        match self.nodes.as_slice() {
+            // What is not inverse must then hold.
+            [node] if node.combine == Combine::Intersection && !node.is_inverse => {
+                Way::Intersection
+            }
+            nodes if nodes.len() <= MOST_NODES => {
+                if asked + self.order.required.len() <= MOST_OPERANDS {
+                    Way::Tree
+                } else {
+                    Way::Singly
+                }
+            }
+            _ => Way::Singly,
+        }
+    }
+
+    /// What those of four rays that are `there` find in a way that it suits.
+    #[inline(always)]
+    fn ask_four(
+        &self,
+        lanes: Lanes,
+        way: Way,
+        leaves: &[Leaf],
+        (rays, there): (&FourQueries, u32),
+    ) -> FoundByFour {
+        let mut others = Numbers::from_slice(&self.order.others);
+        let mut passing = Passing {
+            program: self,
+            leaves,
+            rays,
+            there,
+            others: &[],
+        };
+        if way == Way::Singly || passing.gather(lanes, &mut others).is_none() {
+            return FoundByFour {
+                unknown: there,
+                ..FoundByFour::NOTHING
+            };
+        }
+        if passing.there == 0 {
+            return FoundByFour::NOTHING;
+        }
+        passing.others = &others;
+        match way {
+            Way::Tree => four(lanes, &Tree(passing)),
+            Way::Intersection | Way::Singly => four(lanes, &passing),
+        }
+    }
+}
+
+impl FourKernel for Narrowing<'_> {
+    type Answer = ([[f64; 4]; 2], u32);
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> ([[f64; 4]; 2], u32) {
+        match self.0.narrowed(&self.0.rays.load::<F>()) {
+            None => ([[0.0; 4]; 2], 0),
+            Some(Narrowed {
+                low, high, unknown, ..
+            }) => {
+                let left = F::bits(low.not_above(high)) | unknown;
+                ([low.store(), high.store()], left & self.0.there)
+            }
+        }
     }
 }
 
@@ -61,147 +196,153 @@ impl FourKernel for Passing<'_> {
 
     #[inline(always)]
     fn run<F: Four>(&self) -> FoundByFour {
-        let rays = self.rays.load();
-        let endless = F::all(f64::INFINITY);
-        let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
-        let mut ends = [(endless, endless); MOST_OPERANDS];
-        let (mut low, mut high) = (from, far);
-        let (mut enter, mut leave) = (endless.negated(), endless);
-        let mut unknown = 0;
-        let mut found = FoundByFour {
-            t: [0.0; 4],
-            operand: [0.0; 4],
-            met: 0,
-            unknown: 0,
+        let rays = self.rays.load::<F>();
+        let Some(held) = self.narrowed(&rays) else {
+            return FoundByFour::NOTHING;
         };
-        let order = &self.program.order;
-        let required = order.required.len();
-        for (place, &number) in order.required.iter().enumerate() {
-            let spans = self.spans(number, &rays);
-            unknown |= spans.unknown & self.there;
-            ends[place] = (
-                F::pick(spans.is_met, spans.enter, endless),
-                F::pick(spans.is_met, spans.leave, endless.negated()),
-            );
-            enter = enter.larger(ends[place].0);
-            leave = leave.smaller(ends[place].1);
-            low = low.larger(enter);
-            high = high.smaller(leave);
-            if F::bits(low.not_above(high)) & self.there & !unknown == 0 {
-                found.unknown = unknown;
-                return found;
+        let endless = F::all(f64::INFINITY);
+        let mut unknown = held.unknown;
+        let mut ends = [(endless, endless.negated()); MOST_OPERANDS];
+        for (ends, &number) in ends.iter_mut().zip(self.others) {
+            let (own, own_unknown) = self.ends(number, &rays);
+            *ends = own;
+            unknown |= own_unknown & self.there;
+        }
+        let cuts = &ends[..self.others.len().min(MOST_OPERANDS)];
+        let mut best = self.nearer(&held, cuts, held.enter.shown(), endless);
+        best = self.nearer(&held, cuts, held.leave.shown(), best);
+        for (ends, &number) in cuts.iter().zip(self.others) {
+            if !self.program.operands[number as usize].is_hidden {
+                best = self.nearer(&held, cuts, ends.0, best);
+                best = self.nearer(&held, cuts, ends.1, best);
             }
         }
-        for (place, &number) in (required..).zip(&order.others) {
-            let spans = self.spans(number, &rays);
-            unknown |= spans.unknown & self.there;
-            // Never inside: entered behind everything, left before everything.
-            ends[place % MOST_OPERANDS] = (
-                F::pick(spans.is_met, spans.enter, endless),
-                F::pick(spans.is_met, spans.leave, endless.negated()),
-            );
+        let mut at = Meeting::none();
+        for end in [&held.enter, &held.leave] {
+            at.is_met_twice(F::both(F::all(0.0).below(end.tied), end.t.equals(best)));
+            at.meet(end.t.equals(best), end.operand);
         }
-        let count = self.program.operands.len().min(MOST_OPERANDS);
-        let cuts = &ends[required.min(count)..count];
-        let mut best = endless;
-        for candidate in 0..2 * cuts.len() + 2 {
-            let t = match (candidate, cuts.get((candidate / 2).wrapping_sub(1))) {
-                (0, _) => enter,
-                (1, _) => leave,
-                (_, Some(cut)) if candidate % 2 == 0 => cut.0,
-                (_, Some(cut)) => cut.1,
-                (_, None) => continue,
-            };
-            let mut holds = F::both(F::both(from.below(t), low.not_above(t)), t.not_above(high));
-            for (enter, leave) in cuts {
-                holds = F::both(holds, F::either(t.not_above(*enter), leave.not_above(t)));
-            }
-            best = F::pick(F::both(holds, t.below(best)), t, best);
+        for (ends, &number) in cuts.iter().zip(self.others) {
+            at.meet(ends.0.equals(best), F::all(f64::from(number)));
+            at.meet(ends.1.equals(best), F::all(f64::from(number)));
         }
-        let met = best.below(endless);
-        let mut operand = F::all(0.0);
-        let (mut once, mut twice) = (F::mask(0), F::mask(0));
-        let numbers = order.required.iter().chain(&order.others);
-        for ((enter, leave), &number) in ends[..count].iter().zip(numbers) {
-            for end in [*enter, *leave] {
-                let is_best = end.equals(best);
-                twice = F::either(twice, F::both(once, is_best));
-                once = F::either(once, is_best);
-                operand = F::pick(is_best, F::all(f64::from(number)), operand);
-            }
+        at.answer(best, unknown, self.there)
+    }
+}
+
+/// Whose end is the nearest.
+pub(super) struct Meeting<F: Four> {
+    operand: F,
+    once: F::Mask,
+    twice: F::Mask,
+}
+
+impl<F: Four> Meeting<F> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        Meeting {
+            operand: F::all(0.0),
+            once: F::mask(0),
+            twice: F::mask(0),
         }
-        let met = F::bits(met) & self.there;
-        unknown |= F::bits(twice) & met;
+    }
+
+    #[inline(always)]
+    pub(super) fn meet(&mut self, is_best: F::Mask, operand: F) {
+        self.twice = F::either(self.twice, F::both(self.once, is_best));
+        self.once = F::either(self.once, is_best);
+        self.operand = F::pick(is_best, operand, self.operand);
+    }
+
+    #[inline(always)]
+    fn is_met_twice(&mut self, is_tied: F::Mask) {
+        self.twice = F::either(self.twice, is_tied);
+    }
+
+    /// What is found where the first surface shown is at `best`, or infinitely far.
+    #[inline(always)]
+    pub(super) fn answer(&self, best: F, unknown: u32, there: u32) -> FoundByFour {
+        let met = F::bits(best.below(F::all(f64::INFINITY))) & there;
+        let unknown = unknown | F::bits(self.twice) & met;
         FoundByFour {
             t: best.store(),
-            operand: operand.store(),
+            operand: self.operand.store(),
             met: met & !unknown,
             unknown,
         }
     }
 }
 
-/// Four rays on their way to a primitive.
-struct FourOfLeaf<'a, const ANY: bool> {
-    leaf: &'a Leaf,
-    rays: &'a FourQueries,
-    /// Which have just left a root of it that enters, and which one that leaves, one bit each.
-    left: [u32; 2],
-    /// Which rays there are.
-    there: u32,
-}
-
-/// The first roots of four rays.
-struct NearestOfFour {
-    t: [f64; 4],
-    leaves: u32,
-    met: u32,
-    unknown: u32,
-}
-
-impl<const ANY: bool> FourKernel for FourOfLeaf<'_, ANY> {
-    type Answer = NearestOfFour;
-
-    #[inline(always)]
-    fn run<F: Four>(&self) -> NearestOfFour {
-        let mut rays: FourRays<F> = self.rays.load();
-        if let Some(matrix) = &self.leaf.object_from_world {
-            rays = rays.to_object(matrix);
-        }
-        let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
-        let nearest =
-            self.leaf
-                .shape
-                .nearest_of_four::<F, ANY>(&rays, (from, far), self.left, self.there);
-        NearestOfFour {
-            t: nearest.t.store(),
-            leaves: nearest.leaves,
-            met: nearest.met,
-            unknown: nearest.unknown,
-        }
-    }
-}
-
-/// Asks which of four rays that go out from a leaf have left it for good, one bit each.
-struct LeftBehind<'a> {
-    leaf: &'a Leaf,
-    rays: &'a FourQueries,
-}
-
-impl FourKernel for LeftBehind<'_> {
-    type Answer = u32;
-
-    #[inline(always)]
-    fn run<F: Four>(&self) -> u32 {
-        let mut rays: FourRays<F> = self.rays.load();
-        if let Some(matrix) = &self.leaf.object_from_world {
-            rays = rays.to_object(matrix);
-        }
-        F::bits(self.leaf.shape.four_left_behind(&rays))
-    }
+impl FoundByFour {
+    pub(super) const NOTHING: FoundByFour = FoundByFour {
+        t: [0.0; 4],
+        operand: [0.0; 4],
+        met: 0,
+        unknown: 0,
+    };
 }
 
 impl Passing<'_> {
+    /// What the operands that must all hold have in common; nothing if no ray is left on which something may be shown.
+    #[inline(always)]
+    pub(super) fn narrowed<F: Four>(&self, rays: &FourRays<F>) -> Option<Narrowed<F>> {
+        let mut held = Narrowed {
+            low: F::load(&self.rays.from),
+            high: F::load(&self.rays.far),
+            enter: End::at(f64::NEG_INFINITY),
+            leave: End::at(f64::INFINITY),
+            unknown: 0,
+        };
+        for &number in &self.program.order.required {
+            let ((enter, leave), unknown) = self.ends(number, rays);
+            held.unknown |= unknown & self.there;
+            let operand = if self.program.operands[number as usize].is_hidden {
+                -1.0
+            } else {
+                f64::from(number)
+            };
+            let operand = F::all(operand);
+            held.enter.take(enter, operand, held.enter.t.below(enter));
+            held.leave.take(leave, operand, leave.below(held.leave.t));
+            held.low = held.low.larger(enter);
+            held.high = held.high.smaller(leave);
+            let is_open = F::bits(held.low.not_above(held.high)) | held.unknown;
+            if is_open & self.there == 0 {
+                return None;
+            }
+        }
+        Some(held)
+    }
+
+    /// The nearest surface that is shown of the one at `best` and one at `t`, with what is taken away. No closure: that
+    /// would not take part in the wide lanes.
+    #[inline(always)]
+    fn nearer<F: Four>(&self, held: &Narrowed<F>, cuts: &[(F, F)], t: F, best: F) -> F {
+        let from = F::load(&self.rays.from);
+        let is_within = F::both(held.low.not_above(t), t.not_above(held.high));
+        let mut is_shown = F::both(F::both(from.below(t), is_within), t.below(best));
+        if F::bits(is_shown) & self.there == 0 {
+            return best;
+        }
+        for (enter, leave) in cuts {
+            is_shown = F::both(is_shown, F::either(t.not_above(*enter), leave.not_above(t)));
+        }
+        F::pick(is_shown, t, best)
+    }
+
+    /// Where the rays are inside of an operand, and which of them must be asked for singly. One that is not met is
+    /// entered behind everything and left before everything.
+    #[inline(always)]
+    pub(super) fn ends<F: Four>(&self, number: u32, rays: &FourRays<F>) -> ((F, F), u32) {
+        let spans = self.spans(number, rays);
+        let endless = F::all(f64::INFINITY);
+        let ends = (
+            F::pick(spans.is_met, spans.enter, endless),
+            F::pick(spans.is_met, spans.leave, endless.negated()),
+        );
+        (ends, spans.unknown)
+    }
+
     #[inline(always)]
     fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>) -> FourSpans<F> {
         let leaf = &self.leaves[(self.program.first + number) as usize];
@@ -209,6 +350,41 @@ impl Passing<'_> {
             None => leaf.shape.four(rays),
             Some(matrix) => leaf.shape.four(&rays.to_object(matrix)),
         }
+    }
+
+    /// Finds the operands of a large combination whose boxes some of the rays meet where something may be shown, and
+    /// which rays those are. Gives nothing if they are too many.
+    #[inline(always)]
+    fn gather(&mut self, lanes: Lanes, others: &mut Numbers) -> Option<()> {
+        let order = &self.program.order;
+        let Some(tree) = &order.tree else {
+            return Some(());
+        };
+        let ([low, high], left) = four(lanes, &Narrowing(*self));
+        self.there = left;
+        let room = match self.program.nodes.len() {
+            1 => MOST_OPERANDS,
+            _ => MOST_OPERANDS - order.required.len(),
+        };
+        for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
+            let is_full = tree.any_in(
+                lanes,
+                &self.rays.ray(lane),
+                (low[lane], high[lane]),
+                #[inline(always)]
+                |place| {
+                    let number = order.bounded[place as usize];
+                    if !others.contains(&number) {
+                        others.push(number);
+                    }
+                    others.len() > room
+                },
+            );
+            if is_full {
+                return None;
+            }
+        }
+        Some(())
     }
 }
 
@@ -235,13 +411,8 @@ impl World {
         let rays = lot.four(start);
         let (from, left) = (rays.from, rays.left);
         let program = &self.model.programs[number as usize];
-        let passing = Passing {
-            program,
-            leaves: &self.model.leaves,
-            rays,
-            there,
-        };
-        let mut found = four(lanes, &passing);
+        let way = self.model.way_of_four(number);
+        let mut found = program.ask_four(lanes, way, &self.model.leaves, (rays, there));
         let mut met = found.met;
         while met != 0 {
             let lane = met.trailing_zeros() as usize % 4;
@@ -301,88 +472,6 @@ impl World {
         found.unknown
     }
 
-    /// What some of four rays from `start` on find of a primitive up to and including where they end: calls `take` with the number of
-    /// each ray that meets it; if `ANY` will do perhaps with some place in it. Gives those that must be asked for singly,
-    /// one bit each.
-    #[inline(always)]
-    pub(super) fn ask_four_of_leaf<const ANY: bool>(
-        &self,
-        lanes: Lanes,
-        number: u32,
-        (lot, start, mut there): (&mut Lot, usize, u32),
-        query: impl Fn(usize) -> Query,
-        mut take: impl FnMut(&mut Lot, usize, Found),
-    ) -> u32 {
-        let rays = lot.four(start);
-        let from = rays.from;
-        let leaf = &self.model.leaves[number as usize];
-        let mut unclear = 0;
-        let mut asked = FourOfLeaf::<ANY> {
-            leaf,
-            rays,
-            left: [0, 0],
-            there,
-        };
-        let mut own = rays.have_left(number) & there;
-        let is_told = leaf.shape.tells_left_behind();
-        if own & rays.goes_out != 0 && is_told {
-            let gone = own & rays.goes_out & four(lanes, &LeftBehind { leaf, rays });
-            there &= !gone;
-            own &= !gone;
-        }
-        while own != 0 {
-            let lane = own.trailing_zeros() as usize % 4;
-            own &= own - 1;
-            let query = query(start + lane);
-            if let Some(left) = &query.from {
-                let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
-                let leaves = left.normal.dot(query.ray.dir) > 0.0;
-                if leaves && !is_told && leaf.is_left_behind(&query.ray) {
-                    there &= !(1 << lane);
-                    continue;
-                }
-                asked.left[usize::from(leaves)] |= 1 << lane;
-                unclear |= u32::from(!is_plain) << lane;
-            }
-        }
-        if there == 0 {
-            return 0;
-        }
-        asked.there = there;
-        let found = four(lanes, &asked);
-        let mut unknown = (found.unknown | unclear) & there;
-        let mut met = found.met & there & !unknown;
-        while met != 0 {
-            let lane = met.trailing_zeros() as usize % 4;
-            met &= met - 1;
-            if may_be_left(from[lane], found.t[lane]) {
-                unknown |= 1 << lane;
-                continue;
-            }
-            let root = Root {
-                t: found.t[lane],
-                crossing: if found.leaves >> lane & 1 == 1 {
-                    Crossing::Leave
-                } else {
-                    Crossing::Enter
-                },
-                face: 0,
-                is_visible: true,
-            };
-            let surface = leaf.surface;
-            take(
-                lot,
-                start + lane,
-                Found {
-                    root,
-                    leaf: number,
-                    surface,
-                },
-            );
-        }
-        unknown
-    }
-
     /// Where a ray has just left a part of a combination; not a number if it has not.
     #[inline(never)]
     fn left_at(&self, query: &Query, scratch: &mut Scratch) -> f64 {
@@ -396,5 +485,58 @@ impl World {
         hide_departure(roots, left, leaf, query.ray.dir);
         let hidden = roots.iter().find(|root| !root.is_visible);
         hidden.map_or(f64::NAN, |root| root.t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::csg::Sweep;
+    use super::super::hits::FourHits;
+    use super::super::simplify::tests::{coarse, random_program};
+    use super::*;
+    use crate::math::random::Random;
+    use glam::DVec3;
+
+    #[test]
+    fn four_rays_find_what_each_finds() {
+        let mut rng = Random::new(77);
+        let (mut sweep, mut lot) = (Sweep::default(), Lot::default());
+        let mut known = [[0; 2]; 2];
+        for _ in 0..60_000 {
+            let (mut program, leaves, bounds) = random_program(&mut rng);
+            program.prepare(&leaves, &bounds);
+            let way = program.way_of_four(&leaves);
+            if way == Way::Singly {
+                continue;
+            }
+            let origin = 2.0 * coarse(&mut rng) + 0.25 * rng.vector(1.0);
+            let mut hits = FourHits::NOTHING;
+            for lane in 0..4 {
+                let aim = 2.0 * rng.vector(1.0) + coarse(&mut rng);
+                hits.aim(lane, (aim - origin).normalize_or(DVec3::X));
+            }
+            lot.look(origin, 0.0, &[hits]);
+            let ask = |lanes: Lanes| program.ask_four(lanes, way, &leaves, (lot.four(0), 0b1111));
+            let (wide, narrow) = (ask(Lanes::widest()), ask(Lanes::NARROW));
+            assert_eq!((wide.met, wide.unknown), (narrow.met, narrow.unknown));
+            for lane in (0..4).filter(|lane| wide.unknown >> lane & 1 == 0) {
+                let span = (0.0, f64::INFINITY);
+                let alone = program
+                    .nearest(&leaves, &lot.ray(lane), span, None, &mut sweep, |_| true)
+                    .map(|found| (found.root.t, f64::from(found.leaf)));
+                let together = |found: &FoundByFour| {
+                    let is_met = found.met >> lane & 1 == 1;
+                    is_met.then(|| (found.t[lane], found.operand[lane]))
+                };
+                assert_eq!(together(&wide), alone, "{program:?}");
+                assert_eq!(together(&narrow), alone, "{program:?}");
+                let is_cut = usize::from(program.order.tree.is_some());
+                known[usize::from(way == Way::Tree)][is_cut] += usize::from(alone.is_some());
+            }
+        }
+        assert!(
+            known.as_flattened().iter().all(|&known| known > 300),
+            "{known:?}"
+        );
     }
 }

@@ -101,11 +101,7 @@ impl Lot {
     /// The ray of the query of this number.
     #[inline(always)]
     pub(super) fn ray(&self, number: usize) -> Ray {
-        let FourQueries { origin, dir, .. } = &self.fours[number / 4];
-        let one_of = |of: &[[f64; 4]; 3]| {
-            DVec3::new(of[0][number % 4], of[1][number % 4], of[2][number % 4])
-        };
-        Ray::new(one_of(origin), one_of(dir))
+        self.fours[number / 4].ray(number % 4)
     }
 
     /// The four among which the query of this number is.
@@ -142,6 +138,13 @@ impl FourQueries {
         left: [NO_LEAF; 4],
         goes_out: 0,
     };
+
+    /// One of the rays.
+    #[inline(always)]
+    pub(super) fn ray(&self, lane: usize) -> Ray {
+        let one_of = |of: &[[f64; 4]; 3]| DVec3::new(of[0][lane], of[1][lane], of[2][lane]);
+        Ray::new(one_of(&self.origin), one_of(&self.dir))
+    }
 
     /// The rays, in lanes.
     #[inline(always)]

@@ -8,6 +8,8 @@ mod find;
 mod flatten;
 mod four;
 mod four_of_copy;
+mod four_of_leaf;
+mod four_of_tree;
 mod hits;
 mod instance;
 mod interiors;

@@ -6,6 +6,7 @@
 
 use super::cluster::Cluster;
 use super::csg::Program;
+use super::four::Way;
 use super::instance::Instance;
 use super::leaf::Leaf;
 use super::order::Finder;
@@ -52,8 +53,8 @@ pub(super) struct Model {
     pub(super) finder: Finder,
     /// All items, if they are leaves, few and round; four rays can then be asked about them at once.
     pub(super) cluster: Option<Cluster>,
-    /// For each program, whether four rays can be asked about at once.
-    suits_four: Vec<bool>,
+    /// For each program, in which way four rays can be asked about it at once.
+    ways_of_four: Vec<Way>,
 }
 
 impl Model {
@@ -65,10 +66,10 @@ impl Model {
     ) -> (Model, Vec<Item>) {
         let finder = Finder::new(&mut parts, projectors);
         let cluster = finder.cluster(&parts);
-        let suits_four = parts.programs.iter();
+        let ways_of_four = parts.programs.iter();
         let model = Model {
-            suits_four: suits_four
-                .map(|program| program.suits_four(&parts.leaves))
+            ways_of_four: ways_of_four
+                .map(|program| program.way_of_four(&parts.leaves))
                 .collect(),
             leaves: parts.leaves,
             programs: parts.programs,
@@ -87,11 +88,17 @@ impl Model {
         }
     }
 
+    /// In which way four rays can be asked about a program at once.
+    #[inline(always)]
+    pub(super) fn way_of_four(&self, program: u32) -> Way {
+        self.ways_of_four[program as usize]
+    }
+
     /// Whether four rays can be asked about an item at once.
     #[inline(always)]
     pub(super) fn suits_four(&self, item: Item) -> bool {
         match item {
-            Item::Program(program) => self.suits_four[program as usize],
+            Item::Program(program) => self.way_of_four(program) != Way::Singly,
             Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }

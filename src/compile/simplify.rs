@@ -12,8 +12,8 @@ use crate::math::Bounds;
 use crate::shape::Geometry;
 use glam::DVec3;
 
-/// With fewer bounded operands each is asked by itself.
-const TREE_FROM: usize = 8;
+/// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
+const TREE_FROM: usize = 9;
 
 /// In which order a program asks its operands for roots.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +25,8 @@ pub(super) struct Order {
     /// Bounded operands of a large combination, by position in `bounded`.
     pub(super) tree: Option<Bvh>,
     pub(super) bounded: Vec<u32>,
+    /// For each node how many of these there are, those that are not inverse and those that are.
+    pub(super) resting: Vec<[u32; 2]>,
 }
 
 impl Program {
@@ -144,6 +146,11 @@ impl Program {
         } else {
             let boxes: Vec<_> = order.bounded.iter().map(|&n| bounds[n as usize]).collect();
             order.tree = Some(Bvh::build(&boxes));
+            order.resting = vec![[0; 2]; self.nodes.len()];
+            for &number in &order.bounded {
+                let operand = &self.operands[number as usize];
+                order.resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
+            }
         }
         order
     }
@@ -192,7 +199,7 @@ fn index(len: usize) -> u32 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::csg::{Operand, Sweep};
     use super::super::leaf::{Absorb, Extent};
     use super::*;
@@ -202,7 +209,7 @@ mod tests {
     use glam::DVec3;
 
     /// A place on a coarse grid, so that surfaces coincide often.
-    fn coarse(rng: &mut Random) -> DVec3 {
+    pub(in super::super) fn coarse(rng: &mut Random) -> DVec3 {
         rng.vector(3.0).round()
     }
 
@@ -225,7 +232,7 @@ mod tests {
     }
 
     /// A combination of random nodes and operands as it is before it is prepared, and its leaves with their bounds.
-    fn random_program(rng: &mut Random) -> (Program, Vec<Leaf>, Vec<Bounds>) {
+    pub(in super::super) fn random_program(rng: &mut Random) -> (Program, Vec<Leaf>, Vec<Bounds>) {
         let mut program = Program::default();
         for number in 0..1 + rng.bits() % 6 {
             let parent = match number {

@@ -19,7 +19,8 @@ pub(crate) struct FourRays<F> {
     pub(crate) dir: Three<F>,
 }
 
-/// Where four lines are inside of a solid that each enters and leaves once, or not at all.
+/// Where four lines are inside of a solid that each enters and leaves once, or not at all. What a line enters or leaves
+/// nowhere it enters or leaves infinitely far away.
 pub(crate) struct FourSpans<F: Four> {
     pub(crate) enter: F,
     pub(crate) leave: F,
@@ -181,6 +182,7 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.has_four(),
+            Shape::Plane(_) => true,
             _ => false,
         }
     }
@@ -254,6 +256,7 @@ impl Shape {
             Shape::Sphere(sphere) => sphere.four(rays),
             Shape::Cuboid(cuboid) => cuboid.four(rays),
             Shape::Cylinder(cylinder) => cylinder.four(rays),
+            Shape::Plane(plane) => plane.four(rays),
             _ => {
                 let nothing = F::all(0.0);
                 FourSpans::new((nothing, nothing), F::mask(0), F::mask(0))
@@ -344,6 +347,7 @@ mod tests {
                 let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
                 let there = (0..MOST_ROOTS).filter(|&place| has(roots.met[place]));
                 let known = there.map(|place| (roots.t[place].store()[lane], crossing(place)));
+                let known = known.filter(|(t, _)| t.is_finite());
                 (!has(roots.unknown)).then(|| known.collect())
             })
         }

@@ -3,7 +3,7 @@
 //! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
 //! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
-use super::four::{FourRays, FourRoots, dot, same};
+use super::four::{FourRays, FourRoots, FourSpans, dot, same};
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::{power_of_two, unit};
@@ -64,6 +64,23 @@ impl Plane {
             is_visible: true,
         };
         (start, Some(root))
+    }
+
+    /// Where four lines are inside. Those along the plane are unknown.
+    #[inline(always)]
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        let normal = same(self.normal);
+        let slope = dot(normal, rays.dir);
+        let height = F::all(self.distance).minus(dot(normal, rays.origin));
+        let t = height.over(slope);
+        let endless = F::all(f64::INFINITY);
+        let is_left = F::all(0.0).below(slope);
+        FourSpans {
+            enter: F::pick(is_left, endless.negated(), t),
+            leave: F::pick(is_left, t, endless),
+            is_met: F::mask(0b1111),
+            unknown: 0b1111 & !F::bits(t.size().below(endless)),
+        }
     }
 
     /// The crossings of four lines.
