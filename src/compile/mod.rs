@@ -1,5 +1,6 @@
 //! From the description of a scene to the world that rays need.
 
+mod around;
 mod cluster;
 mod combine;
 mod csg;
@@ -29,6 +30,7 @@ mod simplify;
 mod state;
 mod surface;
 mod together;
+mod vistas;
 mod world;
 
 pub use hits::{FourHits, FourWays, NO_LEAF};
@@ -61,5 +63,7 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
         flat.add(&object);
     }
     flat.lights.finish();
-    World::new(&scene, flat, options)
+    let mut world = World::new(&scene, flat, options);
+    world.look_around(options);
+    world
 }

@@ -7,6 +7,7 @@
 mod air;
 mod area;
 mod block;
+mod coats;
 mod film;
 mod gather;
 mod lens;
@@ -32,6 +33,7 @@ use crate::options::Stop;
 use crate::radiosity::{Mode, Session};
 use air::Air;
 pub use block::{BLOCK, BlockScratch, Met};
+use coats::PlainCoat;
 use glam::DVec3;
 use light::Known;
 use smallvec::SmallVec;
@@ -127,6 +129,8 @@ pub struct Tracer<'w> {
     minds_backs: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
+    /// How plain surfaces take light, by number; nothing where that differs from place to place, or is not worked out.
+    coats: Vec<Option<PlainCoat<'w>>>,
     /// The interiors around the camera, if all rays start in one point.
     around_camera: Inside,
     background: Background,
@@ -174,7 +178,9 @@ impl<'w> Tracer<'w> {
             reflected_background,
             samples: None,
             stop: Stop::default(),
+            coats: Vec::new(),
         }
+        .with_coats()
     }
 
     /// What is traced.
