@@ -31,7 +31,10 @@ impl FourKernel for FourPoints<'_> {
         let right = scaled(same(self.frame.right), u);
         let up = scaled(same(self.frame.up), v);
         let dir = plus(plus(same(self.frame.direction), right), up);
-        let terms = plus(plus(sizes(same(self.frame.direction)), sizes(right)), sizes(up));
+        let terms = plus(
+            plus(sizes(same(self.frame.direction)), sizes(right)),
+            sizes(up),
+        );
         let noise = scaled(terms, F::all(NOISE));
         let dir = [
             F::pick(dir[0].size().below(noise[0]), F::all(0.0), dir[0]),

@@ -113,7 +113,11 @@ impl MeshCamera {
             clippy::cast_sign_loss,
             reason = "checked above"
         )]
-        let rays = if method == Method::MeshForRay { rays as u32 } else { 1 };
+        let rays = if method == Method::MeshForRay {
+            rays as u32
+        } else {
+            1
+        };
         Ok(MeshCamera {
             meshes,
             method,
@@ -158,7 +162,10 @@ impl MeshCamera {
             _ => {
                 let (mesh, face) = self.face(number, place)?;
                 let corners = mesh.corners(face);
-                ((corners[0] + corners[1] + corners[2]) / 3.0, mesh.normal(face))
+                (
+                    (corners[0] + corners[1] + corners[2]) / 3.0,
+                    mesh.normal(face),
+                )
             }
         };
         let normal = normal.try_normalize()?;

@@ -1,7 +1,7 @@
 //! A mesh in its place, triangle by triangle, for cameras that look out of one.
 
-use super::mesh::{FLAT, Mesh};
 use super::Geometry;
+use super::mesh::{FLAT, Mesh};
 use super::mesh_build::single_normal;
 use crate::math::Transform;
 use glam::{DVec2, DVec3};

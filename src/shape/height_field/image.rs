@@ -236,7 +236,9 @@ fn pot(bytes: &[u8]) -> Result<Heights, Fault> {
     }
     let rows = rows.chunks_exact(wide).flat_map(|row| {
         let (high, low) = (&row[..width], &row[width..]);
-        high.iter().zip(low).map(|(high, low)| of_color(*high, *low))
+        high.iter()
+            .zip(low)
+            .map(|(high, low)| of_color(*high, *low))
     });
     Ok(Heights {
         width,
