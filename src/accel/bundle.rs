@@ -512,7 +512,7 @@ pub(super) fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
 }
 
 #[inline(always)]
-fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
+pub(super) fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
     [
         a[1].times(b[2]).minus(a[2].times(b[1])),
         a[2].times(b[0]).minus(a[0].times(b[2])),
@@ -533,7 +533,7 @@ pub(super) fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
 }
 
 #[inline(always)]
-fn length_sq<E: Eight>(a: [E; 3]) -> E {
+pub(super) fn length_sq<E: Eight>(a: [E; 3]) -> E {
     dot(a, a)
 }
 

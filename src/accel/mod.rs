@@ -10,11 +10,12 @@ mod build;
 mod bundle;
 mod node;
 mod raster;
+mod view;
 mod vista;
 
 pub use bundle::{Bundle, Ended};
 
-pub use vista::Vista;
+pub use vista::{Rod, Vista};
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};

@@ -7,20 +7,20 @@
 
 use super::Bvh;
 use super::bundle::{
-    Ball, DOUBT, FARTHEST, Group, GroupAndBall, GroupAndBox, LANES, Slab, all, dot, frame_end, load,
+    Ball, DOUBT, FARTHEST, Group, GroupAndBall, GroupAndBox, LANES, Slab, all, cross, dot,
+    frame_end, length_sq, load,
 };
 use super::node::{Cell, Frame};
 use super::raster::{Grid, Raster, Rect};
+use super::view::{Extent, View};
 use crate::math::lanes::{Eight, Kernel, Lanes, eight};
-use crate::math::rounding::nearest;
-use glam::{DMat3, DVec3, Vec3};
+use crate::math::rounding::{f32_above, nearest};
+use glam::{DVec3, Vec3};
 
 /// Adding and subtracting this rounds a small number to a whole one.
 const WHOLE: f32 = 8_388_608.0;
 /// The view of a camera goes on beside the picture for so many times as many pixels as lie together.
 const BESIDE: f64 = 2.0;
-/// No rounding of a ray may move it by more than this share of a cell.
-const SHARP: f64 = 1.0 / 32.0;
 /// A direction from a lamp to its items has at least this cosine with the middle one, or a flat grid is no use.
 const LEAST_COSINE: f64 = 0.4;
 
@@ -35,8 +35,7 @@ pub struct Vista {
     raster: Raster,
     known: Vec<Known>,
     slabs: Vec<Slab>,
-    /// Whether all items are in view, so that a ray that leaves it meets none.
-    is_whole: bool,
+    rods: Vec<SeenRod>,
 }
 
 /// An item as it is seen.
@@ -47,11 +46,63 @@ struct Known {
     radius: f32,
     /// Nothing of it is nearer.
     near: f32,
-    /// Its box; [`NO_SLAB`] where the ball tells as much.
+    /// Its box, and the rod around it; [`NONE`] where the ball tells as much.
     slab: u32,
+    rod: u32,
 }
 
-const NO_SLAB: u32 = u32::MAX;
+const NONE: u32 = u32::MAX;
+
+/// A round rod without ends that holds an item: a point of its axis, the direction of that, and its radius.
+pub type Rod = (DVec3, DVec3, f64);
+
+/// The same as seen from a point.
+#[derive(Clone, Copy, Debug)]
+struct SeenRod {
+    from: [f32; 3],
+    way: [f32; 3],
+    /// The square of the radius, and of what rounding may add to a distance from it, with room for the sum of both.
+    radius_sq: f32,
+    slack_sq: f32,
+}
+
+impl SeenRod {
+    fn new((from, way, radius): Rod, frame: &Frame, origin: DVec3) -> Option<Self> {
+        let from = frame.place(from) - origin;
+        let way = way.try_normalize()?;
+        // The point of the axis that is nearest tells it best.
+        let from = from - from.dot(way) * way;
+        let radius = f64::from(f32_above(radius * frame.scale() * (1.0 + 1e-6)));
+        let slack = 16.0 * f64::from(DOUBT) * (from.length() + radius);
+        // (a + b)² is at most 1.01 a² + 101 b².
+        let rod = SeenRod {
+            from: [from.x, from.y, from.z].map(nearest),
+            way: [way.x, way.y, way.z].map(nearest),
+            radius_sq: f32_above(1.01 * radius * radius),
+            slack_sq: f32_above(101.0 * slack * slack),
+        };
+        (rod.radius_sq.is_finite() && rod.slack_sq.is_finite()).then_some(rod)
+    }
+}
+
+/// Which rays of a group may come as near to the axis of a rod as its radius, one bit each.
+struct GroupAndRod<'a> {
+    group: &'a Group,
+    rod: &'a SeenRod,
+}
+
+impl Kernel for GroupAndRod<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let across: [E; 3] = cross(load(&self.group.dir), all(self.rod.way));
+        let off = dot(across, all(self.rod.from));
+        let limit = length_sq(across).times(E::all(self.rod.radius_sq));
+        off.times(off)
+            .not_above(limit.plus(E::all(self.rod.slack_sq)))
+    }
+}
 
 impl Known {
     /// Out of view.
@@ -59,17 +110,18 @@ impl Known {
         centre: [0.0; 3],
         radius: 0.0,
         near: f32::INFINITY,
-        slab: NO_SLAB,
+        slab: NONE,
+        rod: NONE,
     };
 }
 
 impl Known {
     fn new(ball: Option<Ball>, cell: &Cell, origin: DVec3, slabs: &mut Vec<Slab>) -> Self {
         let slab = match ball {
-            Some(ball) if ball.is_filled => NO_SLAB,
-            _ => u32::try_from(slabs.len()).unwrap_or(NO_SLAB),
+            Some(ball) if ball.is_filled => NONE,
+            _ => u32::try_from(slabs.len()).unwrap_or(NONE),
         };
-        if slab != NO_SLAB {
+        if slab != NONE {
             slabs.push(Slab::new(cell, origin));
         }
         let ball = ball.unwrap_or_else(|| Ball::around(cell));
@@ -79,111 +131,9 @@ impl Known {
             radius,
             near: (distance * (1.0 - 4.0 * DOUBT) - radius).max(0.0),
             slab,
+            rod: NONE,
         }
     }
-}
-
-/// How a point looks at a tree.
-#[derive(Clone, Copy)]
-struct View {
-    /// In the frame of the tree.
-    origin: DVec3,
-    /// By which slopes are measured.
-    axes: [DVec3; 3],
-}
-
-impl View {
-    /// The slopes between which lies what is in a box, and in a ball if one is given.
-    fn rect(&self, ball: Option<&Ball>, cell: &Cell) -> Extent {
-        let ball = ball.map_or(Extent::Everywhere, |ball| self.rect_of_ball(ball));
-        match (ball, self.rect_of_cell(cell)) {
-            (Extent::Nowhere, _) | (_, Extent::Nowhere) => Extent::Nowhere,
-            (Extent::Everywhere, one) | (one, Extent::Everywhere) => one,
-            (Extent::Within(a), Extent::Within(b)) => Extent::Within(a.both(&b)),
-        }
-    }
-
-    /// Tangent planes of a ball: those of slope `s` have the normal `n = axis - s · axes[2]`, and `n · centre = ± radius · |n|`.
-    fn rect_of_ball(&self, ball: &Ball) -> Extent {
-        let (centre, radius, _) = ball.seen_from(self.origin);
-        let (centre, radius) = (centre.as_dvec3(), f64::from(radius));
-        let along = self.axes[2];
-        let depth = along.dot(centre);
-        let a = depth * depth - radius * radius * along.length_squared();
-        if depth <= 0.0 && a > 0.0 {
-            return Extent::Nowhere;
-        }
-        if a <= 1e-6 * depth * depth {
-            return Extent::Everywhere;
-        }
-        let mut rect = Rect::EMPTY;
-        for (side, axis) in self.axes[..2].iter().enumerate() {
-            let place = axis.dot(centre);
-            let b = place * depth - radius * radius * axis.dot(along);
-            let c = place * place - radius * radius * axis.length_squared();
-            let spread = (b * b - a * c).max(0.0).sqrt();
-            rect.low[side] = (b - spread) / a;
-            rect.high[side] = (b + spread) / a;
-        }
-        Extent::Within(rect)
-    }
-
-    /// Whether single precision tells the cells of a grid over a window apart.
-    fn is_sharp(&self, window: &Rect, grid: &Grid) -> bool {
-        let [across, up, along] = self.axes;
-        let dirs = DMat3::from_cols(across, up, along).transpose().inverse();
-        let mut least = f64::INFINITY;
-        for x in [window.low[0], window.high[0]] {
-            for y in [window.low[1], window.high[1]] {
-                let dir = dirs * DVec3::new(x, y, 1.0);
-                least = least.min(along.dot(dir) / (along.length() * dir.length()));
-            }
-        }
-        let is_sharp = |side: usize| {
-            let farthest = window.low[side].abs().max(window.high[side].abs());
-            let size = self.axes[side].length() / along.length() + farthest;
-            let error = 2.0 * f64::from(DOUBT) * size / least * f64::from(grid.rate[side])
-                + f64::from(DOUBT * grid.start[side].abs());
-            error < SHARP
-        };
-        // Not a number is not enough.
-        least > 0.0 && is_sharp(0) && is_sharp(1)
-    }
-
-    fn rect_of_cell(&self, cell: &Cell) -> Extent {
-        let low = DVec3::from(cell.low.map(f64::from)) - self.origin;
-        let high = DVec3::from(cell.high.map(f64::from)) - self.origin;
-        let size = low.abs().max(high.abs()).max_element() * self.axes[2].length();
-        let mut rect = Rect::EMPTY;
-        let (mut nearest, mut farthest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for corner in 0..8 {
-            let pick = |axis: usize| [low[axis], high[axis]][corner >> axis & 1];
-            let corner = DVec3::new(pick(0), pick(1), pick(2));
-            let depth = self.axes[2].dot(corner);
-            nearest = nearest.min(depth);
-            farthest = farthest.max(depth);
-            for side in 0..2 {
-                let slope = self.axes[side].dot(corner) / depth;
-                rect.low[side] = rect.low[side].min(slope);
-                rect.high[side] = rect.high[side].max(slope);
-            }
-        }
-        // NaN is everywhere.
-        if nearest > 1e-6 * size {
-            Extent::Within(rect)
-        } else if farthest < -1e-6 * size {
-            Extent::Nowhere
-        } else {
-            Extent::Everywhere
-        }
-    }
-}
-
-/// Where something is seen.
-enum Extent {
-    Nowhere,
-    Within(Rect),
-    Everywhere,
 }
 
 /// Eight rays from the point of a vista, or to it.
@@ -208,7 +158,11 @@ impl EightRays {
 impl Vista {
     /// What a lamp at a point sees of all items; `None` where a flat grid is no use.
     #[must_use]
-    pub fn from_outside(tree: &Bvh, point: DVec3) -> Option<Vista> {
+    pub fn from_outside(
+        tree: &Bvh,
+        point: DVec3,
+        rods: impl Fn(u32) -> Option<Rod>,
+    ) -> Option<Vista> {
         let origin = tree.frame.place(point);
         let along = (-origin).try_normalize()?;
         let (across, up) = along.any_orthonormal_pair();
@@ -221,9 +175,9 @@ impl Vista {
         let Extent::Within(window) = view.rect_of_cell(&whole) else {
             return None;
         };
-        let slopes = window.low.iter().chain(&window.high);
-        let is_narrow = slopes.fold(true, |narrow, slope| narrow && slope.abs() <= reach);
-        is_narrow.then(|| Vista::new(tree, &view, window, None))?
+        let mut slopes = window.low.iter().chain(&window.high);
+        let is_narrow = slopes.all(|slope| slope.abs() <= reach);
+        is_narrow.then(|| Vista::new(tree, (&view, window), rods, None))?
     }
 
     /// What a camera at a point sees: slopes are measured by `axes` and go from -0.5 to 0.5 across and up the picture, of
@@ -232,8 +186,8 @@ impl Vista {
     pub fn of_picture(
         tree: &Bvh,
         point: DVec3,
-        axes: [DVec3; 3],
-        together: [f64; 2],
+        (axes, together): ([DVec3; 3], [f64; 2]),
+        rods: impl Fn(u32) -> Option<Rod>,
     ) -> Option<Vista> {
         let size = axes[2].length();
         let view = View {
@@ -246,10 +200,15 @@ impl Vista {
             low: beside.map(|beside| -0.5 - beside),
             high: beside.map(|beside| 0.5 + beside),
         };
-        Vista::new(tree, &view, window, Some(together))
+        Vista::new(tree, (&view, window), rods, Some(together))
     }
 
-    fn new(tree: &Bvh, view: &View, window: Rect, together: Option<[f64; 2]>) -> Option<Vista> {
+    fn new(
+        tree: &Bvh,
+        (view, window): (&View, Rect),
+        rods: impl Fn(u32) -> Option<Rod>,
+        together: Option<[f64; 2]>,
+    ) -> Option<Vista> {
         let is_near = view.origin.abs().max_element() < FARTHEST;
         let is_fit = view.axes.iter().all(|axis| axis.is_finite());
         if !is_near || !is_fit || !tree.frame.scale().is_normal() {
@@ -265,7 +224,7 @@ impl Vista {
         tree.each_item(|item, _| count = count.max(item as usize + 1));
         let mut rects = vec![Rect::EMPTY; count];
         let mut known = vec![Known::NOTHING; count];
-        let mut slabs = Vec::new();
+        let (mut slabs, mut seen_rods) = (Vec::new(), Vec::new());
         tree.each_item(|item, cell| {
             let ball = tree.balls.get(item as usize).copied().flatten();
             let rect = match view.rect(ball.as_ref(), &cell) {
@@ -277,7 +236,13 @@ impl Vista {
                 return;
             };
             rects[item as usize] = rect;
-            known[item as usize] = Known::new(ball, &cell, view.origin, &mut slabs);
+            let known = &mut known[item as usize];
+            *known = Known::new(ball, &cell, view.origin, &mut slabs);
+            let rod = rods(item).and_then(|rod| SeenRod::new(rod, &tree.frame, view.origin));
+            if let Some(rod) = rod {
+                known.rod = u32::try_from(seen_rods.len()).unwrap_or(NONE);
+                seen_rods.push(rod);
+            }
         });
         let raster = Raster::new(&rects, |item| known[item].near, window, together)?;
         if !view.is_sharp(&window, &raster.grid) {
@@ -293,7 +258,7 @@ impl Vista {
             raster,
             known,
             slabs,
-            is_whole: together.is_none(),
+            rods: seen_rods,
         })
     }
 
@@ -304,6 +269,7 @@ impl Vista {
             + self.raster.bytes()
             + self.known.capacity() * size_of::<Known>()
             + self.slabs.capacity() * size_of::<Slab>()
+            + self.rods.capacity() * size_of::<SeenRod>()
     }
 
     /// Rays from here of these unit directions, which end at such distances, four and four, of which those marked in `there`
@@ -373,9 +339,13 @@ impl Vista {
                     radius: known.radius,
                 };
                 let mut may_meet = alike & eight(lanes, &ball);
-                if may_meet != 0 && known.slab != NO_SLAB {
+                if may_meet != 0 && known.slab != NONE {
                     let slab = &self.slabs[known.slab as usize];
                     may_meet &= eight(lanes, &GroupAndBox { group, slab });
+                }
+                if may_meet != 0 && known.rod != NONE {
+                    let rod = &self.rods[known.rod as usize];
+                    may_meet &= eight(lanes, &GroupAndRod { group, rod });
                 }
                 if may_meet != 0 {
                     visit(item, may_meet, rays);
@@ -420,7 +390,7 @@ impl Vista {
             {
                 continue;
             }
-            if known.slab != NO_SLAB && !self.slabs[known.slab as usize].is_met(dir, end) {
+            if known.slab != NONE && !self.slabs[known.slab as usize].is_met(dir, end) {
                 continue;
             }
             if visit(item) {

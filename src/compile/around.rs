@@ -172,8 +172,8 @@ impl World {
         let points = (hits, to_light);
         for &item in &self.finder().unbounded {
             let rays = asked & !shadows.blocked;
-            let asked = ((item, rays), points, &query);
-            self.block_eight(lanes, asked, &mut lot, &mut shadows, scratch);
+            let (asked, to) = (((item, rays), &query), (&mut lot, &mut shadows));
+            self.block_eight(lanes, asked, points, to, scratch);
         }
         let left = asked & !shadows.blocked;
         if left != 0 {
@@ -187,8 +187,8 @@ impl World {
                 |place, may_meet, rays| {
                     let before = shadows.blocked;
                     let item = self.finder().bounded[place as usize];
-                    let asked = ((item, may_meet), points, &query);
-                    self.block_eight(lanes, asked, &mut lot, &mut shadows, scratch);
+                    let (asked, to) = (((item, may_meet), &query), (&mut lot, &mut shadows));
+                    self.block_eight(lanes, asked, points, to, scratch);
                     each_bit(shadows.blocked & !before, |ray| {
                         rays.end(ray, f64::NEG_INFINITY);
                     });
@@ -206,13 +206,9 @@ impl World {
     fn block_eight(
         &self,
         lanes: Lanes,
-        ((item, rays), points, query): (
-            (Numbered, u32),
-            (&[FourHits], &[FourWays]),
-            &impl Fn(usize) -> Query,
-        ),
-        lot: &mut Lot,
-        shadows: &mut Shadows,
+        ((item, rays), query): ((Numbered, u32), &impl Fn(usize) -> Query),
+        points: (&[FourHits], &[FourWays]),
+        (lot, shadows): (&mut Lot, &mut Shadows),
         scratch: &mut Scratch,
     ) {
         if !shadows.are_in_lot {

@@ -1,5 +1,6 @@
 //! What camera and lamps see around them, worked out once so that rays from there need no search: see [`Vista`].
 
+use super::model::Item;
 use super::world::World;
 use crate::accel::Vista;
 use crate::light::Light;
@@ -52,16 +53,20 @@ impl World {
             return;
         }
         let tree = &self.finder().tree;
+        let rod = |place: u32| match self.finder().bounded[place as usize].item {
+            Item::Leaf(leaf) => self.model.leaves[leaf as usize].rod_around(),
+            Item::Program(_) | Item::Instance(_) => None,
+        };
         let look = |point: u64| match point.checked_sub(1) {
             None => {
                 let (axes, width, height) = (self.camera.axes()?, options.width, options.height);
                 let [columns, rows] = TOGETHER;
                 let together = [columns / f64::from(width), rows / f64::from(height)];
-                Vista::of_picture(tree, self.camera.location(), axes, together)
+                Vista::of_picture(tree, self.camera.location(), (axes, together), rod)
             }
             Some(light) => {
                 let light = self.lights.get(u32::try_from(light).ok()?);
-                is_point(light).then(|| Vista::from_outside(tree, light.centre))?
+                is_point(light).then(|| Vista::from_outside(tree, light.centre, rod))?
             }
         };
         let mut vistas: Vec<_> = (0..points).into_par_iter().map(look).collect();
