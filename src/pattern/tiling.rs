@@ -1,8 +1,9 @@
-//! `tiling`: 24 periodic tilings of the xz plane by convex tiles, most with sides of length 1.
+//! `tiling`: 23 periodic tilings of the xz plane by convex tiles, most with sides of length 1.
 //!
 //! Tiles are of some kinds, in an order. With kind `k` of `n` the value is `(k + s) / n`, where `s` is 1 on the sides of a
 //! tile and falls to 0 at a depth that is the same for all kinds of a tiling. The tiles, in `tiling.txt`, were worked out
-//! from pictures of POV-Ray 3.7. Missing: the three tilings after Penrose, which do not repeat.
+//! from pictures of POV-Ray 3.7. Missing: number 22, and the three after
+//! Penrose, which do not repeat.
 
 use super::{Pattern, Preparing, Spot, Value};
 use crate::args::{Args, Parse};
@@ -202,7 +203,9 @@ mod tests {
     use crate::math::random::Random;
 
     fn all() -> impl Iterator<Item = (u32, Tiling)> {
-        (1..=24).map(|number| (number, Tiling::numbered(number).expect("it is in the file")))
+        (1..=24)
+            .filter(|number| *number != 22)
+            .map(|number| (number, Tiling::numbered(number).expect("it is in the file")))
     }
 
     #[test]
