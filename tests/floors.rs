@@ -49,6 +49,8 @@ const NEIGHBOURS: &[(&str, &str)] = &[
     // The bokeh of a camera is painted with a pigment.
     ("camera", "texture"),
     ("camera", "pattern"),
+    // A camera may look out of the triangles of meshes.
+    ("camera", "shape"),
     // Old scenes write `ior` into a finish; the interior takes it over.
     ("interior", "texture"),
     // A density is chosen by a pattern, out of a map.

@@ -65,6 +65,10 @@ pub trait Args {
     fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         Err(self.expected("an object"))
     }
+    /// Reads a mesh with its modifiers, as a value of the type of meshes in their places.
+    fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        Err(self.expected("a mesh"))
+    }
     /// How numbers of colours relate to light here: `None` without gamma handling.
     fn working_gamma(&self) -> Option<Gamma> {
         Some(Gamma::LINEAR)

@@ -1,7 +1,8 @@
 //! The rays of four points of a picture at once: of flat pictures, to the bit those of [`Camera::primary_ray`].
 
+use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
-use crate::math::lanes::three::{dot, over, plus, same, scaled, store};
+use crate::math::lanes::three::{dot, over, plus, same, scaled, sizes, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
 
 /// Four points of a picture: columns and rows.
@@ -30,6 +31,16 @@ impl FourKernel for FourPoints<'_> {
         let right = scaled(same(self.frame.right), u);
         let up = scaled(same(self.frame.up), v);
         let dir = plus(plus(same(self.frame.direction), right), up);
+        let terms = plus(
+            plus(sizes(same(self.frame.direction)), sizes(right)),
+            sizes(up),
+        );
+        let noise = scaled(terms, F::all(NOISE));
+        let dir = [
+            F::pick(dir[0].size().below(noise[0]), F::all(0.0), dir[0]),
+            F::pick(dir[1].size().below(noise[1]), F::all(0.0), dir[1]),
+            F::pick(dir[2].size().below(noise[2]), F::all(0.0), dir[2]),
+        ];
         let length = dot(dir, dir).root();
         let is_normal = F::both(
             F::all(f64::MIN_POSITIVE).not_above(length),
@@ -67,6 +78,7 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::args::text::TextArgs;
     use crate::math::random::Random;
     use glam::DVec3;
 
@@ -89,6 +101,22 @@ mod tests {
                     assert_eq!(dir, ray.dir);
                 }
             }
+        }
+    }
+
+    #[test]
+    fn what_rounding_leaves_of_a_direction_is_nothing() {
+        let text = "{ location <0, 1, -5> look_at 0 }";
+        let camera =
+            Camera::read(&mut TextArgs::new(text), &Camera::default()).expect("it is a camera");
+        // Corners of pixels on the horizon.
+        let (x, y) = ([0.5, 1.5, 2.5, 20.0], [35.5; 4]);
+        let ray = camera.primary_ray(x[0], y[0], 160, 120).expect("a ray");
+        assert_eq!(ray.dir.y, 0.0);
+        for lanes in [Lanes::widest(), Lanes::NARROW] {
+            let dirs = camera.four_dirs(lanes, (&x, &y), (160, 120)).unwrap();
+            assert_eq!(dirs[1], [0.0; 4]);
+            assert_eq!(dirs[0][0], ray.dir.x);
         }
     }
 

@@ -1,7 +1,7 @@
 //! `camera`: which ray each point of the picture sends into the scene.
 //!
 //! The kinds of camera have one file each; all stand in the same frame of vectors, which `read` sets up. A lens
-//! ([`FocalBlur`]) may blur what a camera shows, and bumps bend it. Missing: `mesh_camera`.
+//! ([`FocalBlur`]) may blur what a camera shows, and bumps bend it.
 
 mod bumps;
 mod cylinder;
@@ -9,6 +9,7 @@ mod fisheye;
 mod focal_blur;
 mod four;
 mod lens_points;
+mod mesh_camera;
 mod omnimax;
 mod orthographic;
 mod panoramic;
@@ -27,6 +28,7 @@ use crate::math::{Ray, Transform};
 use crate::pattern::Settings;
 use bumps::Bumps;
 use glam::{DVec2, DVec3};
+use mesh_camera::{MeshCamera, Place};
 use std::f64::consts::PI;
 
 /// The projection of a camera.
@@ -48,6 +50,8 @@ pub enum Projection {
     Omnimax,
     /// A rolled-up picture of one of four types.
     Cylinder(cylinder::Roll),
+    /// The triangles of meshes send the rays.
+    Mesh,
 }
 
 /// The kinds of camera by their words, for the first of the kind.
@@ -63,6 +67,7 @@ const KINDS: &[(Word, Projection)] = &[
         Word::Cylinder,
         Projection::Cylinder(cylinder::Roll::Upright),
     ),
+    (Word::MeshCamera, Projection::Mesh),
 ];
 
 /// A camera. But for its [`Lens`] it needs no preparation: its vectors are what rays are made of.
@@ -78,6 +83,8 @@ pub struct Camera {
     blur: FocalBlur,
     /// What bends its rays.
     bumps: Option<Bumps>,
+    /// The meshes that it looks out of.
+    meshes: Option<MeshCamera>,
 }
 
 /// The vectors of a camera.
@@ -115,6 +122,7 @@ impl Default for Camera {
             sky: DVec3::Y,
             blur: FocalBlur::default(),
             bumps: None,
+            meshes: None,
         }
     }
 }
@@ -135,6 +143,29 @@ impl Camera {
         })
     }
 
+    /// How many rays a point of the picture has; [`Camera::primary_ray`] is the first.
+    #[must_use]
+    pub fn rays(&self) -> u32 {
+        self.meshes.as_ref().map_or(1, MeshCamera::rays)
+    }
+
+    /// One of the rays through a point of a picture, as [`Camera::primary_ray`].
+    #[must_use]
+    #[cold]
+    pub fn numbered_ray(
+        &self,
+        number: u32,
+        (x, y): (f64, f64),
+        (width, height): (u32, u32),
+    ) -> Option<Ray> {
+        let meshes = self.meshes.as_ref().filter(|_| number > 0);
+        let Some(meshes) = meshes else {
+            return self.primary_ray(x, y, width, height);
+        };
+        let (origin, dir) = meshes.start(number, Place::new(x, y, width, height))?;
+        ray(origin, dir)
+    }
+
     /// The numbers from which a camera works out a direction, which differ from kind to kind: where bumps are asked for
     /// (checked with POV-Ray).
     #[cold]
@@ -144,7 +175,7 @@ impl Camera {
         let width = self.frame.right.length() / unit;
         let height = self.frame.up.length() / unit;
         let (x, y) = match self.projection {
-            Projection::Perspective | Projection::Orthographic => (u, v),
+            Projection::Perspective | Projection::Orthographic | Projection::Mesh => (u, v),
             Projection::Fisheye => fisheye::measure(&self.frame, screen, self.angle),
             Projection::UltraWideAngle => {
                 let angle = self.angle.unwrap_or(ultra_wide_angle::ANGLE);
@@ -225,6 +256,10 @@ impl Camera {
             }
             Projection::Omnimax => omnimax::start(frame, screen),
             Projection::Cylinder(roll) => Some(roll.start(frame, screen, self.angle)),
+            Projection::Mesh => {
+                let meshes = self.meshes.as_ref()?;
+                meshes.start(0, Place::new(x, y, width, height))
+            }
         }
     }
 
@@ -234,6 +269,7 @@ impl Camera {
         !matches!(
             self.projection,
             Projection::Orthographic
+                | Projection::Mesh
                 | Projection::Cylinder(cylinder::Roll::UprightFlat | cylinder::Roll::LyingFlat)
         )
     }
@@ -290,6 +326,9 @@ impl Camera {
             }
         }
         self.blur.scale(factor);
+        if let Some(meshes) = &mut self.meshes {
+            meshes.scale(factor);
+        }
         self
     }
 
@@ -298,6 +337,9 @@ impl Camera {
     pub(crate) fn moved(mut self, by: DVec3) -> Camera {
         self.frame.location += by;
         self.look_at += by;
+        if let Some(meshes) = &mut self.meshes {
+            meshes.transform(&Transform::translation(by));
+        }
         self
     }
 }

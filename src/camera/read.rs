@@ -3,7 +3,7 @@
 //! From version 3.5 on the order of the words does not matter: vectors first, then `angle`, `look_at`, the scale of
 //! an orthographic view, and all transforms together at the end. Before, each word acts where it stands.
 
-use super::{Camera, KINDS, Projection, bumps::Bumps, cylinder::Roll};
+use super::{Camera, KINDS, Projection, bumps::Bumps, cylinder::Roll, mesh_camera::MeshCamera};
 use crate::args::{Args, Parse, Word, declared, not_built, transform_step};
 use crate::math::Transform;
 use crate::source::{Diagnostic, Span};
@@ -69,6 +69,9 @@ impl Camera {
         if let Some(transform) = &pending.transform {
             camera.transform(transform);
         }
+        if let Some(meshes) = &mut camera.meshes {
+            meshes.look(&camera.frame);
+        }
         Ok(camera)
     }
 
@@ -128,6 +131,10 @@ impl Camera {
         };
         args.accept(word)?;
         self.projection = *projection;
+        self.meshes = None;
+        if word == Word::MeshCamera {
+            self.meshes = Some(MeshCamera::read(args)?);
+        }
         if word == Word::Cylinder {
             let at = args.span();
             let number = args.float()?;
@@ -201,6 +208,7 @@ impl Camera {
                 return Err(args.expected("a parameter of `camera` or `}`"));
             };
             match word {
+                Word::MeshCamera => return Err(unknown(word, args)),
                 Word::Angle => {
                     let degrees = self.read_angle(args)?;
                     if let Some(degrees) = degrees

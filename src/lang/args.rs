@@ -5,6 +5,9 @@ use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::{Args, Parse, Sampled, Word};
 use crate::color::{Color, Gamma};
+use crate::math::Transform;
+use crate::scene;
+use crate::shape::{PlacedMesh, Shape};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Symbol};
 use crate::texture::{Layer, Normal, Pigment, Texture};
@@ -92,6 +95,19 @@ impl Args for Reader<'_> {
             }
             None => Err(self.expected_here("an object")),
         }
+    }
+
+    fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let at = Args::span(self);
+        if let Some(object) = self.object()?
+            && let scene::Kind::Shape(shape) = &object.kind
+            && let Shape::Mesh(mesh) = &**shape
+        {
+            let place = Transform::from_steps(&object.steps);
+            return Ok(Arc::new(PlacedMesh::new(mesh.clone(), place)));
+        }
+        let message = "this is not a mesh".to_owned();
+        Err(self.with_trace(Diagnostic::error(at, message)))
     }
 
     fn working_gamma(&self) -> Option<Gamma> {

@@ -46,6 +46,7 @@ mod spiral;
 mod square;
 #[cfg(test)]
 mod tests;
+mod tiling;
 mod triangular;
 mod warp;
 mod wave;
@@ -115,6 +116,7 @@ static PATTERNS: &[(Word, New)] = &[
     (Word::Spiral2, spiral::spiral2),
     (Word::Spotted, bozo::spotted),
     (Word::Square, square::new),
+    (Word::Tiling, tiling::new),
     (Word::Triangular, triangular::new),
     (Word::Waves, ripples::waves),
     (Word::Wood, wood::new),

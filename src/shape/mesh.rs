@@ -109,6 +109,11 @@ impl Mesh {
         Ok(Mesh::new(mesh))
     }
 
+    /// What it is made of.
+    pub(super) fn triangles(&self) -> &Triangles {
+        &self.0
+    }
+
     /// The tree over its triangles.
     pub(crate) fn tree(&self) -> &Bvh {
         self.0.tree()

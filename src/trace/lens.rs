@@ -6,6 +6,33 @@ use crate::color::Rgb;
 use crate::compile::Scratch;
 
 impl Tracer<'_> {
+    /// What a camera of several rays at each point sees: the mean of those that it has.
+    #[cold]
+    pub(super) fn several(
+        &self,
+        at: (f64, f64),
+        size: (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let camera = &self.world.camera;
+        let rays = (0..camera.rays()).filter_map(|number| camera.numbered_ray(number, at, size));
+        let mut count: f32 = 0.0;
+        let mut sum = Sample::BLACK;
+        for ray in rays {
+            let seen = self.sample(Some(ray), scratch);
+            sum.rgb += seen.rgb;
+            sum.transmit += seen.transmit;
+            count += 1.0;
+        }
+        if count == 0.0 {
+            return self.sample(None, scratch);
+        }
+        Sample {
+            rgb: sum.rgb.map(|c| c / count),
+            transmit: sum.transmit / count,
+        }
+    }
+
     /// What a lens shows at a point of a picture of `size`, its width and height.
     pub(super) fn through_lens(
         &self,

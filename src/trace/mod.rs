@@ -226,6 +226,7 @@ impl<'w> Tracer<'w> {
     ) -> Sample {
         match &self.world.lens {
             Some(lens) => self.through_lens(lens, (x, y), (width, height), scratch),
+            None if self.world.camera.rays() > 1 => self.several((x, y), (width, height), scratch),
             None => {
                 let ray = self.world.camera.primary_ray(x, y, width, height);
                 self.sample(ray, scratch)

@@ -1,6 +1,6 @@
 // mistake in line 3: a pattern that is not built, in a texture that is used; declaring it alone is none
-#declare Unused = texture { pigment { tiling 2 scale 3 } } texture { pigment { rgbt 1 } }
-#declare Tiles = pigment { tiling 3 scale 2 }
+#declare Unused = texture { pigment { pavement scale 3 } } texture { pigment { rgbt 1 } }
+#declare Tiles = pigment { pavement scale 2 }
 #declare Floor = object { plane { y, 0 } pigment { Tiles rotate 30*y } }
 camera { location <0, 1, -4> }
 light_source { -9, rgb 1 }

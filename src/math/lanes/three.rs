@@ -51,6 +51,12 @@ pub(crate) fn over<F: Four>(v: Three<F>, by: F) -> Three<F> {
     [v[0].over(by), v[1].over(by), v[2].over(by)]
 }
 
+/// The vectors without signs.
+#[inline(always)]
+pub(crate) fn sizes<F: Four>(v: Three<F>) -> Three<F> {
+    [v[0].size(), v[1].size(), v[2].size()]
+}
+
 /// The size of the largest component.
 #[inline(always)]
 pub(crate) fn largest<F: Four>(v: Three<F>) -> F {

@@ -41,7 +41,7 @@ pub(super) const KINDS: &[Kind] = &[
     ),
     Kind::new(Word::Exr, &[".exr", ".EXR"], Reading::NotBuilt),
     Kind::new(Word::Hdr, &[".hdr", ".HDR"], Reading::NotBuilt),
-    Kind::new(Word::Pot, &[".pot", ".POT"], Reading::NotBuilt),
+    Kind::new(Word::Pot, &[".pot", ".POT"], Reading::Pot),
     Kind::new(Word::Iff, &[".iff", ".IFF"], Reading::NotBuilt),
     Kind::new(Word::Sys, &[], Reading::NotBuilt),
 ];
@@ -63,6 +63,8 @@ pub(super) enum Reading {
     Gif,
     Tga,
     Bmp,
+    /// A GIF whose left half has the high bytes and whose right half the low ones.
+    Pot,
     Other(ImageFormat),
     /// Not at all.
     NotBuilt,
@@ -113,6 +115,7 @@ pub(super) fn heights(reading: Reading, bytes: &[u8]) -> Result<Heights, String>
         Reading::Gif => gif(bytes),
         Reading::Tga => tga(bytes),
         Reading::Bmp => bmp(bytes),
+        Reading::Pot => pot(bytes),
         Reading::Other(format) => other(format, bytes),
         Reading::NotBuilt => Err("this kind of pictures is not built yet".into()),
     };
@@ -217,6 +220,34 @@ fn scaled(sample: u8, depth: u8) -> u8 {
 }
 
 fn gif(bytes: &[u8]) -> Result<Heights, Fault> {
+    let (width, rows) = indices(bytes)?;
+    Ok(Heights {
+        width,
+        rows: rows.into_iter().map(of_index).collect(),
+    })
+}
+
+/// The heights of Fractint: a byte from each half of a row. A column left over in the middle has no partner and is lost.
+fn pot(bytes: &[u8]) -> Result<Heights, Fault> {
+    let (wide, rows) = indices(bytes)?;
+    let width = wide / 2;
+    if width == 0 {
+        return Err("it is too narrow for two bytes of a height".into());
+    }
+    let rows = rows.chunks_exact(wide).flat_map(|row| {
+        let (high, low) = (&row[..width], &row[width..]);
+        high.iter()
+            .zip(low)
+            .map(|(high, low)| of_color(*high, *low))
+    });
+    Ok(Heights {
+        width,
+        rows: rows.collect(),
+    })
+}
+
+/// The width of a GIF and the numbers of the colours of its pixels, row by row.
+fn indices(bytes: &[u8]) -> Result<(usize, Vec<u8>), Fault> {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);
     let mut decoder = options.read_info(Cursor::new(bytes))?;
@@ -232,14 +263,7 @@ fn gif(bytes: &[u8]) -> Result<Heights, Fault> {
         (0..height).collect()
     };
     let row = |row: usize| pixels.get(row * width..(row + 1) * width).unwrap_or(&[]);
-    Ok(Heights {
-        width,
-        rows: rows
-            .into_iter()
-            .flat_map(row)
-            .map(|index| of_index(*index))
-            .collect(),
-    })
+    Ok((width, rows.into_iter().flat_map(row).copied().collect()))
 }
 
 /// The rows of an interlaced picture as the file has them. POV-Ray 3.7 takes them in this order (measured).
@@ -324,5 +348,15 @@ mod tests {
             [202, 221, 129, 121, 255].map(worn),
             [202, 220, 129, 120, 255]
         );
+    }
+
+    #[test]
+    fn a_pot_file_has_a_byte_from_each_half_of_a_row() {
+        let bytes = include_bytes!("../../../pov_scenes/shape/heights/potential.pot");
+        let (wide, rows) = indices(bytes).expect("it is a GIF");
+        let found = heights(Reading::Pot, bytes).expect("it has heights");
+        assert_eq!((wide, found.width), (48, 24));
+        let (high, low) = (u16::from(rows[5]), u16::from(rows[5 + 24]));
+        assert_eq!(found.rows[5], 256 * high + low);
     }
 }
