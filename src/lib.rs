@@ -48,6 +48,7 @@ pub mod math;
 pub mod options;
 pub mod output;
 pub mod pattern;
+pub mod photons;
 pub mod radiosity;
 pub mod render;
 pub mod scene;

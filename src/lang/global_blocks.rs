@@ -132,7 +132,6 @@ impl Reader<'_> {
     /// `photons { ... }` of the whole scene. By itself it shoots none: objects ask for photons.
     pub(super) fn photons(&mut self) -> Parse<()> {
         self.pass();
-        let at = self.taken_span();
         self.open_block()?;
         let mut settings = self.globals.photons.take().unwrap_or_default();
         while !self.take_close()? {
@@ -141,13 +140,11 @@ impl Reader<'_> {
             };
             self.photons_setting(word, &mut settings)?;
         }
-        self.photons_at = (settings.gather[1] > 0).then_some(at);
         self.globals.photons = Some(settings);
         Ok(())
     }
 
     fn photons_setting(&mut self, word: Word, settings: &mut Photons) -> Parse<()> {
-        let at = self.here_span();
         match word {
             Word::Spacing => {
                 self.pass();
@@ -199,7 +196,6 @@ impl Reader<'_> {
             Word::LoadFile => {
                 self.pass();
                 settings.load_file = Some(self.file_name()?);
-                self.note_undrawn("a photon map from a file", at);
             }
             Word::SaveFile => {
                 self.pass();

@@ -1,5 +1,4 @@
-//! Settings of the whole scene that are blocks of their own, as the file gives them. Photons and subsurface light are not
-//! drawn yet.
+//! Settings of the whole scene that are blocks of their own, as the file gives them. Subsurface light is not drawn yet.
 
 /// How letters beyond ASCII in strings are read (`charset`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -351,6 +351,7 @@ impl Tracer<'_> {
             known: &[],
             is_double_illuminated: false,
             lights: &[],
+            collects: self.has_caustics(),
         };
         if self.quality.has_shadows {
             arriving = self.after_shadows(arriving, number, &lit, &arrival, scratch);
