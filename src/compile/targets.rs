@@ -39,10 +39,16 @@ impl Targets {
             role.target = u32::try_from(self.0.len()).ok();
             self.0.push(Target {
                 around: placed.stored_box(),
-                density,
+                density: f64::from(single(density)),
                 role,
             });
         }
         role
     }
+}
+
+/// POV-Ray keeps the factor on spacings in single precision.
+#[allow(clippy::cast_possible_truncation, reason = "it is asked for")]
+fn single(density: f64) -> f32 {
+    density as f32
 }

@@ -80,14 +80,15 @@ pub struct PhotonRole {
 }
 
 impl PhotonRole {
-    /// That of an object in what has this one.
+    /// That of an object in what has this one. What holds an object overrules it, as in POV-Ray, which tells the parts when
+    /// the whole is complete.
     #[must_use]
     pub fn with(self, own: &ObjectPhotons) -> PhotonRole {
         PhotonRole {
-            refraction: own.refraction.or(self.refraction),
-            reflection: own.reflection.or(self.reflection),
+            refraction: self.refraction.or(own.refraction),
+            reflection: self.reflection.or(own.reflection),
             keeps_none: self.keeps_none || !own.collect,
-            is_passed: self.is_passed || own.pass_through,
+            is_passed: self.is_passed || own.is_passed(),
             target: self.target,
         }
     }
@@ -110,6 +111,11 @@ fn agree(one: Option<bool>, other: Option<bool>) -> bool {
 }
 
 impl ObjectPhotons {
+    /// Whether photons pass it. A target that refracts them takes them in spite of `pass_through`.
+    fn is_passed(&self) -> bool {
+        self.pass_through && !(self.target.is_some() && self.refraction == Some(true))
+    }
+
     /// The block behind `photons` in an object.
     ///
     /// # Errors

@@ -40,8 +40,8 @@ fn widest_axis(photons: &[Photon]) -> u8 {
 }
 
 /// Brings the photon of a rank along an axis to its place, lesser ones before it and greater ones behind (Hoare 1961), by
-/// POV-Ray's steps: all photons end up where it puts them. The last two are left as they are, so that one of them may lie
-/// on the wrong side, where searches may miss it.
+/// POV-Ray's steps: all photons end up where it puts them. Of two that are left last the greater comes first, so that
+/// one may lie on the wrong side, where searches may miss it.
 fn select(photons: &mut [Photon], rank: usize, axis: u8) {
     let axis = usize::from(axis);
     let (mut left, mut right) = (0, photons.len() - 1);
@@ -50,33 +50,33 @@ fn select(photons: &mut [Photon], rank: usize, axis: u8) {
             photons.swap(a, b);
         }
     };
-    while right > left + 1 {
+    while left < right {
         photons.swap(usize::midpoint(left, right), left + 1);
         swap_if_more(photons, left + 1, right);
         swap_if_more(photons, left, right);
         swap_if_more(photons, left + 1, left);
         let pivot = photons[left].place[axis];
         let (mut up, mut down) = (left + 1, right);
-        loop {
+        while up <= down {
             up += 1;
-            while up < right && photons[up].place[axis] < pivot {
+            while up <= right && photons[up].place[axis] < pivot {
                 up += 1;
             }
             down -= 1;
             while down > left && photons[down].place[axis] > pivot {
                 down -= 1;
             }
-            if down < up {
-                break;
+            if up < down {
+                photons.swap(up, down);
             }
-            photons.swap(up, down);
         }
         photons.swap(left, down);
-        if down >= rank {
-            right = down.saturating_sub(1);
-        }
-        if down <= rank {
-            left = up;
+        if rank < down {
+            right = down - 1;
+        } else if rank > down {
+            left = down + 1;
+        } else {
+            return;
         }
     }
 }

@@ -8,6 +8,7 @@ mod air;
 mod area;
 mod block;
 mod caustics;
+mod cloud;
 mod film;
 mod gather;
 mod lens;

@@ -120,14 +120,15 @@ impl<'w> Tracer<'w> {
             };
             let surface = &self.world.surfaces[hit.surface as usize];
             let role = surface.flags.photons;
+            self.through_media(&mut flight, hit.t, surface.lights, shot, scratch);
             flight.way += hit.t;
             let was_met = flight.has_met;
             if !was_met {
-                if role.target == Some(shot.target) {
+                if role.target == Some(shot.target) && !role.is_passed {
                     flight.has_met = true;
                     shot.has_hit = true;
                 } else if role.is_passed {
-                    flight.light *= self.transmission(&hit, &path.ray);
+                    flight.light *= self.transmission(&hit, &flight.path.ray);
                     let interior = surface.interior;
                     super::passage::cross(&mut flight.path.inside, interior);
                     flight.path.ray = Ray::new(hit.point, flight.path.ray.dir);
