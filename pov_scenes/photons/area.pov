@@ -1,6 +1,6 @@
 // Photons of an area light, from each lamp and from the middle.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.1 } }
+global_settings { assumed_gamma 1 photons { radius .9 spacing 0.1 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,8,-2>, .6 area_light x*2, z*2, 3, 3 photons { area_light } }
 light_source { <-5,6,-2>, .5 area_light x, y, 2, 2 adaptive 0 }

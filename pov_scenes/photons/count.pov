@@ -1,6 +1,6 @@
 // A number of photons instead of a spacing.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { count 5000 } }
+global_settings { assumed_gamma 1 photons { radius .4 count 5000 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,8,-2>, 1 }
 plane { y, 0 pigment { rgb 1 } finish { ambient 0.05 diffuse .8 } }

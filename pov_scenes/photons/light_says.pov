@@ -1,6 +1,6 @@
 // Photons that the light asks for, and those that it forbids.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.06 } }
+global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,8,-2>, .6 photons { refraction on reflection off } }
 light_source { <-3,8,-2>, .6 photons { refraction off } }

@@ -1,6 +1,6 @@
 // A pane before the target that photons pass, and one that stops them.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.05 } }
+global_settings { assumed_gamma 1 photons { radius .4 spacing 0.05 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,8,-2>, .6 }
 light_source { <-3,8,-2>, .6 }

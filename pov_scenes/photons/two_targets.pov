@@ -1,6 +1,6 @@
 // Two lights and two targets with spacings of their own.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.08 } }
+global_settings { assumed_gamma 1 photons { radius .4 spacing 0.08 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,8,-2>, .6 }
 light_source { <-4,6,-3>, <.6,.4,.3> }

@@ -2,6 +2,7 @@
 
 use super::reader::Reader;
 use crate::args::{Args, Parse, Word};
+use crate::photons;
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 use crate::source::{Code, Diagnostic, Span};
 
@@ -195,7 +196,14 @@ impl Reader<'_> {
             }
             Word::LoadFile => {
                 self.pass();
-                settings.load_file = Some(self.file_name()?);
+                let (name, bytes) = Args::file(self, "the photon map", &[])?;
+                if photons::read(&bytes).is_none() {
+                    let message = format!("`{name}` is no photon map");
+                    let error = Diagnostic::error(self.taken_span(), message)
+                        .with_hint("Make one by `save_file`.");
+                    return Err(self.with_trace(error));
+                }
+                settings.load_file = Some(bytes);
             }
             Word::SaveFile => {
                 self.pass();

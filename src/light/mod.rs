@@ -286,11 +286,11 @@ impl Light {
         }
     }
 
-    /// The share of its light that a ray from it has at its start.
+    /// The share of its light that a ray from it has, told so far along it: a ray of parallel light starts beside the light,
+    /// where a beam has not begun yet.
     #[must_use]
-    pub fn share_of_ray(&self, ray: &Ray) -> f64 {
-        // A ray of parallel light starts beside the light, where a beam has not begun yet.
-        self.share_in_beam(ray.origin + ray.dir, -ray.dir)
+    pub fn share_of_ray(&self, ray: &Ray, at: f64) -> f64 {
+        self.share_in_beam(ray.at(at), -ray.dir)
     }
 
     /// The unit direction of parallel rays.

@@ -18,6 +18,7 @@ pub use photon::Photon;
 
 use crate::light::PhotonRole;
 use crate::scene::{self, Globals, PhotonDensity, Stored};
+use glam::DVec3;
 use radius::{CRand, Space};
 
 /// An object to which photons are sent.
@@ -31,10 +32,11 @@ pub struct Target {
     pub role: PhotonRole,
 }
 
-/// The settings of a scene, worked out.
+/// The settings of a scene, worked out. Photons are kept, and looked up, where they lie by the scene's own numbers, and
+/// with its own lengths.
 #[derive(Clone, Debug)]
 pub struct Photons {
-    /// As the scene gives them; lengths in units of the scene.
+    /// As the scene gives them.
     pub settings: scene::Photons,
     /// What photons are sent to, in the order of the scene.
     pub targets: Vec<Target>,
@@ -44,6 +46,8 @@ pub struct Photons {
     pub adc_bailout: f64,
     /// The length in which the scene counts.
     pub unit: f64,
+    /// Where the origin of the scene's own coordinates lies.
+    pub origin: DVec3,
 }
 
 impl Photons {
@@ -60,6 +64,7 @@ impl Photons {
             max_trace_level: settings.max_trace_level.unwrap_or(globals.max_trace_level),
             adc_bailout: settings.adc_bailout.unwrap_or(globals.adc_bailout),
             unit: globals.unit,
+            origin: globals.origin,
         })
     }
 
@@ -70,6 +75,12 @@ impl Photons {
             PhotonDensity::Spacing(spacing) => spacing * self.unit,
             PhotonDensity::Count(count) => self.unit * (expected(self.unit) / count).sqrt(),
         }
+    }
+
+    /// A point of the world by the numbers of the scene.
+    #[must_use]
+    pub fn own(&self, point: DVec3) -> DVec3 {
+        (point - self.origin) / self.unit
     }
 
     /// Whether photons are left in media.
@@ -106,10 +117,8 @@ impl Kept {
         let mut random = CRand::new();
         let mut radius = |map: &Map, number: usize, space: Space| {
             let (given, factor) = settings.radius[number];
-            let radius = given.filter(|&given| given > 0.0).map_or_else(
-                || radius::automatic(map, most, space, &mut random),
-                |given| given * photons.unit,
-            );
+            let given = given.filter(|&given| given > 0.0);
+            let radius = given.unwrap_or_else(|| radius::automatic(map, most, space, &mut random));
             radius * factor
         };
         let search = |radius: f64, media: bool| Search {

@@ -7,11 +7,12 @@ mod pretrace;
 mod shot;
 mod unfinished;
 
+pub use shot::Shot;
 pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, World};
 use crate::film::{Film, Leveller, Levels, Pixel};
-use crate::options::{PhotonsTaken, RadiosityTaken, Reached, RenderOptions, Sampling};
+use crate::options::{RadiosityTaken, Reached, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Tracer};
 use antialias::Sampler;
 use gathered::Gathered;
@@ -44,8 +45,8 @@ pub struct Drawn {
     pub reached: Option<Reached>,
     /// What radiosity took, where it was drawn.
     pub radiosity: Option<RadiosityTaken>,
-    /// What photons took, where some were shot.
-    pub photons: Option<PhotonsTaken>,
+    /// The photons, where the scene asks for some.
+    pub photons: Option<Shot>,
 }
 
 /// Pixels of a tile, row by row, and the rays that they took.

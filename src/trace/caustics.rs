@@ -33,15 +33,20 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         let finish = coat.finish;
-        let takes = [finish.diffuse, finish.diffuse_back, finish.phong, finish.specular];
+        let takes = [
+            finish.diffuse,
+            finish.diffuse_back,
+            finish.phong,
+            finish.specular,
+        ];
         if takes.iter().all(|&share| share == 0.0) {
             return Rgb::BLACK;
         }
         let near = near.get_or_insert_with(|| {
             let mut near = std::mem::take(&mut scratch.photons);
             let search = &kept.on_surfaces;
-            kept.surface
-                .gather(search, lit.at.point, lit.at.normal, &mut near);
+            let place = self.own_place(lit.at.point);
+            kept.surface.gather(search, place, lit.at.normal, &mut near);
             near
         });
         let mut sum = Rgb::BLACK;
@@ -61,6 +66,12 @@ impl Tracer<'_> {
             sum += self.shine(&shining, &lit.at, coat, scratch);
         }
         sum * (1.0 / (PI * near.radius * near.radius))
+    }
+
+    /// A point by the numbers of the scene, by which photons are kept.
+    pub(super) fn own_place(&self, point: DVec3) -> DVec3 {
+        let globals = &self.world.globals;
+        (point - globals.origin) / globals.unit
     }
 
     /// Whether photons stand for the light of a lamp that a surface lets through.

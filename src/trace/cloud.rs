@@ -31,7 +31,8 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         };
         let near = &mut scratch.photons;
-        kept.media.gather(&kept.in_media, point, DVec3::ZERO, near);
+        let place = self.own_place(point);
+        kept.media.gather(&kept.in_media, place, DVec3::ZERO, near);
         let mut sum = Rgb::BLACK;
         for photon in kept.media.of(near) {
             let cosine = photon.dir().dot(dir);
@@ -59,33 +60,33 @@ impl Tracer<'_> {
         let Some(sampling) = common_sampling(&media) else {
             return;
         };
-        let leaves = shot.photons.fills_media() && flight.has_met;
-        if !leaves {
+        if !shot.photons.fills_media() {
             flight.light *= self.dimmed_inside(&flight.path.ray, length, inside, scratch);
             return;
         }
         let beams = self.beams(lights, &flight.path.ray, length);
-        let is_kept = media.iter().any(|media| media.collects);
-        let is_parallel = shot.light.is_none_or(|light| light.is_parallel);
+        let is_kept = flight.has_met && media.iter().any(|media| media.collects);
         let ray = flight.path.ray;
         let (most, factor) = shot.photons.settings.media;
+        let jitter = shot.photons.settings.jitter;
         let mut swallowed = Rgb::BLACK;
         for interval in divided(&parts_of(&beams, length), &sampling) {
             let long = interval.to - interval.from;
-            let at_start = if is_parallel { 1.0 } else { flight.way };
+            let own_length = long / shot.photons.unit;
+            let at_start = shot.width(flight.way);
             let mut factor = factor;
-            let wanted = long / (shot.spread * at_start * factor);
+            let wanted = own_length / (at_start * factor);
             let count = if wanted < f64::from(most) {
                 wanted.floor().max(0.0)
             } else {
-                factor = long / (shot.spread * at_start * f64::from(most));
+                factor = own_length / (at_start * f64::from(most));
                 f64::from(most)
             };
             let mut number = 0.0;
             let mut sum = Rgb::BLACK;
             while number < count {
                 let random = scratch.stream.next_number() - 0.5;
-                let at = (number + 0.5 + sampling.jitter * random) / count;
+                let at = (number + 0.5 + jitter * random) / count;
                 let along = interval.from + at * long;
                 let point = ray.at(along);
                 let mut effect = Effect::NONE;
@@ -95,11 +96,11 @@ impl Tracer<'_> {
                 sum += effect.extinction;
                 if is_kept && effect.scattering != Rgb::BLACK {
                     let way = flight.way + along;
-                    let reach = if is_parallel { 1.0 } else { way };
-                    let size = factor * shot.spread * reach * (shot.spread * reach).powi(2);
+                    let size = factor * shot.width(way).powi(3);
                     let fading = shot.light.map_or(1.0, |light| light.fade.share(way));
                     let light = flight.light * (size * fading);
-                    shot.in_media.push(Photon::new(point, light, ray.origin));
+                    let [point, origin] = [point, ray.origin].map(|at| shot.photons.own(at));
+                    shot.in_media.push(Photon::new(point, light, origin));
                 }
                 number += 1.0;
             }

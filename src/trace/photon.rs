@@ -87,26 +87,30 @@ impl<'p> Shot<'p> {
         (self.light, self.target, self.spread) = (Some(light), target, spread);
     }
 
+    /// How far neighbouring photons are apart that have come so far, in units of the scene.
+    pub(super) fn width(&self, way: f64) -> f64 {
+        let is_parallel = self.light.is_some_and(|light| light.is_parallel);
+        self.spread * if is_parallel { 1.0 } else { way } / self.photons.unit
+    }
+
     /// Keeps a photon on a surface.
     fn keep(&mut self, point: DVec3, light: Rgb, way: f64, origin: DVec3) {
         let Some(source) = self.light else { return };
-        let mut light = light * (self.spread * self.spread);
-        if !source.is_parallel {
-            light *= Rgb::splat(1.0) * (way * way);
-        }
-        light = light * source.fade.share(way);
+        let width = self.width(way);
+        let light = light * (width * width) * source.fade.share(way);
+        let [point, origin] = [point, origin].map(|place| self.photons.own(place));
         self.on_surfaces.push(Photon::new(point, light, origin));
     }
 }
 
 impl<'w> Tracer<'w> {
     /// Follows a photon, and what comes of it.
-    pub(super) fn fly(&self, mut flight: Flight, shot: &mut Shot<'w>, scratch: &mut Scratch)
- {
+    pub(super) fn fly(&self, mut flight: Flight, shot: &mut Shot<'w>, scratch: &mut Scratch) {
         for _ in 0..super::MOST_PASSED {
             let Some(light) = shot.light else { return };
             let path = &flight.path;
-            if path.level >= shot.photons.max_trace_level || path.weight < shot.photons.adc_bailout {
+            if path.level >= shot.photons.max_trace_level || path.weight < shot.photons.adc_bailout
+            {
                 return;
             }
             let query = Query {
@@ -225,13 +229,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Sends a photon through a surface; says whether it is reflected as a whole instead.
-    fn refract(
-        &self,
-        meeting: &Meeting,
-        shot: &mut Shot<'w>,
-        scratch: &mut Scratch,
-    ) -> bool
- {
+    fn refract(&self, meeting: &Meeting, shot: &mut Shot<'w>, scratch: &mut Scratch) -> bool {
         let path = meeting.lit.path;
         let passage = self.passage(path, meeting.hit);
         let normal = meeting.lit.at.normal;

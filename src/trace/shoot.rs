@@ -9,11 +9,11 @@ use crate::compile::{Scratch, Seen};
 use crate::light::Light;
 use crate::math::Ray;
 use crate::math::mersenne::Stream;
-use crate::photons::{Kept, Map, Photons, Target};
+use crate::photons::{self, Kept, Map, Photons, Target};
 use glam::{DMat3, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Below this rays start in the middle of the target.
+/// A ring of less is the middle of the target.
 const MIDDLE: f64 = 1e-10;
 /// Photons of less light are not sent.
 const LEAST_SHARE: f64 = 1e-5;
@@ -41,7 +41,7 @@ impl Aim {
     fn new(light: &Light, from: DVec3, middle: DVec3) -> Aim {
         let way = middle - from;
         let distance = way.length();
-        let forward = if distance < MIDDLE {
+        let forward = if distance == 0.0 {
             DVec3::Z
         } else {
             way / distance
@@ -115,6 +115,9 @@ impl<'w> Tracer<'w> {
     #[must_use]
     pub fn shoot(&self) -> Option<Kept> {
         let photons = self.world.photons.as_ref()?;
+        if let Some(bytes) = &photons.settings.load_file {
+            return Some(Kept::new(photons, 0, photons::read(bytes)?));
+        }
         let spacing = photons.spacing(|spacing| self.expected(photons, spacing));
         let mut shot = Shot::new(photons);
         let mut scratch = Scratch::default();
@@ -138,8 +141,8 @@ impl<'w> Tracer<'w> {
         let pairs = lights.flat_map(|light| {
             let own = &self.world.lights.get(light).photons;
             let targets = (0u32..).zip(&photons.targets);
-            let sent =
-                targets.filter(|(_, target)| target.role.refracts(own) || target.role.reflects(own));
+            let sent = targets
+                .filter(|(_, target)| target.role.refracts(own) || target.role.reflects(own));
             sent.map(move |(target, _)| (light, target))
         });
         pairs.collect()
@@ -186,11 +189,17 @@ impl<'w> Tracer<'w> {
         let (jitter, autostop) = (settings.jitter, settings.autostop);
         shot.begin(light, target, rings.spread);
         let inside = self.inside_at(light.centre);
+        // Of parallel light rings have lengths instead of angles.
+        let middle_below = if light.is_parallel {
+            MIDDLE * shot.photons.unit
+        } else {
+            MIDDLE
+        };
         let mut has_ever_hit = false;
         let mut off = 0.0;
         while off < rings.end {
             shot.has_hit = false;
-            let turn = if off < MIDDLE {
+            let turn = if off < middle_below {
                 TAU
             } else if light.is_parallel {
                 rings.step / off
@@ -233,7 +242,7 @@ impl<'w> Tracer<'w> {
     ) {
         let (Some([columns, rows]), Some(area)) = (lamps_of(light), &light.area) else {
             let ray = aim.ray(light, light.centre, middle, off, around);
-            self.fly_from(light, ray, 1.0, inside, shot, scratch);
+            self.fly_from(light, (ray, aim.distance), 1.0, inside, shot, scratch);
             return;
         };
         let share = 1.0 / (f64::from(columns) * f64::from(rows));
@@ -243,7 +252,7 @@ impl<'w> Tracer<'w> {
                 let from = light.centre + lamp;
                 let aim = Aim::new(light, from, middle);
                 let ray = aim.ray(light, from, middle, off, around);
-                self.fly_from(light, ray, share, inside, shot, scratch);
+                self.fly_from(light, (ray, aim.distance), share, inside, shot, scratch);
             }
         }
     }
@@ -251,14 +260,14 @@ impl<'w> Tracer<'w> {
     fn fly_from(
         &self,
         light: &Light,
-        ray: Ray,
+        (ray, reach): (Ray, f64),
         share: f64,
         inside: &Inside,
         shot: &mut Shot<'w>,
         scratch: &mut Scratch,
     ) {
         shot.count += 1;
-        let share = share * light.share_of_ray(&ray);
+        let share = share * light.share_of_ray(&ray, reach);
         if share < LEAST_SHARE {
             return;
         }

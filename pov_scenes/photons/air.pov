@@ -1,6 +1,7 @@
-// Photons of a spotlight in air that scatters forwards.
+// In the air around everything photons are neither left nor swallowed.
+// compare: channel<=20 pixels<=10% because "POV-Ray estimates the radius at photons chosen at random from a map whose order hangs on the last digits of their places"
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.06 media 60, 2 radius ,1,.15 } }
+global_settings { assumed_gamma 1 photons { spacing 0.06 media 60, 2  } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
 light_source { <3,6,-2>, 2 spotlight point_at <0,1.2,0> radius 8 falloff 12 }
 plane { y, 0 pigment { rgb 1 } finish { ambient 0.05 diffuse .8 } }
