@@ -363,6 +363,8 @@ pub struct Plan {
     pub lights: usize,
     /// The memory of the tree in bytes.
     pub tree_bytes: usize,
+    /// The memory in bytes of what camera and lamps see around them: rays from there look it up and walk no tree.
+    pub view_bytes: usize,
     /// What no ray needs.
     pub left_out: Vec<&'static str>,
 }

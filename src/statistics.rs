@@ -149,8 +149,8 @@ impl fmt::Display for Statistics {
         }
         writeln!(
             f,
-            "looks       {}, lights {}, tree {} bytes",
-            plan.surfaces, plan.lights, plan.tree_bytes
+            "looks       {}, lights {}, tree {} bytes, views {} bytes",
+            plan.surfaces, plan.lights, plan.tree_bytes, plan.view_bytes
         )?;
         writeln!(f, "left out    {}", plan.left_out.join(", "))
     }

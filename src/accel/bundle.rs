@@ -14,13 +14,13 @@ use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, near
 use glam::{DVec3, Vec3};
 
 /// How many rays are tried at once.
-const LANES: usize = 8;
+pub(super) const LANES: usize = 8;
 /// Above the relative error of the single precision arithmetic here, some ten roundings.
-const DOUBT: f32 = 1.0e-6;
+pub(super) const DOUBT: f32 = 1.0e-6;
 /// Rays must not spread farther from their middle than this cosine, or a pyramid is no use.
 const LEAST_COSINE: f32 = 0.2;
 /// From farther away, in sizes of the tree, single precision cannot tell its items apart.
-const FARTHEST: f64 = 256.0;
+pub(super) const FARTHEST: f64 = 256.0;
 
 /// How many nodes and items may be visited for each ray of a bundle. A ray by itself visits some twenty, each of which
 /// costs about as much.
@@ -45,9 +45,9 @@ pub struct Bundle {
 /// Eight rays: unit directions, and where each ends in the frame. A ray that is done ends before it begins.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
-struct Group {
-    dir: [[f32; LANES]; 3],
-    end: [f32; LANES],
+pub(crate) struct Group {
+    pub(super) dir: [[f32; LANES]; 3],
+    pub(super) end: [f32; LANES],
 }
 
 /// The middle directions of eight groups, and how far a direction of the group can lie from it.
@@ -74,7 +74,7 @@ pub(super) struct Ball {
     centre: [f32; 3],
     radius: f32,
     /// Whether the item fills it, so that its box tells no more.
-    is_filled: bool,
+    pub(super) is_filled: bool,
 }
 
 impl Ball {
@@ -95,7 +95,7 @@ impl Ball {
 impl Ball {
     /// Around a box.
     #[inline(always)]
-    fn around(cell: &Cell) -> Self {
+    pub(super) fn around(cell: &Cell) -> Self {
         let (low, high) = (Vec3::from_array(cell.low), Vec3::from_array(cell.high));
         let centre = 0.5 * low + 0.5 * high;
         // Beyond what is lost in the rounding of the middle.
@@ -105,6 +105,14 @@ impl Ball {
             radius: (0.5 * high - 0.5 * low).length() * (1.0 + 4.0 * DOUBT) + DOUBT * size,
             is_filled: false,
         }
+    }
+
+    /// Its centre as seen from a place in the frame, a radius that makes up for the rounding of that, and the distance.
+    #[inline(always)]
+    pub(super) fn seen_from(&self, origin: DVec3) -> (Vec3, f32, f32) {
+        let centre = (DVec3::from(self.centre.map(f64::from)) - origin).as_vec3();
+        let distance = centre.length();
+        (centre, self.radius + 2.0 * DOUBT * distance, distance)
     }
 }
 
@@ -133,16 +141,7 @@ impl Bundle {
             let mut group = Group::EMPTY;
             for half in 0..2 {
                 let (dir, end) = four((2 * number + half).min(last));
-                let at = 4 * half;
-                // Spelt out: `map` is not always inlined.
-                for (to, from) in group.dir.iter_mut().zip(&dir) {
-                    for (to, from) in to[at..at + 4].iter_mut().zip(from) {
-                        *to = nearest(*from);
-                    }
-                }
-                for (to, from) in group.end[at..at + 4].iter_mut().zip(end) {
-                    *to = frame_end(from, self.scale);
-                }
+                group.take(half, (&dir, &end), self.scale);
             }
             self.groups.push(group);
         }
@@ -265,10 +264,7 @@ impl Bundle {
         (ball, cell): (&Ball, Option<&Cell>),
         mut visit: impl FnMut(usize, u32, &mut Ended),
     ) -> bool {
-        let to_centre = DVec3::from(ball.centre.map(f64::from)) - self.origin;
-        let centre = to_centre.as_vec3();
-        let distance = centre.length();
-        let radius = ball.radius + 2.0 * DOUBT * distance;
+        let (centre, radius, distance) = ball.seen_from(self.origin);
         let slab = cell.map(|cell| Slab::new(cell, self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
@@ -333,7 +329,8 @@ impl Ended {
 }
 
 /// A box as seen from the common origin, rounded outward.
-struct Slab {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slab {
     low: [f32; 3],
     high: [f32; 3],
 }
@@ -341,7 +338,7 @@ struct Slab {
 impl Slab {
     // Spelt out: `map` is not always inlined.
     #[inline(always)]
-    fn new(cell: &Cell, origin: DVec3) -> Self {
+    pub(super) fn new(cell: &Cell, origin: DVec3) -> Self {
         let below = |axis: usize| loose_below(f64::from(cell.low[axis]) - origin[axis]);
         let above = |axis: usize| loose_above(f64::from(cell.high[axis]) - origin[axis]);
         Slab {
@@ -351,11 +348,57 @@ impl Slab {
     }
 }
 
+impl Slab {
+    /// Whether a ray from the origin in this direction may meet it before `end`: [`GroupAndBox`] for a single one.
+    #[inline(always)]
+    pub(super) fn is_met(&self, dir: Vec3, end: f32) -> bool {
+        let (mut enter, mut leave) = (0.0, end);
+        for axis in 0..3 {
+            let inverse = 1.0 / dir[axis];
+            let (low, high) = (self.low[axis] * inverse, self.high[axis] * inverse);
+            enter = larger(smaller(low, high), enter);
+            leave = smaller(larger(high, low), leave);
+        }
+        let slack = 4.0 * DOUBT * (enter.abs() + leave.abs());
+        enter - slack <= leave + f32::MIN_POSITIVE
+    }
+}
+
 impl Group {
-    const EMPTY: Group = Group {
+    pub(super) const EMPTY: Group = Group {
         dir: [[0.0; LANES]; 3],
         end: [f32::NEG_INFINITY; LANES],
     };
+
+    /// Takes in the first or second half of its rays: unit directions, and where each ends, in a frame of this scale.
+    #[inline(always)]
+    pub(super) fn take(
+        &mut self,
+        half: usize,
+        (dir, end): (&[[f64; 4]; 3], &[f64; 4]),
+        scale: f64,
+    ) {
+        let at = 4 * half;
+        // Spelt out: `map` is not always inlined.
+        for (to, from) in self.dir.iter_mut().zip(dir) {
+            for (to, from) in to[at..at + 4].iter_mut().zip(from) {
+                *to = nearest(*from);
+            }
+        }
+        for (to, from) in self.end[at..at + 4].iter_mut().zip(end) {
+            *to = frame_end(*from, scale);
+        }
+    }
+
+    /// The farthest end; negative when all are done.
+    #[inline(always)]
+    pub(super) fn farthest(&self) -> f32 {
+        let mut farthest = f32::NEG_INFINITY;
+        for end in self.end {
+            farthest = larger(end, farthest);
+        }
+        farthest
+    }
 
     #[inline(always)]
     fn dot(&self, with: Vec3) -> [f32; LANES] {
@@ -386,10 +429,10 @@ impl Group {
 }
 
 /// Which rays of a group may meet a ball, one bit each: its centre lies near the line, neither behind nor beyond the end.
-struct GroupAndBall<'a> {
-    group: &'a Group,
-    centre: Vec3,
-    radius: f32,
+pub(super) struct GroupAndBall<'a> {
+    pub(super) group: &'a Group,
+    pub(super) centre: Vec3,
+    pub(super) radius: f32,
 }
 
 impl Kernel for GroupAndBall<'_> {
@@ -410,9 +453,9 @@ impl Kernel for GroupAndBall<'_> {
 }
 
 /// Which rays of a group may meet a box, one bit each.
-struct GroupAndBox<'a> {
-    group: &'a Group,
-    slab: &'a Slab,
+pub(super) struct GroupAndBox<'a> {
+    pub(super) group: &'a Group,
+    pub(super) slab: &'a Slab,
 }
 
 impl Kernel for GroupAndBox<'_> {
@@ -462,14 +505,14 @@ impl Kernel for ConesAndBall<'_> {
 }
 
 #[inline(always)]
-fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
+pub(super) fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
     a[0].times(b[0])
         .plus(a[1].times(b[1]))
         .plus(a[2].times(b[2]))
 }
 
 #[inline(always)]
-fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
+pub(super) fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
     [
         a[1].times(b[2]).minus(a[2].times(b[1])),
         a[2].times(b[0]).minus(a[0].times(b[2])),
@@ -480,17 +523,17 @@ fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
 // A closure would not take part in the wide lanes of its caller, so these are spelt out.
 
 #[inline(always)]
-fn load<E: Eight>(from: &[[f32; LANES]; 3]) -> [E; 3] {
+pub(super) fn load<E: Eight>(from: &[[f32; LANES]; 3]) -> [E; 3] {
     [E::load(&from[0]), E::load(&from[1]), E::load(&from[2])]
 }
 
 #[inline(always)]
-fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
+pub(super) fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
     [E::all(of[0]), E::all(of[1]), E::all(of[2])]
 }
 
 #[inline(always)]
-fn length_sq<E: Eight>(a: [E; 3]) -> E {
+pub(super) fn length_sq<E: Eight>(a: [E; 3]) -> E {
     dot(a, a)
 }
 
@@ -603,7 +646,7 @@ impl Bvh {
 
 /// Where a ray ends in the frame, at the latest.
 #[inline(always)]
-fn frame_end(end: f64, scale: f64) -> f32 {
+pub(super) fn frame_end(end: f64, scale: f64) -> f32 {
     let end = nearest(end * scale);
     if end.is_nan() {
         f32::INFINITY

@@ -9,15 +9,20 @@
 mod build;
 mod bundle;
 mod node;
+mod raster;
+mod view;
+mod vista;
 
 pub use bundle::{Bundle, Ended};
+
+pub use vista::{Rod, Vista};
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
 use build::Entry;
 use bundle::Ball;
 use glam::DVec3;
-use node::{Cell, Child, Frame, Node, WIDTH};
+use node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
 use rayon::prelude::*;
 
 /// A tree over items, which it knows by their position in the list it was built from.
@@ -261,6 +266,28 @@ impl Bvh {
         size_of::<Self>()
             + self.nodes.capacity() * size_of::<Node>()
             + self.balls.capacity() * size_of::<Option<Ball>>()
+    }
+
+    /// Calls `visit` with each item and its box.
+    fn each_item(&self, mut visit: impl FnMut(u32, Cell)) {
+        for node in &self.nodes {
+            for place in 0..WIDTH {
+                let child = node.child(place);
+                if child != Child::NOTHING && child.node().is_none() {
+                    visit(child.item(), node.cell(place));
+                }
+            }
+        }
+    }
+
+    /// The box of all boxes.
+    fn whole(&self) -> Option<Cell> {
+        let root = self.nodes.first()?;
+        let cells = (0..WIDTH).filter(|&place| root.child(place) != Child::NOTHING);
+        cells.map(|place| root.cell(place)).reduce(|a, b| Cell {
+            low: [0, 1, 2].map(|axis| smaller(a.low[axis], b.low[axis])),
+            high: [0, 1, 2].map(|axis| larger(a.high[axis], b.high[axis])),
+        })
     }
 
     fn root(&self) -> Option<Child> {

@@ -1,6 +1,6 @@
 //! The tree against a plain search through all boxes.
 
-use super::{Bundle, Bvh};
+use super::{Bundle, Bvh, Vista};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::Eased;
 use crate::math::lanes::Lanes;
@@ -338,4 +338,114 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
         }
         assert!(together > 40 && found > 1000, "{together} {found}");
     }
+}
+
+/// What eight rays that have a point in common find of spheres by looking up their cells: `towards` it, from so far
+/// away, or from it.
+fn looked_up(
+    vista: &Vista,
+    (spheres, order): (&[Sphere], &[u32]),
+    rays: &[Ray; 8],
+    ends: Option<[f64; 8]>,
+) -> [Option<f64>; 8] {
+    let mut best = [None; 8];
+    let dirs = |half: usize| {
+        [0, 1, 2].map(|axis| [0, 1, 2, 3].map(|lane| rays[4 * half + lane].dir[axis]))
+    };
+    let far = |half: usize| {
+        [0, 1, 2, 3].map(|lane| ends.map_or(f64::INFINITY, |ends| ends[4 * half + lane]))
+    };
+    let (dirs, far) = ([dirs(0), dirs(1)], [far(0), far(1)]);
+    let halves = [(&dirs[0], &far[0]), (&dirs[1], &far[1])];
+    let mut eight = match ends {
+        None => vista.rays(halves, 0xff),
+        Some(_) => vista.rays_back(halves, 0xff),
+    };
+    let beside = vista.each(Lanes::widest(), &mut eight, |place, lanes, eight| {
+        for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
+            let Some(t) = spheres[order[place as usize] as usize].hit(&rays[lane]) else {
+                continue;
+            };
+            let slot: &mut Option<f64> = &mut best[lane];
+            if t < ends.map_or(f64::INFINITY, |ends| ends[lane])
+                && slot.is_none_or(|least| t < least)
+            {
+                *slot = Some(t);
+                if ends.is_none() {
+                    eight.end(lane, t);
+                }
+            }
+        }
+    });
+    assert!(ends.is_some() || beside == 0);
+    best
+}
+
+#[test]
+fn rays_find_by_their_cells_what_they_find_alone() {
+    for (size, at) in [
+        (1.0, DVec3::ZERO),
+        (1e-20, DVec3::splat(1e-19)),
+        (1e12, DVec3::X * 3e12),
+    ] {
+        let spheres = spheres(700, size, at);
+        let bounds = bounds_of(&spheres);
+        let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+        tree.know_balls(order.iter().map(|&item| {
+            let sphere = &spheres[item as usize];
+            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
+        }));
+        // A rod around some, too.
+        let rod = |place: u32| {
+            let sphere = &spheres[order[place as usize] as usize];
+            place.is_multiple_of(4).then_some((
+                sphere.centre + 9.0 * size * DVec3::ONE,
+                -DVec3::ONE,
+                sphere.radius,
+            ))
+        };
+        let mut rng = Random::new(29);
+        let (mut seen, mut blocked, mut free) = (0, 0, 0);
+        for _ in 0..200 {
+            let from = at + rng.vector(1.0).normalize() * 6.0 * size;
+            let along = (at - from).normalize();
+            let (right, up) = along.any_orthonormal_pair();
+            let axes = [right, up, along];
+            let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
+            let rays = [(); 8].map(|()| {
+                let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
+                Ray::new(from, (along + x * right + y * up).normalize())
+            });
+            let best = looked_up(&vista, (&spheres, &order), &rays, None);
+            for (ray, best) in rays.iter().zip(best) {
+                assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
+                seen += u32::from(best.is_some());
+            }
+            let lamp = Vista::from_outside(&tree, from, rod).unwrap();
+            let middle = at + rng.vector(1.0) * size;
+            let points = [(); 8].map(|()| middle + rng.vector(0.1) * size);
+            let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
+            let ends = points.map(|point| point.distance(from));
+            let best = looked_up(&lamp, (&spheres, &order), &rays, Some(ends));
+            for (ray, best) in rays.iter().zip(best) {
+                let alone = nearest_of_all(&spheres, ray).is_some();
+                assert_eq!(best.is_some(), alone);
+                let hits = |place: u32| spheres[order[place as usize] as usize].hit(ray).is_some();
+                assert_eq!(lamp.between(ray.origin, hits), alone);
+                blocked += u32::from(alone);
+                free += u32::from(!alone);
+            }
+        }
+        assert!(
+            seen > 200 && blocked > 300 && free > 100,
+            "{seen} {blocked} {free}"
+        );
+    }
+}
+
+#[test]
+fn no_flat_view_is_had_from_among_the_items() {
+    let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
+    assert!(Vista::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
+    assert!(Vista::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
 }

@@ -195,6 +195,22 @@ impl Camera {
         })
     }
 
+    /// For a flat picture the vectors that tell where in it a direction lies: how far across and up, from -0.5 to 0.5, are
+    /// its products with the first and the second by that with the third.
+    #[must_use]
+    pub(crate) fn axes(&self) -> Option<[DVec3; 3]> {
+        let Frame {
+            direction,
+            up,
+            right,
+            ..
+        } = self.frame;
+        let is_flat = self.projection == Projection::Perspective && self.bumps.is_none();
+        let size = direction.dot(right.cross(up));
+        let axes = [up.cross(direction), direction.cross(right), right.cross(up)];
+        is_flat.then(|| axes.map(|axis| axis / size))
+    }
+
     fn start(&self, x: f64, y: f64, width: u32, height: u32) -> Option<Start> {
         let screen = Screen::new(x, y, width, height);
         let frame = &self.frame;

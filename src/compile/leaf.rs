@@ -1,5 +1,6 @@
 //! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
 
+use crate::accel::Rod;
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::shape::{Geometry, Root, Shape, Shares, Sphere, Start};
@@ -207,18 +208,44 @@ impl Leaf {
     /// A ball that holds the leaf and not much else, by centre and radius, and whether the leaf fills it.
     #[must_use]
     pub(super) fn ball_around(&self) -> Option<(DVec3, f64, bool)> {
-        let Shape::Torus(torus) = &self.shape else {
-            let (centre, radius) = self.ball()?;
-            return Some((centre, radius, true));
+        let (centre, radius) = match &self.shape {
+            Shape::Torus(torus) => (torus.centre, torus.rim()),
+            Shape::Cuboid(cuboid) => {
+                let half = 0.5 * cuboid.max - 0.5 * cuboid.min;
+                (cuboid.min + half, half.length() * (1.0 + CARE))
+            }
+            _ => {
+                let (centre, radius) = self.ball()?;
+                return Some((centre, radius, true));
+            }
         };
+        let slack = |centre: DVec3| CARE * centre.abs().max_element();
         let Some(matrix) = &self.object_from_world else {
-            return Some((torus.centre, torus.rim(), false));
+            return Some((centre, radius + slack(centre), false));
         };
         let scale = similarity(&matrix.matrix3)?;
-        let centre = matrix.inverse().transform_point3(torus.centre);
-        let slack = CARE * centre.abs().max_element();
-        let radius = torus.rim() / scale * (1.0 + CARE) + slack;
+        let centre = matrix.inverse().transform_point3(centre);
+        let radius = radius / scale * (1.0 + CARE) + slack(centre);
         radius.is_normal().then_some((centre, radius, false))
+    }
+
+    /// A round rod without ends that holds the leaf and not much else.
+    #[must_use]
+    pub(super) fn rod_around(&self) -> Option<Rod> {
+        let Shape::Cylinder(cylinder) = &self.shape else {
+            return None;
+        };
+        let (base, way, radius) = cylinder.rod();
+        let Some(matrix) = &self.object_from_world else {
+            return Some((base, way, radius));
+        };
+        let scale = similarity(&matrix.matrix3)?;
+        let to_world = matrix.inverse();
+        let base = to_world.transform_point3(base);
+        let slack = CARE * base.abs().max_element();
+        let radius = radius / scale * (1.0 + CARE) + slack;
+        let is_sound = radius.is_normal() && base.is_finite();
+        is_sound.then(|| (base, to_world.transform_vector3(way), radius))
     }
 
     /// Bounds of the leaf that are no larger than `bounds`: smaller where it is a torus that is turned. The box of a

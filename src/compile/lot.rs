@@ -43,6 +43,27 @@ impl Lot {
         }
     }
 
+    /// Takes in the rays to a light from all of these hits; `least` is the distance up to which nothing counts for one of
+    /// such a blur.
+    #[inline(always)]
+    pub(super) fn shine_on(
+        &mut self,
+        (hits, ways): (&[FourHits], &[FourWays]),
+        least: impl Fn(f64) -> f64,
+    ) {
+        self.fours.resize(hits.len(), FourQueries::NONE);
+        for (four, (hits, ways)) in self.fours.iter_mut().zip(hits.iter().zip(ways)) {
+            four.origin = hits.point;
+            four.dir = ways.to_light;
+            for lane in 0..4 {
+                four.from[lane] = least(hits.blur[lane]);
+            }
+            four.far = ways.far;
+            four.left = hits.leaf;
+            four.goes_out = ways.goes_out;
+        }
+    }
+
     /// Takes in the rays to a light from hits at these places; `least` is the distance up to which nothing counts for
     /// one of such a blur.
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! From the description of a scene to the world that rays need.
 
+mod around;
 mod cluster;
 mod combine;
 mod csg;
@@ -30,6 +31,7 @@ mod state;
 mod surface;
 mod targets;
 mod together;
+mod vistas;
 mod world;
 
 pub use hits::{FourHits, FourWays, NO_LEAF};
@@ -68,5 +70,7 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
         flat.add(&object);
     }
     flat.lights.finish();
-    World::new(&scene, flat, options)
+    let mut world = World::new(&scene, flat, options);
+    world.look_around(options);
+    world
 }

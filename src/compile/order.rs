@@ -60,7 +60,8 @@ impl Finder {
         let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
         tree.know_balls(bounded.iter().map(|item| match item.item {
             Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_around(),
-            Item::Program(_) | Item::Instance(_) => None,
+            Item::Program(program) => parts.programs[program as usize].ball_around(&parts.leaves),
+            Item::Instance(_) => None,
         }));
         Finder {
             tree,

@@ -34,6 +34,7 @@ impl World {
             surfaces: self.surfaces.len(),
             lights: self.lights.len(),
             tree_bytes: trees.map(Bvh::bytes).sum(),
+            view_bytes: self.vistas.bytes(),
             left_out: self.left_out(combinations, &primitives),
             primitives,
         }

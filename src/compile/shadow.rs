@@ -94,12 +94,12 @@ impl World {
         &self,
         lanes: Lanes,
         query: &Query,
-        light: u32,
+        number: u32,
         scratch: &mut Scratch,
     ) -> Way {
         let search = self.search_for(query);
         let asked = (query, &search);
-        let light = light as usize;
+        let light = number as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, 0);
         }
@@ -123,13 +123,13 @@ impl World {
                 return Way::Blocked;
             }
         }
-        let is_blocked = self.model.finder.tree.any_in(
+        let is_blocked = self.any_between(
             lanes,
-            &query.ray,
-            (0.0, query.far),
+            query,
+            number,
             #[inline(always)]
-            |number| {
-                let item = self.model.finder.bounded[number as usize];
+            |place| {
+                let item = self.model.finder.bounded[place as usize];
                 let blocks = self.stops(item, asked, &mut way, scratch);
                 if blocks {
                     scratch.blockers[light] = item.number;
@@ -138,6 +138,23 @@ impl World {
             },
         );
         if is_blocked { Way::Blocked } else { way }
+    }
+
+    /// Visits bounded items, by their place, that a ray to the light of this number may meet until `visit` says to stop.
+    /// Says whether it did.
+    #[inline(always)]
+    fn any_between(
+        &self,
+        lanes: Lanes,
+        query: &Query,
+        light: u32,
+        visit: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let span = (0.0, query.far);
+        match self.vistas.of_light(light) {
+            Some(vista) => vista.between(query.ray.origin, visit),
+            None => self.finder().tree.any_in(lanes, &query.ray, span, visit),
+        }
     }
 
     /// As [`World::blocks`]; an item that lies there and is not opaque is gathered.

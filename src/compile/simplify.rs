@@ -10,6 +10,7 @@ use super::state::State;
 use crate::accel::Bvh;
 use crate::math::Bounds;
 use crate::shape::Geometry;
+use glam::DVec3;
 
 /// With fewer bounded operands each is asked by itself.
 const TREE_FROM: usize = 8;
@@ -145,6 +146,16 @@ impl Program {
             order.tree = Some(Bvh::build(&boxes));
         }
         order
+    }
+
+    /// A ball that holds all that is shown, by centre and radius, and that it is not filled: the least of those around
+    /// operands without which nothing is shown.
+    pub(super) fn ball_around(&self, leaves: &[Leaf]) -> Option<(DVec3, f64, bool)> {
+        let own = &leaves[self.first as usize..];
+        let required = self.order.required.iter();
+        let balls = required.filter_map(|&number| own[number as usize].ball_around());
+        let least = balls.min_by(|a, b| a.1.total_cmp(&b.1));
+        least.map(|(centre, radius, _)| (centre, radius, false))
     }
 
     /// Whether nothing is shown where a child of this node is not.

@@ -26,6 +26,10 @@ impl World {
     /// order in which neighbours differ little; behind the last of them some ray stands again.
     pub fn see(&self, origin: DVec3, count: usize, hits: &mut [FourHits], scratch: &mut Scratch) {
         scratch.rays.camera += count as u64;
+        if let Some(vista) = &self.vistas.camera {
+            self.see_around(vista, (origin, count), hits, scratch);
+            return;
+        }
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
         let mut lot = std::mem::take(&mut scratch.lot);
@@ -290,7 +294,7 @@ impl World {
     /// that must still be asked for singly; `take` gets the number of each of the others that meets the item, and what it
     /// meets; unless `ASKS_FACE` perhaps no more than the distance.
     #[inline(always)]
-    fn in_fours<const ASKS_FACE: bool>(
+    pub(super) fn in_fours<const ASKS_FACE: bool>(
         &self,
         lanes: Lanes,
         (item, seen): (Numbered, Seen),

@@ -9,6 +9,7 @@ use super::model::{Item, Model};
 use super::order::{Finder, Numbered};
 use super::query::{Departure, Hit, Seen};
 use super::surface::Surface;
+use super::vistas::Vistas;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
 use crate::color::{Color, Rgb};
@@ -96,6 +97,7 @@ pub struct World {
     /// Whether some surface cannot be seen by some rays.
     pub(super) hides_some: bool,
     pub(super) least_distance: LeastDistance,
+    pub(super) vistas: Vistas,
 }
 
 impl World {
@@ -170,6 +172,7 @@ impl World {
             model,
             items,
             meshes: Vec::new(),
+            vistas: Vistas::default(),
         };
         world.meshes = world.large_meshes();
         world

@@ -46,6 +46,11 @@ impl Cylinder {
         }
     }
 
+    /// The same without ends: a point of its axis, the direction of that, and the radius.
+    pub(crate) fn rod(&self) -> (DVec3, DVec3, f64) {
+        (self.axis.base, self.axis.unit, self.radius)
+    }
+
     /// Reads `<base>, <apex>, radius [open]`.
     ///
     /// # Errors

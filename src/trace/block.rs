@@ -17,6 +17,8 @@ use std::ops::Range;
 pub const BLOCK: u32 = 32;
 /// The side of the parts of a block that are searched together.
 const SEARCHED: u32 = 16;
+/// So many are searched for, lit and coloured together where it is known what lies around camera and lamps.
+const AROUND: usize = 64;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
 
@@ -140,7 +142,7 @@ impl Tracer<'_> {
         let ends = (0..end).step_by((SEARCHED * SEARCHED) as usize).skip(1);
         scratch.parts.extend(ends.chain([end]));
         self.seen_at(places, size, scratch, |number, sample, hits| {
-            let (hits, lane) = (hits.get(number / 4), number % 4);
+            let lane = number % 4;
             let hits = hits.filter(|hits| hits.is_met(lane));
             let met = hits.map(|hits| Met {
                 leaf: hits.leaf[lane],
@@ -156,12 +158,35 @@ impl Tracer<'_> {
         places: &[(f64, f64)],
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, &[FourHits]),
+        mut take: impl FnMut(usize, Sample, Option<&FourHits>),
     ) {
-        if !self.search(places, size, scratch) {
+        if !self.world.knows_all_around() {
+            let parts = std::mem::take(&mut scratch.parts);
+            self.seen_together((places, &parts), size, scratch, take);
+            scratch.parts = parts;
+            return;
+        }
+        // No walk is shared: fewer at a time stay nearer at hand.
+        for (piece, places) in places.chunks(AROUND).enumerate() {
+            let of_all = (places, &[places.len()][..]);
+            self.seen_together(of_all, size, scratch, |number, sample, hits| {
+                take(AROUND * piece + number, sample, hits);
+            });
+        }
+    }
+
+    /// The same for places in parts that end where `parts` tells.
+    fn seen_together(
+        &self,
+        (places, parts): (&[(f64, f64)], &[usize]),
+        size: (u32, u32),
+        scratch: &mut BlockScratch,
+        mut take: impl FnMut(usize, Sample, Option<&FourHits>),
+    ) {
+        if !self.search((places, parts), size, scratch) {
             for (number, &(x, y)) in places.iter().enumerate() {
                 let sample = self.pixel(x, y, size.0, size.1, &mut scratch.single);
-                take(number, sample, &[]);
+                take(number, sample, None);
             }
             return;
         }
@@ -175,7 +200,7 @@ impl Tracer<'_> {
                         let sample = seen.sample(lane);
                         let sample = sample
                             .unwrap_or_else(|| self.seen_singly(4 * four + lane, place, scratch));
-                        take(4 * four + lane, sample, &scratch.hits);
+                        take(4 * four + lane, sample, scratch.hits.get(four));
                     }
                 }
             },
@@ -200,7 +225,12 @@ impl Tracer<'_> {
 
     /// Searches for what the camera sees; false if its rays do not start in one
     /// point.
-    fn search(&self, places: &[(f64, f64)], size: (u32, u32), scratch: &mut BlockScratch) -> bool {
+    fn search(
+        &self,
+        (places, parts): (&[(f64, f64)], &[usize]),
+        size: (u32, u32),
+        scratch: &mut BlockScratch,
+    ) -> bool {
         let camera = &self.world.camera;
         if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
@@ -220,7 +250,7 @@ impl Tracer<'_> {
             return false;
         }
         let mut first = 0;
-        for &end in &scratch.parts {
+        for &end in parts {
             let origin = camera.location();
             let hits = &mut scratch.hits[first / 4..end.div_ceil(4)];
             self.world

@@ -2,7 +2,8 @@
 //! light and highlights is left to the way for single ones.
 
 use super::block::BlockScratch;
-use super::light::{Coat, NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::coats::PlainCoat;
+use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::{Sample, Tracer};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, LightList, Seen, Way};
@@ -129,32 +130,39 @@ impl Tracer<'_> {
             lights: self.world.surfaces[first as usize].lights,
         };
         let mut plain = 0;
-        each_lane(asked, |lane| {
-            let surface = &self.world.surfaces[hits.surface[lane] as usize];
-            let layer = match surface.texture.layers().first() {
-                Some(layer) if surface.is_plain() && surface.lights == coats.lights => layer,
-                _ => return,
-            };
-            let finish = &*layer.finish;
-            if finish.diffuse == 0.0 || finish.brilliance != 1.0 {
-                return;
-            }
-            let color = layer.pigment.color(&Spot {
+        each_lane(
+            asked,
+            #[inline(always)]
+            |lane| {
+                let number = hits.surface[lane] as usize;
+                let known = self.coats.get(number).copied().flatten();
+                let coat = match known.or_else(|| self.coat_at(hits, lane)) {
+                    Some(coat) if coat.lights == coats.lights => coat,
+                    _ => return,
+                };
+                put(&mut coats.own, lane, coat.own);
+                put(&mut coats.rgb, lane, coat.rgb);
+                coats.diffuse[lane] = coat.diffuse;
+                coats.finishes[lane] = Some(coat.finish);
+                coats.shiny |= u32::from(coat.is_shiny) << lane;
+                plain |= 1 << lane;
+            },
+        );
+        (coats, plain)
+    }
+
+    /// The layer at one of four hits, if it is plain.
+    #[inline(never)]
+    fn coat_at(&self, hits: &FourHits, lane: usize) -> Option<PlainCoat<'_>> {
+        let surface = &self.world.surfaces[hits.surface[lane] as usize];
+        self.plain_coat(surface, |pigment| {
+            pigment.color(&Spot {
                 point: hits.point(lane),
                 normal: hits.facing(lane),
                 dir: hits.dir(lane),
                 uv: DVec2::ZERO,
-            });
-            let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color);
-            put(&mut coats.own, lane, own);
-            put(&mut coats.rgb, lane, rgb);
-            coats.diffuse[lane] = f64::from(finish.diffuse) * opacity;
-            coats.finishes[lane] = Some(finish);
-            let is_shiny = finish.phong != 0.0 || finish.specular != 0.0;
-            coats.shiny |= u32::from(is_shiny) << lane;
-            plain |= 1 << lane;
-        });
-        (coats, plain)
+            })
+        })
     }
 }
 

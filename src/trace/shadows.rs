@@ -4,7 +4,7 @@
 use super::Tracer;
 use super::block::BlockScratch;
 use super::light::{MOST_TILTED, NOTHING};
-use crate::compile::{FourHits, FourWays, Way};
+use crate::compile::{FourHits, FourWays, Scratch, Way};
 use crate::light::{Arrival, Light};
 use crate::math::lanes::three::{Three, dot, load, minus, over, plus, same, scaled, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four, with_widest};
@@ -121,6 +121,11 @@ impl Tracer<'_> {
             ..
         } = scratch;
         let ways = &mut ways[number as usize * hits.len()..][..hits.len()];
+        if self.world.knows_around(number) {
+            let lit = (&**hits, ways, count);
+            self.light_up_around((number, light), lit, single);
+            return;
+        }
         order.asked.clear();
         let mut sum = DVec3::ZERO;
         let mut changes = 0;
@@ -173,6 +178,33 @@ impl Tracer<'_> {
             let place = usize::from(place);
             ways[place / 4].ways[place % 4] = Some(*way);
         }
+    }
+
+    /// The same where it is known what lies around the lamp.
+    fn light_up_around(
+        &self,
+        light: (u32, &Light),
+        (hits, ways, count): (&[FourHits], &mut [FourWays], usize),
+        scratch: &mut Scratch,
+    ) {
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (number, (hits, ways)) in hits.chunks(2).zip(ways.chunks_mut(2)).enumerate() {
+                    let mut asked = 0;
+                    for (half, (hits, ways)) in hits.iter().zip(&mut *ways).enumerate() {
+                        asked |= self.light_four(lanes, light, hits, ways) << (4 * half);
+                    }
+                    let there = (count - 8 * number).min(8);
+                    asked &= 0xff >> (8 - there);
+                    if asked != 0 {
+                        let asked = (asked, light.0);
+                        self.world
+                            .ways_of_eight(lanes, (hits, ways), asked, scratch);
+                    }
+                }
+            },
+        );
     }
 
     /// How light arrives at four hits. Gives those whose way is to be asked about, one bit each.

@@ -1,0 +1,295 @@
+//! The grid of a [`super::Vista`]: which items each cell may show, in the order of their distance.
+
+use crate::math::rounding::nearest;
+
+/// Slopes, or cells, between which something lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rect {
+    pub(super) low: [f64; 2],
+    pub(super) high: [f64; 2],
+}
+
+/// Cells of a grid, and the items in each.
+#[derive(Clone, Debug)]
+pub(super) struct Raster {
+    pub(super) grid: Grid,
+    /// Where the items of each cell begin, and at last where those of the last end.
+    begins: Vec<u32>,
+    items: Vec<u32>,
+    /// The nearest of all distances, and how much farther each step is.
+    least: f32,
+    step: f32,
+}
+
+/// Cells are so much of the mean width of an item: smaller ones hold fewer items that are not met, but each item is in more.
+const FINENESS: f64 = 0.7;
+/// No more cells than this for each item, and some.
+const CELLS_OF_ITEM: f64 = 4.0;
+const SOME_CELLS: f64 = 64.0;
+/// No more cells than this in a row or column.
+const LONGEST: f64 = 1024.0;
+/// No more entries than this for each item, and some.
+const ENTRIES_OF_ITEM: usize = 24;
+const SOME_ENTRIES: usize = 4096;
+/// Items count as so much of a cell larger than they are, far above the rounding of a ray's cell.
+const MARGIN: f64 = 1.0 / 16.0;
+/// Distances are told apart in so many steps. Items of one step come in the order of the tree, which is kind to caches.
+const STEPS: usize = 128;
+const LAST_STEP: f32 = 127.0;
+
+impl Rect {
+    /// Nothing.
+    pub(super) const EMPTY: Rect = Rect {
+        low: [f64::INFINITY; 2],
+        high: [f64::NEG_INFINITY; 2],
+    };
+
+    /// What lies in both, by way of which nothing may be lost if neither is exact.
+    pub(super) fn both(&self, other: &Rect) -> Rect {
+        let mut both = *self;
+        for side in 0..2 {
+            both.low[side] = self.low[side].max(other.low[side]);
+            both.high[side] = self.high[side].min(other.high[side]);
+        }
+        both
+    }
+
+    /// The part in a window; `None` beside it.
+    pub(super) fn shared(&self, window: &Rect) -> Option<Rect> {
+        let is_beside = |side: usize| {
+            let slack = 1e-3 * (window.high[side] - window.low[side]);
+            self.low[side] > window.high[side] + slack || self.high[side] < window.low[side] - slack
+        };
+        if is_beside(0) || is_beside(1) {
+            return None;
+        }
+        let mut shared = *self;
+        for side in 0..2 {
+            // What is not a number reaches as far as the window.
+            let (low, high) = (window.low[side], window.high[side]);
+            shared.low[side] = self.low[side].max(low).min(high);
+            shared.high[side] = self.high[side].min(high).max(low);
+        }
+        Some(shared)
+    }
+
+    fn is_empty(&self) -> bool {
+        self.low[0] == f64::INFINITY
+    }
+}
+
+/// The cells of a window, row by row.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    /// The cell of a slope: its whole part when times `rate` plus `start`.
+    pub(super) rate: [f32; 2],
+    pub(super) start: [f32; 2],
+    /// How many columns and rows there are.
+    pub(super) size: [u32; 2],
+}
+
+impl Grid {
+    /// Over a window, for items of such mean widths; cells are multiples of `together`, if that is given, which begin at
+    /// the middle.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the number of cells is limited"
+    )]
+    fn new(window: &Rect, cell: [f64; 2], together: Option<[f64; 2]>) -> Grid {
+        let mut grid = Grid {
+            rate: [0.0; 2],
+            start: [0.0; 2],
+            size: [1; 2],
+        };
+        for side in 0..2 {
+            let (low, high) = (window.low[side], window.high[side]);
+            let wide = (high - low).max(f64::MIN_POSITIVE);
+            let mut cell = cell[side].max(wide / LONGEST);
+            let mut low = low;
+            if let Some(together) = together {
+                let together = together[side];
+                cell = together * (cell / together).round().max(1.0);
+                // The edges of cells lie where the picture begins.
+                low = -0.5 - cell * ((-0.5 - low) / cell).ceil();
+            }
+            let count = ((high - low) / cell).ceil().clamp(1.0, 2.0 * LONGEST);
+            grid.rate[side] = nearest(1.0 / cell);
+            grid.start[side] = nearest(-low / cell);
+            grid.size[side] = count as u32;
+        }
+        grid
+    }
+
+    /// The cells that a rectangle may share something with: from the first to the last, in columns and in rows.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "cast to the nearest number of a cell"
+    )]
+    #[inline(always)]
+    fn cells(&self, rect: &Rect) -> [[u32; 2]; 2] {
+        [0, 1].map(|side| {
+            let (rate, start) = (f64::from(self.rate[side]), f64::from(self.start[side]));
+            let last = self.size[side] - 1;
+            let low = rect.low[side] * rate + start - MARGIN;
+            let high = rect.high[side] * rate + start + MARGIN;
+            [low, high].map(|at| (at as u32).min(last))
+        })
+    }
+
+    #[inline(always)]
+    fn each(&self, rect: &Rect, mut visit: impl FnMut(usize)) {
+        let [columns, rows] = self.cells(rect);
+        for row in rows[0]..=rows[1] {
+            for column in columns[0]..=columns[1] {
+                visit(row as usize * self.size[0] as usize + column as usize);
+            }
+        }
+    }
+
+    fn entries(&self, rects: &[Rect]) -> usize {
+        let seen = rects.iter().filter(|rect| !rect.is_empty());
+        let entries = seen.map(|rect| {
+            let [columns, rows] = self.cells(rect).map(|[first, last]| last + 1 - first);
+            columns as usize * rows as usize
+        });
+        entries.sum()
+    }
+
+    fn count(&self) -> usize {
+        self.size[0] as usize * self.size[1] as usize
+    }
+}
+
+impl Raster {
+    /// The grid over a window that items are seen in, each in a rectangle, an empty one if it is not seen, and at a
+    /// distance. Cells are multiples of `together` if that is given. `None` if none is seen.
+    pub(super) fn new(
+        rects: &[Rect],
+        near: impl Fn(usize) -> f32,
+        window: Rect,
+        together: Option<[f64; 2]>,
+    ) -> Option<Raster> {
+        let mut sum = [0.0; 2];
+        let mut seen = 0usize;
+        let (mut least, mut most) = (f32::INFINITY, f32::NEG_INFINITY);
+        for (item, rect) in rects.iter().enumerate() {
+            if rect.is_empty() {
+                continue;
+            }
+            seen += 1;
+            for (side, sum) in sum.iter_mut().enumerate() {
+                *sum += rect.high[side] - rect.low[side];
+            }
+            least = least.min(near(item));
+            most = most.max(near(item));
+        }
+        if seen == 0 || !least.is_finite() || !most.is_finite() {
+            return None;
+        }
+        #[allow(clippy::cast_precision_loss, reason = "a mean has few digits")]
+        let number = seen as f64;
+        let mut cell = sum.map(|sum| FINENESS * sum / number);
+        let mut grid = Grid::new(&window, cell, together);
+        loop {
+            #[allow(clippy::cast_precision_loss, reason = "a ratio has few digits")]
+            let excess = grid.count() as f64 / (CELLS_OF_ITEM * number + SOME_CELLS);
+            let is_dense = excess > 1.0;
+            if !is_dense && grid.entries(rects) <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES {
+                break;
+            }
+            if grid.count() == 1 {
+                break;
+            }
+            let factor = if is_dense {
+                excess.sqrt().max(1.1)
+            } else {
+                1.5
+            };
+            for (side, cell) in cell.iter_mut().enumerate() {
+                let wide = window.high[side] - window.low[side];
+                *cell = (cell.max(wide / LONGEST) * factor).min(2.0 * wide);
+            }
+            grid = Grid::new(&window, cell, together);
+        }
+        let mut raster = Raster {
+            grid,
+            begins: Vec::new(),
+            items: Vec::new(),
+            least,
+            step: (most - least) / LAST_STEP,
+        };
+        raster.fill(rects, near);
+        Some(raster)
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "items and entries are counted in 31 bits"
+    )]
+    fn fill(&mut self, rects: &[Rect], near: impl Fn(usize) -> f32) {
+        let grid = self.grid;
+        // By distance, coarsely: counting sort.
+        let mut places = vec![0u32; STEPS + 1];
+        let is_seen = |item: &usize| !rects[*item].is_empty();
+        for item in (0..rects.len()).filter(is_seen) {
+            places[self.step_of(near(item)) + 1] += 1;
+        }
+        for step in 0..STEPS {
+            places[step + 1] += places[step];
+        }
+        let mut order = vec![0u32; places[STEPS] as usize];
+        for item in (0..rects.len()).filter(is_seen) {
+            let place = &mut places[self.step_of(near(item))];
+            order[*place as usize] = item as u32;
+            *place += 1;
+        }
+        // Then into the cells, in that order.
+        let mut begins = vec![0u32; grid.count() + 2];
+        for rect in rects.iter().filter(|rect| !rect.is_empty()) {
+            grid.each(rect, |cell| begins[cell + 2] += 1);
+        }
+        for cell in 1..begins.len() {
+            begins[cell] += begins[cell - 1];
+        }
+        let mut items = vec![0u32; begins[begins.len() - 1] as usize];
+        for &item in &order {
+            grid.each(&rects[item as usize], |cell| {
+                let at = &mut begins[cell + 1];
+                items[*at as usize] = item;
+                *at += 1;
+            });
+        }
+        begins.pop();
+        self.begins = begins;
+        self.items = items;
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "cast to the nearest number of a step"
+    )]
+    fn step_of(&self, near: f32) -> usize {
+        (((near - self.least) / self.step) as usize).min(STEPS - 1)
+    }
+
+    /// A distance rounded down so that in each cell the items stand in its order.
+    #[allow(clippy::cast_precision_loss, reason = "steps are few")]
+    pub(super) fn rounded(&self, near: f32) -> f32 {
+        near.min(self.least + self.step_of(near) as f32 * self.step)
+    }
+
+    /// The items in a cell, the nearest first.
+    #[inline(always)]
+    pub(super) fn items(&self, cell: usize) -> &[u32] {
+        let (begin, end) = (self.begins[cell], self.begins[cell + 1]);
+        &self.items[begin as usize..end as usize]
+    }
+
+    /// The memory it takes beyond itself.
+    pub(super) fn bytes(&self) -> usize {
+        (self.begins.capacity() + self.items.capacity()) * size_of::<u32>()
+    }
+}

@@ -1,0 +1,268 @@
+//! Questions of rays from a camera or to a lamp that knows what lies around it: eight neighbours at a time, without a walk
+//! through the tree. The same answers as one by one, to the bit.
+
+use super::csg::Found;
+use super::hits::{FourHits, FourWays, shadow_query};
+use super::lot::Lot;
+use super::order::Numbered;
+use super::query::{Best, Query, Scratch, Seen, Way};
+use super::together::each_bit;
+use super::world::World;
+use crate::accel::Vista;
+use crate::math::Ray;
+use crate::math::lanes::{Lanes, with_widest};
+use glam::DVec3;
+
+/// How many rays are asked about at a time.
+const EIGHT: usize = 8;
+
+impl World {
+    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, as [`World::see`]
+    /// does.
+    pub(super) fn see_around(
+        &self,
+        vista: &Vista,
+        (origin, count): (DVec3, usize),
+        hits: &mut [FourHits],
+        scratch: &mut Scratch,
+    ) {
+        let mut lot = std::mem::take(&mut scratch.lot);
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (number, hits) in hits.chunks_mut(2).enumerate() {
+                    let there = (count - EIGHT * number).min(EIGHT);
+                    let there = 0xff >> (EIGHT - there);
+                    self.see_eight(lanes, (vista, origin), hits, there, (&mut lot, scratch));
+                }
+            },
+        );
+        scratch.lot = lot;
+    }
+
+    #[inline(always)]
+    fn see_eight(
+        &self,
+        lanes: Lanes,
+        (vista, origin): (&Vista, DVec3),
+        hits: &mut [FourHits],
+        there: u32,
+        (lot, scratch): (&mut Lot, &mut Scratch),
+    ) {
+        let mut bests: [Option<Best>; EIGHT] = [None; EIGHT];
+        let asked = &*hits;
+        let query = |ray: usize| Query {
+            ray: Ray::new(origin, asked[ray / 4].dir(ray % 4)),
+            from: None,
+            far: f64::INFINITY,
+            seen: Seen::Image,
+        };
+        lot.look(origin, self.least_distance(&query(0)), asked);
+        for &item in &self.finder().unbounded {
+            let asked = ((item, there), &query);
+            self.offer_to_eight(lanes, asked, (lot, &mut bests), scratch, |_, _| {});
+        }
+        let last = hits.len() - 1;
+        let half = |four: usize| (&asked[four].dir, &lot.four(4 * four).far);
+        let mut rays = vista.rays([half(0), half(last)], there);
+        let beside = vista.each(
+            lanes,
+            &mut rays,
+            #[inline(always)]
+            |place, may_meet, rays| {
+                let item = self.finder().bounded[place as usize];
+                self.offer_to_eight(
+                    lanes,
+                    ((item, may_meet), &query),
+                    (lot, &mut bests),
+                    scratch,
+                    #[inline(always)]
+                    |ray, end| rays.end(ray, end),
+                );
+            },
+        );
+        each_bit(beside, |ray| {
+            bests[ray % EIGHT] = self.nearest_found(lanes, &query(ray), scratch);
+        });
+        let origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
+        for (bests, hits) in bests.chunks(4).zip(hits) {
+            self.note_hits(lanes, &origin, bests, hits);
+        }
+    }
+
+    /// Offers an item to some of eight rays; `shorten` hears of those that then end sooner.
+    #[inline(always)]
+    fn offer_to_eight(
+        &self,
+        lanes: Lanes,
+        ((item, rays), query): ((Numbered, u32), &impl Fn(usize) -> Query),
+        (lot, bests): (&mut Lot, &mut [Option<Best>; EIGHT]),
+        scratch: &mut Scratch,
+        mut shorten: impl FnMut(usize, f64),
+    ) {
+        let left = self.in_fours::<true>(
+            lanes,
+            (item, Seen::Image),
+            (lot, query),
+            (0, rays),
+            scratch,
+            #[inline(always)]
+            |lot, ray, found| {
+                let best = &mut bests[ray % EIGHT];
+                self.offer_to_one(lot, (item.number, ray), found, query, best, &mut shorten);
+            },
+        );
+        each_bit(
+            left,
+            #[inline(always)]
+            |ray| {
+                let asked = query(ray);
+                let search = self.search_for(&asked);
+                let found = self.see_item(item, (&asked, &search), lot.far(ray), scratch);
+                if let Some(found) = found {
+                    let best = &mut bests[ray % EIGHT];
+                    self.offer_to_one(lot, (item.number, ray), found, query, best, &mut shorten);
+                }
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn offer_to_one(
+        &self,
+        lot: &mut Lot,
+        (item, ray): (u32, usize),
+        found: Found,
+        query: &impl Fn(usize) -> Query,
+        best: &mut Option<Best>,
+        shorten: &mut impl FnMut(usize, f64),
+    ) {
+        let old = lot.far(ray);
+        let new = self.offer(item, found, &query(ray), old, best);
+        if new < old {
+            lot.shorten(ray, new);
+            shorten(ray, new);
+        }
+    }
+
+    /// Whether it is known what lies around the lamp of this number.
+    #[inline]
+    pub(crate) fn knows_around(&self, light: u32) -> bool {
+        self.vistas.of_light(light).is_some()
+    }
+
+    /// Notes what lies on the ways of up to eight neighbouring hits, of those marked in `asked`, to the lamp of this number,
+    /// around which that is known.
+    #[inline(always)]
+    pub(crate) fn ways_of_eight(
+        &self,
+        lanes: Lanes,
+        (hits, ways): (&[FourHits], &mut [FourWays]),
+        (asked, light): (u32, u32),
+        scratch: &mut Scratch,
+    ) {
+        let Some(vista) = self.vistas.of_light(light) else {
+            return;
+        };
+        scratch.rays.shadow += u64::from(asked.count_ones());
+        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut shadows = Shadows::default();
+        let to_light = &*ways;
+        let query = |ray: usize| shadow_query(&hits[ray / 4], &to_light[ray / 4], ray % 4);
+        let points = (hits, to_light);
+        for &item in &self.finder().unbounded {
+            let rays = asked & !shadows.blocked;
+            let (asked, to) = (((item, rays), &query), (&mut lot, &mut shadows));
+            self.block_eight(lanes, asked, points, to, scratch);
+        }
+        let left = asked & !shadows.blocked;
+        if left != 0 {
+            let last = hits.len() - 1;
+            let half = |four: usize| (&to_light[four].to_light, &to_light[four].distance);
+            let mut rays = vista.rays_back([half(0), half(last)], left);
+            vista.each(
+                lanes,
+                &mut rays,
+                #[inline(always)]
+                |place, may_meet, rays| {
+                    let before = shadows.blocked;
+                    let item = self.finder().bounded[place as usize];
+                    let (asked, to) = (((item, may_meet), &query), (&mut lot, &mut shadows));
+                    self.block_eight(lanes, asked, points, to, scratch);
+                    each_bit(shadows.blocked & !before, |ray| {
+                        rays.end(ray, f64::NEG_INFINITY);
+                    });
+                },
+            );
+        }
+        scratch.lot = lot;
+        each_bit(asked, |ray| {
+            ways[ray / 4].ways[ray % 4] = Some(shadows.way(ray));
+        });
+    }
+
+    /// Finds out for some of eight rays whether an item lies on them.
+    #[inline(always)]
+    fn block_eight(
+        &self,
+        lanes: Lanes,
+        ((item, rays), query): ((Numbered, u32), &impl Fn(usize) -> Query),
+        points: (&[FourHits], &[FourWays]),
+        (lot, shadows): (&mut Lot, &mut Shadows),
+        scratch: &mut Scratch,
+    ) {
+        if !shadows.are_in_lot {
+            lot.shine_on(
+                points,
+                #[inline(always)]
+                |blur| self.least_from(Some(blur), Seen::Shadow),
+            );
+            shadows.are_in_lot = true;
+        }
+        let left = self.in_fours::<false>(
+            lanes,
+            (item, Seen::Shadow),
+            (lot, query),
+            (0, rays),
+            scratch,
+            #[inline(always)]
+            |lot, ray, found| {
+                if found.root.t < lot.far(ray) {
+                    shadows.blocked |= 1 << ray;
+                }
+            },
+        );
+        each_bit(left, |ray| {
+            let mut way = Way::Free;
+            let query = query(ray);
+            let asked = (&query, &self.search_for(&query));
+            if self.blocks(item, asked, &mut way, scratch) {
+                shadows.blocked |= 1 << ray;
+            } else if way == Way::Filtered {
+                shadows.filtered |= 1 << ray;
+            }
+        });
+    }
+}
+
+/// Which of eight ways to a lamp are blocked, and which meet something that may let light through, one bit each.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shadows {
+    blocked: u32,
+    filtered: u32,
+    /// Whether the rays are in the lot: most meet nothing that they must be asked about.
+    are_in_lot: bool,
+}
+
+impl Shadows {
+    #[inline(always)]
+    fn way(self, ray: usize) -> Way {
+        if self.blocked >> ray & 1 == 1 {
+            Way::Blocked
+        } else if self.filtered >> ray & 1 == 1 {
+            Way::Filtered
+        } else {
+            Way::Free
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! What camera and lamps see around them, worked out once so that rays from there need no search: see [`Vista`].
+
+use super::model::Item;
+use super::world::World;
+use crate::accel::Vista;
+use crate::light::Light;
+use crate::options::RenderOptions;
+use rayon::prelude::*;
+
+/// Pixels that lie together in a block: columns and rows.
+const TOGETHER: [f64; 2] = [4.0, 2.0];
+
+/// What camera and lamps see, where that is known.
+#[derive(Debug, Default)]
+pub(super) struct Vistas {
+    pub(super) camera: Option<Vista>,
+    /// By the number of the lamp; none at all if none is known.
+    lights: Vec<Option<Vista>>,
+}
+
+impl Vistas {
+    /// What the lamp of this number sees.
+    #[inline(always)]
+    pub(super) fn of_light(&self, number: u32) -> Option<&Vista> {
+        self.lights.get(number as usize)?.as_ref()
+    }
+
+    /// Whether all is known that can be.
+    fn are_all_known(&self) -> bool {
+        self.camera.is_some() && self.lights.iter().all(Option::is_some)
+    }
+
+    /// The memory they take.
+    pub(super) fn bytes(&self) -> usize {
+        let all = self.lights.iter().flatten().chain(&self.camera);
+        all.map(Vista::bytes).sum()
+    }
+}
+
+impl World {
+    /// Whether it is known what lies around the camera and all lamps.
+    #[must_use]
+    pub fn knows_all_around(&self) -> bool {
+        self.vistas.are_all_known()
+    }
+
+    /// Finds out what camera and lamps see, if the picture has so many pixels that this is worth while.
+    pub(super) fn look_around(&mut self, options: &RenderOptions) {
+        let items = self.finder().bounded.len() as u64;
+        let pixels = u64::from(options.width) * u64::from(options.height);
+        let points = 1 + self.lights.len() as u64;
+        if !self.meshes.is_empty() || items == 0 || items.saturating_mul(points) > pixels {
+            return;
+        }
+        let tree = &self.finder().tree;
+        let rod = |place: u32| match self.finder().bounded[place as usize].item {
+            Item::Leaf(leaf) => self.model.leaves[leaf as usize].rod_around(),
+            Item::Program(_) | Item::Instance(_) => None,
+        };
+        let look = |point: u64| match point.checked_sub(1) {
+            None => {
+                let (axes, width, height) = (self.camera.axes()?, options.width, options.height);
+                let [columns, rows] = TOGETHER;
+                let together = [columns / f64::from(width), rows / f64::from(height)];
+                Vista::of_picture(tree, self.camera.location(), (axes, together), rod)
+            }
+            Some(light) => {
+                let light = self.lights.get(u32::try_from(light).ok()?);
+                is_point(light).then(|| Vista::from_outside(tree, light.centre, rod))?
+            }
+        };
+        let mut vistas: Vec<_> = (0..points).into_par_iter().map(look).collect();
+        let lights = vistas.split_off(1);
+        self.vistas = Vistas {
+            camera: vistas.pop().flatten(),
+            lights,
+        };
+    }
+}
+
+/// Whether all light of a lamp comes from one point.
+fn is_point(light: &Light) -> bool {
+    light.area.is_none() && !light.is_parallel && !light.is_shadowless()
+}
