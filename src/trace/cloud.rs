@@ -20,7 +20,7 @@ impl Tracer<'_> {
     }
 
     /// The light that photons around a point give, scattered along a ray.
-    pub(super) fn from_cloud(
+    pub(super) fn cloud_light(
         &self,
         media: &[&PreparedMedia],
         (point, dir): (DVec3, DVec3),

@@ -324,7 +324,7 @@ impl Tracer<'_> {
             }
         }
         if self.has_cloud() {
-            given += self.from_cloud(stretch.media, (point, stretch.ray.dir), &effect, scratch);
+            given += self.cloud_light(stretch.media, (point, stretch.ray.dir), &effect, scratch);
         }
         Sampled {
             given: given * length,
