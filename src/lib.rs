@@ -48,6 +48,7 @@ pub mod math;
 pub mod options;
 pub mod output;
 pub mod pattern;
+pub mod photons;
 pub mod radiosity;
 pub mod render;
 pub mod scene;
@@ -197,6 +198,7 @@ fn draw_with(
         listen(Event::KeepsNothing(kind));
     }
     watch.lap("trace");
+    save_photons(&world, &drawn, listen);
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());
     let statistics = statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
@@ -305,6 +307,20 @@ fn failure(message: String, listen: &Listen<'_>) -> Failure {
     listen(Event::Found(&error));
     Failure {
         errors: vec![error],
+    }
+}
+
+/// Writes photons into the file that the scene names for them.
+fn save_photons(world: &World, drawn: &render::Drawn, listen: &Listen<'_>) {
+    let settings = world.photons.as_ref().map(|photons| &photons.settings);
+    let path = settings.and_then(|settings| settings.save_file.as_ref());
+    let bytes = drawn.photons.as_ref().and_then(|shot| shot.file.as_ref());
+    if let (Some(path), Some(bytes)) = (path, bytes)
+        && let Err(error) = std::fs::write(path, bytes)
+    {
+        let message = format!("cannot write the photons into `{path}`: {error}");
+        let warning = Message::new(&Diagnostic::warning(None, message), &Sources::default());
+        listen(Event::Found(&warning));
     }
 }
 

@@ -289,6 +289,8 @@ pub struct Statistics {
     pub reached: Option<Reached>,
     /// What radiosity took, where it was drawn.
     pub radiosity: Option<RadiosityTaken>,
+    /// What photons took, where some were shot.
+    pub photons: Option<PhotonsTaken>,
     /// The most memory that the process ever held, if the system tells.
     pub peak_bytes: Option<u64>,
     /// What the scene needs.
@@ -308,6 +310,23 @@ pub struct RadiosityTaken {
     pub pretrace_seconds: f64,
     /// Tiles of the picture that other samples changed while they were drawn, so that they were looked through again.
     pub revised: usize,
+}
+
+/// What photons took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PhotonsTaken {
+    /// How many were shot.
+    pub shot: u64,
+    /// How many are kept on surfaces.
+    pub on_surfaces: usize,
+    /// How many are kept in media.
+    pub in_media: usize,
+    /// Their memory in bytes.
+    pub bytes: usize,
+    /// How far around a point of a surface they count at first.
+    pub radius: f64,
+    /// The time before the picture was drawn, in seconds.
+    pub seconds: f64,
 }
 
 /// How long a stage took, in seconds.

@@ -68,6 +68,7 @@ pub fn gather(watch: Watch, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistic
         samples_a_pixel,
         reached: drawn.reached,
         radiosity: drawn.radiosity,
+        photons: drawn.photons.as_ref().map(|shot| shot.taken),
         peak_bytes: peak_bytes(),
         plan,
     }
@@ -108,6 +109,18 @@ impl fmt::Display for Statistics {
                 "radiosity   {} samples, {} of them before drawing in {:.4} s; {} bytes, {gathering} rays, \
                  {} tiles revised",
                 taken.samples, taken.pretraced, taken.pretrace_seconds, taken.bytes, taken.revised
+            )?;
+        }
+        if let Some(taken) = &self.photons {
+            writeln!(
+                f,
+                "photons     {} shot in {:.4} s, {} kept on surfaces and {} in media; {} bytes, radius {}",
+                taken.shot,
+                taken.seconds,
+                taken.on_surfaces,
+                taken.in_media,
+                taken.bytes,
+                taken.radius
             )?;
         }
         if let Some(bytes) = self.peak_bytes {

@@ -23,7 +23,7 @@ const FLOORS: &[&[&str]] = &[
     ],
     &["output", "compare"],
     &["scene"],
-    &["radiosity"],
+    &["radiosity", "photons"],
     &["lang", "compile"],
     &["trace"],
     &["render"],

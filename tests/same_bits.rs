@@ -154,6 +154,31 @@ fn any_number_of_threads_gathers_the_same_light() {
     }
 }
 
+/// A ball of glass with a caustic on the floor and in the box around it.
+const CAUSTIC: &str = "#version 3.7;
+global_settings { assumed_gamma 1 photons { spacing 0.1 media 20 } }
+camera { location <0, 4, -6> look_at <0, 0.4, 0> }
+light_source { <3, 8, -2>, 1 }
+plane { y, 0 pigment { rgb 1 } }
+box { <-3, 0.01, -2>, <3, 3, 2> hollow pigment { rgbt 1 } photons { pass_through refraction on }
+  interior { media { scattering { 1, 0.05 } } } }
+sphere { <0, 1.2, 0>, 1 pigment { rgbf <1, 0.8, 0.7, 0.9> } finish { reflection 0.1 } interior { ior 1.5 }
+  photons { target refraction on reflection on } }";
+
+#[test]
+fn any_number_of_threads_sees_the_same_photons() {
+    let with = |threads| {
+        let options = RenderOptions {
+            threads: Some(threads),
+            ..options()
+        };
+        drawn(CAUSTIC, &options)
+    };
+    let one = with(1);
+    assert_eq!(one, with(2));
+    assert_eq!(one, with(5));
+}
+
 /// Every length of the scene times a power of two.
 fn scaled(factor: f64) -> String {
     format!(

@@ -9,6 +9,7 @@ use super::looks::Heritage;
 use super::model::{Item, Parts};
 use super::share::{Shared, Slots};
 use super::surface::Surface;
+use super::targets::Targets;
 use crate::light::Light;
 use crate::math::{Bounds, Step};
 use crate::pattern::Settings;
@@ -37,6 +38,8 @@ pub(super) struct Flat {
     /// What patterns take from the whole scene.
     pub(super) settings: Settings,
     pub(super) lights: Lights,
+    /// What photons are sent to, where they are shot.
+    pub(super) targets: Option<Targets>,
     /// By address, which stays taken as long as the texture is kept.
     pub(super) prepared: FxHashMap<usize, (Arc<Texture>, Arc<PreparedTexture>)>,
     /// What objects without a texture look like.
@@ -84,6 +87,7 @@ impl Flat {
     }
 
     pub(super) fn add_below(&mut self, object: &Object, above: &Heritage) {
+        let targets = self.targets.as_ref().map_or(0, Targets::len);
         let below = self.heritage(object, above);
         if let Some(children) = object.plain_union() {
             if !self.add_copy(object, &below) {
@@ -97,7 +101,13 @@ impl Flat {
         match &object.kind {
             Kind::Light { .. } => self.add_light(&object.kind, above, below),
             Kind::Shape(shape) if is_bare => self.add_shape(shape, &below),
-            _ => self.add_program(object, above),
+            _ => {
+                // The program hands everything down once more.
+                if let Some(known) = &mut self.targets {
+                    known.truncate(targets);
+                }
+                self.add_program(object, above);
+            }
         }
     }
 

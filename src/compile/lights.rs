@@ -102,6 +102,12 @@ impl Lights {
         &all[..all.len() - self.listed[list.0 as usize].own.len()]
     }
 
+    /// Whether the light of this number belongs to no group.
+    #[must_use]
+    pub fn is_outside_groups(&self, number: u32) -> bool {
+        self.global.contains(&number)
+    }
+
     /// Whether the light of this number shines on all surfaces.
     #[must_use]
     #[inline(always)]

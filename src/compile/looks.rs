@@ -118,7 +118,10 @@ impl Flat {
             .interiors
             .of_object(object.interior.as_ref(), above.interior, finishes);
         self.fill(interior, object, above);
-        let flags = handed_down(object, above);
+        let mut flags = handed_down(object, above);
+        if let Some(targets) = &mut self.targets {
+            flags.photons = targets.role(object, above);
+        }
         self.interiors.set_hollow(interior, flags.hollow);
         let global_lights = object.light_group.map_or(above.global_lights, |group| {
             Some(above.global_lights.unwrap_or(group.global_lights))
@@ -272,6 +275,7 @@ fn handed_down(object: &Object, above: &Heritage) -> Flags {
         hollow: own.hollow.unwrap_or(above.hollow),
         double_illuminate: own.double_illuminate || above.double_illuminate,
         uv_mapping: own.uv_mapping || above.uv_mapping,
+        photons: above.photons,
     }
 }
 

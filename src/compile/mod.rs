@@ -31,6 +31,7 @@ mod share;
 mod simplify;
 mod state;
 mod surface;
+mod targets;
 mod together;
 mod vistas;
 mod world;
@@ -50,6 +51,10 @@ use crate::options::RenderOptions;
 use crate::pattern::Settings;
 use crate::scene::Scene;
 use flatten::Flat;
+use targets::Targets;
+
+/// Below this quality there are no photons (facts 4.11).
+const QUALITY_OF_PHOTONS: u8 = 9;
 
 /// Prepares a scene for rays: folds transforms into the cheapest form of each object, takes unions apart, flattens
 /// combinations, and builds the tree.
@@ -60,6 +65,8 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
         solid_of: Some(probe::solid_of),
         ..scene.pattern_settings()
     });
+    let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
+    flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
     for object in std::mem::take(&mut scene.objects).one_by_one() {
         flat.add(&object);

@@ -9,6 +9,7 @@ use crate::accel::Bundle;
 use crate::color::Rgb;
 use crate::math::Ray;
 use crate::math::mersenne::Stream;
+use crate::photons::Near;
 use crate::radiosity::Session;
 use crate::shape::{Crossing, Root};
 use glam::DVec3;
@@ -96,6 +97,8 @@ pub struct Scratch {
     pub crand: u32,
     /// What is known of radiosity, where that is drawn.
     pub radiosity: Option<Box<Session>>,
+    /// Photons around a point.
+    pub photons: Near,
     pub(super) sweep: Sweep,
     pub(super) roots: Vec<Root>,
     /// For each light, the item that stood last in its way.

@@ -106,6 +106,7 @@ impl Slots {
             && object.interior_texture.is_none()
             && object.interior.is_none()
             && object.light_group.is_none()
+            && object.photons.is_none()
             && object.flags == flags;
         // What it is handed down may count for it alone.
         let is_in_sum = matches!(above.place, Place::Union | Place::Merge);
@@ -193,6 +194,7 @@ impl Slot {
             Slot::Object { object, .. } => {
                 let mut textures = [&object.texture, &object.interior_texture].into_iter();
                 object.interior.is_none()
+                    && object.photons.is_none()
                     && object.light_group.is_none()
                     && textures.all(|own| own.as_ref().is_none_or(|own| is_fixed(&own.what)))
             }

@@ -4,6 +4,7 @@ use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
 use crate::color::Rgb;
+use crate::light::PhotonRole;
 use crate::math::{Step, Transform};
 use crate::scene::Importance;
 use crate::shape::{Geometry, Shape};
@@ -30,6 +31,8 @@ pub struct Flags {
     pub double_illuminate: bool,
     /// All its patterns are asked at texture coordinates.
     pub uv_mapping: bool,
+    /// What it does with photons, where these are shot.
+    pub photons: PhotonRole,
 }
 
 impl Flags {

@@ -17,6 +17,7 @@ use crate::interior::PreparedMedia;
 use crate::math::Bounds;
 use crate::math::noise::NoiseGenerator;
 use crate::options::{LeastDistance, RenderOptions};
+use crate::photons::Photons;
 use crate::radiosity::Radiosity;
 use crate::scene::Scene;
 use crate::shape::{Shape, Shares};
@@ -77,6 +78,8 @@ pub struct World {
     pub rainbows: Vec<Rainbow>,
     /// Light that surfaces gather from each other, if it is drawn.
     pub radiosity: Option<Radiosity>,
+    /// How photons are shot, if any are.
+    pub photons: Option<Photons>,
     /// The settings of shading.
     pub globals: Globals,
     /// All objects.
@@ -158,6 +161,10 @@ impl World {
             }),
             radiosity: radiosity
                 .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
+            photons: flat.targets.and_then(|targets| {
+                let settings = scene.globals.photons.as_ref()?;
+                Photons::new(settings, targets.into_list(), &scene.globals)
+            }),
             boxes,
             lights: flat.lights,
             surfaces: flat.surfaces,

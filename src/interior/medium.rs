@@ -14,6 +14,8 @@ pub struct PreparedMedia {
     emission: Rgb,
     scattering: Scattering,
     densities: Vec<PreparedPigment>,
+    /// Whether photons are kept in it.
+    pub collects: bool,
     /// How a ray is sampled.
     pub sampling: Sampling,
 }
@@ -47,6 +49,7 @@ impl Media {
             absorption: self.absorption,
             emission: self.emission,
             scattering: self.scattering,
+            collects: self.collect,
             densities: densities
                 .map(|density| PreparedPigment::new(&density.0, after, settings))
                 .collect(),

@@ -2,6 +2,7 @@
 
 use super::reader::Reader;
 use crate::args::{Args, Parse, Word};
+use crate::photons;
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
 use crate::source::{Code, Diagnostic, Span};
 
@@ -132,7 +133,6 @@ impl Reader<'_> {
     /// `photons { ... }` of the whole scene. By itself it shoots none: objects ask for photons.
     pub(super) fn photons(&mut self) -> Parse<()> {
         self.pass();
-        let at = self.taken_span();
         self.open_block()?;
         let mut settings = self.globals.photons.take().unwrap_or_default();
         while !self.take_close()? {
@@ -141,13 +141,11 @@ impl Reader<'_> {
             };
             self.photons_setting(word, &mut settings)?;
         }
-        self.photons_at = (settings.gather[1] > 0).then_some(at);
         self.globals.photons = Some(settings);
         Ok(())
     }
 
     fn photons_setting(&mut self, word: Word, settings: &mut Photons) -> Parse<()> {
-        let at = self.here_span();
         match word {
             Word::Spacing => {
                 self.pass();
@@ -198,8 +196,14 @@ impl Reader<'_> {
             }
             Word::LoadFile => {
                 self.pass();
-                settings.load_file = Some(self.file_name()?);
-                self.note_undrawn("a photon map from a file", at);
+                let (name, bytes) = Args::file(self, "the photon map", &[])?;
+                if photons::read(&bytes).is_none() {
+                    let message = format!("`{name}` is no photon map");
+                    let error = Diagnostic::error(self.taken_span(), message)
+                        .with_hint("Make one by `save_file`.");
+                    return Err(self.with_trace(error));
+                }
+                settings.load_file = Some(bytes);
             }
             Word::SaveFile => {
                 self.pass();

@@ -17,7 +17,6 @@ impl Reader<'_> {
         // Copies share their parts, which need to be looked at once.
         let mut seen = FxHashSet::default();
         let mut open: Vec<&Arc<Object>> = self.objects.whole().collect();
-        let (mut lights, mut targets) = (Vec::new(), Vec::new());
         let mut last = None;
         for texture in self.objects.textures_of_plain() {
             if last.replace(Arc::as_ptr(texture)) != Some(Arc::as_ptr(texture)) {
@@ -43,7 +42,6 @@ impl Reader<'_> {
             if is_shared && !seen.insert(Arc::as_ptr(object).addr()) {
                 continue;
             }
-            targets.extend(object.photons.iter().filter(|own| own.target.is_some()));
             let textures = [&object.texture, &object.interior_texture];
             for texture in textures.into_iter().flatten() {
                 for texture in all_textures(&texture.what) {
@@ -55,24 +53,10 @@ impl Reader<'_> {
             }
             match &object.kind {
                 Kind::Shape(_) => {}
-                Kind::Light {
-                    light, looks_like, ..
-                } => {
-                    lights.push(light);
-                    open.extend(looks_like);
-                }
+                Kind::Light { looks_like, .. } => open.extend(looks_like),
                 Kind::Csg { children, .. } => open.extend(&**children),
             }
         }
-        let are_shot = lights.iter().any(|light| {
-            let mut targets = targets.iter();
-            !light.is_shadowless() && targets.any(|target| target.is_sent_to(&light.photons))
-        });
-        found.extend(
-            self.photons_at
-                .filter(|_| are_shot)
-                .map(|at| (at, Word::Photons)),
-        );
         for (at, word) in in_order(found) {
             self.note_undrawn(&format!("`{word}`"), at);
         }

@@ -92,8 +92,6 @@ pub(super) struct Reader<'a> {
     pub(super) objects: Objects,
     /// Words of data.
     pub(super) memory: Memory,
-    /// Where the scene asks for photons.
-    pub(super) photons_at: Option<Span>,
     /// What drawing cannot do yet.
     pub(super) undrawn: Vec<Diagnostic>,
     messages: String,
@@ -201,7 +199,6 @@ impl<'a> Reader<'a> {
             objects: Objects::default(),
             memory: Memory::default(),
             messages: String::new(),
-            photons_at: None,
             undrawn: Vec::new(),
             findings: Vec::new(),
             errors: 0,

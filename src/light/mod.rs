@@ -13,7 +13,7 @@ mod spotlight;
 pub use area::{Area, Axes};
 pub use cylinder::Cylinder;
 pub use fade::Fade;
-pub use photons::{ObjectPhotons, Photons};
+pub use photons::{ObjectPhotons, PhotonRole, Photons};
 pub use spotlight::Spotlight;
 
 use crate::args::{Args, Parse, Word};
@@ -273,12 +273,30 @@ impl Light {
     #[must_use]
     #[inline]
     pub fn share(&self, point: DVec3, arrival: &Arrival) -> f64 {
-        let in_beam = match &self.beam {
+        self.share_in_beam(point, arrival.to_light) * self.fade.share(arrival.distance)
+    }
+
+    /// The same without fading.
+    #[inline]
+    fn share_in_beam(&self, point: DVec3, to_light: DVec3) -> f64 {
+        match &self.beam {
             Beam::Point | Beam::Shadowless => 1.0,
-            Beam::Spotlight(spotlight) => spotlight.share(-arrival.to_light.dot(self.axis)),
+            Beam::Spotlight(spotlight) => spotlight.share(-to_light.dot(self.axis)),
             Beam::Cylinder(cylinder) => cylinder.share(point - self.middle, self.axis),
-        };
-        in_beam * self.fade.share(arrival.distance)
+        }
+    }
+
+    /// The share of its light that a ray from it has, told so far along it: a ray of parallel light starts beside the light,
+    /// where a beam has not begun yet.
+    #[must_use]
+    pub fn share_of_ray(&self, ray: &Ray, at: f64) -> f64 {
+        self.share_in_beam(ray.at(at), -ray.dir)
+    }
+
+    /// The unit direction of parallel rays.
+    #[must_use]
+    pub fn rays(&self) -> DVec3 {
+        self.rays
     }
 }
 

@@ -1,5 +1,4 @@
-//! `photons` in lights and objects, kept as data: without `photons` in `global_settings` they change no picture, and
-//! with them a scene in which some would be shot is refused.
+//! `photons` in lights and objects. Without `photons` in `global_settings` they change no picture.
 
 use crate::args::{Args, Parse, Word};
 
@@ -25,7 +24,7 @@ pub struct ObjectPhotons {
     pub reflection: Option<bool>,
     /// Whether photons come to rest on it.
     pub collect: bool,
-    /// Whether photons that only cross it count as never having met anything.
+    /// Whether photons pass it that are on their way to a target.
     pub pass_through: bool,
 }
 
@@ -65,14 +64,56 @@ impl Photons {
     }
 }
 
-impl ObjectPhotons {
-    /// Whether a light sends photons to the object, if that is a target: one of the two asks for it and neither forbids it.
+/// What a surface does with photons: what its object says, and what that inherits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PhotonRole {
+    /// Whether it refracts them.
+    pub refraction: Option<bool>,
+    /// Whether it reflects them.
+    pub reflection: Option<bool>,
+    /// Whether none come to rest on it.
+    pub keeps_none: bool,
+    /// Whether photons pass it that are on their way to a target.
+    pub is_passed: bool,
+    /// The number of the target that it is part of.
+    pub target: Option<u32>,
+}
+
+impl PhotonRole {
+    /// That of an object in what has this one. What holds an object overrules it, as in POV-Ray, which tells the parts when
+    /// the whole is complete.
     #[must_use]
-    pub fn is_sent_to(&self, light: &Photons) -> bool {
-        let asks = |one: Option<bool>, other: Option<bool>| {
-            [one, other].contains(&Some(true)) && ![one, other].contains(&Some(false))
-        };
-        asks(self.refraction, light.refraction) || asks(self.reflection, light.reflection)
+    pub fn with(self, own: &ObjectPhotons) -> PhotonRole {
+        PhotonRole {
+            refraction: self.refraction.or(own.refraction),
+            reflection: self.reflection.or(own.reflection),
+            keeps_none: self.keeps_none || !own.collect,
+            is_passed: self.is_passed || own.is_passed(),
+            target: self.target,
+        }
+    }
+
+    /// Whether it refracts the photons of a light: one of the two asks for it and neither forbids it.
+    #[must_use]
+    pub fn refracts(&self, light: &Photons) -> bool {
+        agree(self.refraction, light.refraction)
+    }
+
+    /// Whether it reflects them.
+    #[must_use]
+    pub fn reflects(&self, light: &Photons) -> bool {
+        agree(self.reflection, light.reflection)
+    }
+}
+
+fn agree(one: Option<bool>, other: Option<bool>) -> bool {
+    [one, other].contains(&Some(true)) && ![one, other].contains(&Some(false))
+}
+
+impl ObjectPhotons {
+    /// Whether photons pass it. A target that refracts them takes them in spite of `pass_through`.
+    fn is_passed(&self) -> bool {
+        self.pass_through && !(self.target.is_some() && self.refraction == Some(true))
     }
 
     /// The block behind `photons` in an object.

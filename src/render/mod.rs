@@ -4,8 +4,10 @@ mod antialias;
 mod converge;
 mod gathered;
 mod pretrace;
+mod shot;
 mod unfinished;
 
+pub use shot::Shot;
 pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, World};
@@ -43,6 +45,8 @@ pub struct Drawn {
     pub reached: Option<Reached>,
     /// What radiosity took, where it was drawn.
     pub radiosity: Option<RadiosityTaken>,
+    /// The photons, where the scene asks for some.
+    pub photons: Option<Shot>,
 }
 
 /// Pixels of a tile, row by row, and the rays that they took.
@@ -69,6 +73,7 @@ pub fn render(
         return rayon::scope(|_| render(world, options, unfinished, progress));
     }
     let tracer = Tracer::new(world, options.quality).until(&options.stop);
+    let (tracer, photons) = shot::with_photons(tracer);
     let mut gathered = Gathered::pretraced(&tracer, options);
     if let Sampling::Converging(how) = &options.sampling {
         let (tracer, radiosity) = match gathered {
@@ -76,7 +81,11 @@ pub fn render(
             Some(gathered) => gathered.given_to(tracer),
         };
         let drawn = converge::draw(&tracer, options, how, unfinished, progress);
-        return Drawn { radiosity, ..drawn };
+        return Drawn {
+            radiosity,
+            photons,
+            ..drawn
+        };
     }
     // A piece of an earlier run does not tell which samples it added.
     let unfinished = unfinished.filter(|_| gathered.is_none());
@@ -133,6 +142,7 @@ pub fn render(
         rays,
         reached: None,
         radiosity: gathered.map(Gathered::taken),
+        photons,
     }
 }
 

@@ -12,17 +12,55 @@ use std::sync::Arc;
 
 /// How far what has no bounds reaches.
 const UNBOUNDED: f64 = 1e10;
-const EVERYTHING: Bounds = Bounds {
+const EVERYTHING: Stored = Stored {
     min: DVec3::splat(-UNBOUNDED),
-    max: DVec3::splat(UNBOUNDED),
+    sides: DVec3::splat(2.0 * UNBOUNDED),
 };
 /// How large the other components of a plane's unit normal may be where it is along an axis.
 const ACROSS: f64 = 1e-9;
+
+/// A box as POV-Ray keeps it.
+#[derive(Clone, Copy, Debug)]
+pub struct Stored {
+    /// The lower corner.
+    pub min: DVec3,
+    /// The lengths of its sides.
+    pub sides: DVec3,
+}
+
+impl Stored {
+    fn new(bounds: &Bounds) -> Stored {
+        Stored {
+            min: single(bounds.min),
+            sides: single(bounds.max - bounds.min),
+        }
+    }
+
+    /// The box from corner to corner.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        Bounds {
+            min: self.min,
+            max: single(self.min + self.sides),
+        }
+    }
+
+    fn volume(&self) -> f64 {
+        let bounds = self.bounds();
+        (bounds.max - bounds.min).element_product()
+    }
+}
 
 impl Object {
     /// The box around the object as the language tells it.
     #[must_use]
     pub fn extent(&self) -> Bounds {
+        self.stored_box().bounds()
+    }
+
+    /// The same as it is kept.
+    #[must_use]
+    pub fn stored_box(&self) -> Stored {
         let bare = match &self.kind {
             Kind::Shape(shape) => of_shape(shape, &self.steps),
             Kind::Csg {
@@ -32,24 +70,24 @@ impl Object {
                 let combined = match operation {
                     Operation::Union | Operation::Merge => {
                         let boxes = children.iter().map(|child| child.extent());
-                        stored(boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
+                        Stored::new(&boxes.fold(Bounds::EMPTY, |sum, child| sum.union(&child)))
                     }
                     Operation::Intersection | Operation::Difference => cut(*operation, children),
                 };
                 turned(combined, &self.steps)
             }
-            _ => EVERYTHING,
+            Kind::Light { .. } => EVERYTHING,
         };
         let around = self.clipped_by.iter().chain(&self.bounded_by);
         around.fold(bare, |bounds, attached| self.narrowed(bounds, attached))
     }
 
     /// A clip or a bound takes the place of the box if its own box is smaller.
-    fn narrowed(&self, bounds: Bounds, by: &Attached<Arc<Object>>) -> Bounds {
+    fn narrowed(&self, bounds: Stored, by: &Attached<Arc<Object>>) -> Stored {
         let mut by_then = (*by.what).clone();
         by_then.steps.extend_from_slice(&self.steps[by.after..]);
-        let other = by_then.extent();
-        if volume(&other) < volume(&bounds) {
+        let other = by_then.stored_box();
+        if other.volume() < bounds.volume() {
             other
         } else {
             bounds
@@ -57,10 +95,10 @@ impl Object {
     }
 }
 
-fn of_shape(shape: &Shape, steps: &[Step]) -> Bounds {
+fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
     if let Some((held, from_held)) = shape.held_box() {
         let steps = Transform::from_steps(steps).world_from_object;
-        return stored(held.transformed(&(steps * from_held)));
+        return Stored::new(&held.transformed(&(steps * from_held)));
     }
     let mut shape = shape.clone();
     let taken_in = steps.iter().take_while(|step| shape.absorb(step)).count();
@@ -69,12 +107,12 @@ fn of_shape(shape: &Shape, steps: &[Step]) -> Bounds {
         return EVERYTHING;
     }
     let rest = Transform::from_steps(&steps[taken_in..]);
-    stored(bounds.transformed(&rest.world_from_object))
+    Stored::new(&bounds.transformed(&rest.world_from_object))
 }
 
 /// The box of an intersection or a difference before its own steps.
-fn cut(operation: Operation, children: &[Arc<Object>]) -> Bounds {
-    let mut sum = EVERYTHING;
+fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
+    let mut sum = EVERYTHING.bounds();
     for (at, child) in children.iter().enumerate() {
         let is_taken_away = operation == Operation::Difference && at > 0;
         let is_inverse = child.is_inverse != is_taken_away;
@@ -90,7 +128,7 @@ fn cut(operation: Operation, children: &[Arc<Object>]) -> Bounds {
     if is_open || sum.is_empty() {
         EVERYTHING
     } else {
-        stored(sum)
+        Stored::new(&sum)
     }
 }
 
@@ -126,31 +164,19 @@ fn clip(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
 }
 
 /// A box after each step in turn.
-fn turned(bounds: Bounds, steps: &[Step]) -> Bounds {
+fn turned(kept: Stored, steps: &[Step]) -> Stored {
+    let bounds = kept.bounds();
     let is_unbounded = (bounds.max - bounds.min).max_element() >= UNBOUNDED;
     if is_unbounded || bounds.is_empty() {
         return EVERYTHING;
     }
-    steps.iter().fold(bounds, |bounds, step| {
-        stored(bounds.transformed(&step.transform().world_from_object))
+    steps.iter().fold(kept, |kept, step| {
+        let bounds = kept.bounds();
+        Stored::new(&bounds.transformed(&step.transform().world_from_object))
     })
 }
 
-fn volume(bounds: &Bounds) -> f64 {
-    (bounds.max - bounds.min).element_product()
-}
-
-/// A box as POV-Ray keeps it.
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "POV-Ray keeps boxes in single precision"
-)]
-fn stored(bounds: Bounds) -> Bounds {
-    let single = |v: DVec3| DVec3::from(v.as_vec3());
-    let min = single(bounds.min);
-    let length = single(bounds.max - bounds.min);
-    Bounds {
-        min,
-        max: single(min + length),
-    }
+/// A vector in single precision.
+fn single(v: DVec3) -> DVec3 {
+    DVec3::from(v.as_vec3())
 }

@@ -1,5 +1,6 @@
-//! Settings of the whole scene that are blocks of their own, as the file gives them. Photons and subsurface light are not
-//! drawn yet.
+//! Settings of the whole scene that are blocks of their own, as the file gives them. Subsurface light is not drawn yet.
+
+use std::sync::Arc;
 
 /// How letters beyond ASCII in strings are read (`charset`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -110,8 +111,8 @@ pub struct Photons {
     pub max_trace_level: Option<u32>,
     /// Below this weight a photon ends; `None` for the weight of rays.
     pub adc_bailout: Option<f64>,
-    /// A file with photons to take instead.
-    pub load_file: Option<String>,
+    /// A file with photons to take instead of shooting any.
+    pub load_file: Option<Arc<[u8]>>,
     /// A file to put them into.
     pub save_file: Option<String>,
 }

@@ -8,6 +8,7 @@ mod object;
 mod objects;
 mod scaled;
 
+pub use extent::Stored;
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{
     Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,

@@ -53,6 +53,8 @@ pub(super) struct Lit<'p> {
     pub(super) is_double_illuminated: bool,
     /// The numbers of the lights that shine on it.
     pub(super) lights: &'p [u32],
+    /// Whether photons stand for light that targets would let through to it.
+    pub(super) collects: bool,
 }
 
 /// What is known of the light of a lamp at a point before the point is looked at.
@@ -281,6 +283,10 @@ impl Tracer<'_> {
         if !(minds_air || self.has_media || !self.quality.has_transparency)
             && let Some(passed) = self.world.all_among(&query, scratch)
         {
+            let mut surfaces = passed.iter().map(|&(_, surface)| surface);
+            if lit.collects && surfaces.any(|surface| self.replaces(surface, light)) {
+                return Rgb::BLACK;
+            }
             return self.through_all(arriving, &passed, &mut inside);
         }
         let mut left = distance;
@@ -303,6 +309,9 @@ impl Tracer<'_> {
                 // As in POV-Ray interiors take no light from where nothing ends them.
                 return arriving;
             };
+            if lit.collects && self.replaces(hit.surface, light) {
+                return Rgb::BLACK;
+            }
             arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
             left -= hit.t;
             let interior = self.world.surfaces[hit.surface as usize].interior;

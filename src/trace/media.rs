@@ -15,10 +15,10 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 /// The media of a stretch, which add up.
-type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
+pub(super) type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
 
 /// A light with the stretch of the ray that lies in its beam.
-struct Beam {
+pub(super) struct Beam {
     number: u32,
     from: f64,
     to: f64,
@@ -26,9 +26,9 @@ struct Beam {
 
 /// A part of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Part {
-    from: f64,
-    to: f64,
+pub(super) struct Part {
+    pub(super) from: f64,
+    pub(super) to: f64,
     is_lit: bool,
 }
 
@@ -118,7 +118,7 @@ impl Tracer<'_> {
         self.extinction(&media, ray, length, scratch)
     }
 
-    fn media_of(&self, inside: &Inside) -> Mixture<'_> {
+    pub(super) fn media_of(&self, inside: &Inside) -> Mixture<'_> {
         let media = inside.iter().map(|&id| self.world.interiors.media(id));
         media.flatten().collect()
     }
@@ -153,7 +153,7 @@ impl Tracer<'_> {
 
     /// The lights that media scatter, and where their beams cross a ray. Those of light groups are not among them, whatever
     /// the ray meets behind (checked with POV-Ray).
-    fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
+    pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
         let lights = self.world.lights.outside_groups(lights).iter();
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
@@ -323,6 +323,9 @@ impl Tracer<'_> {
                 }
             }
         }
+        if self.has_cloud() {
+            given += self.cloud_light(stretch.media, (point, stretch.ray.dir), &effect, scratch);
+        }
         Sampled {
             given: given * length,
             swallowed: effect.extinction * length,
@@ -351,6 +354,7 @@ impl Tracer<'_> {
             known: &[],
             is_double_illuminated: false,
             lights: &[],
+            collects: self.has_caustics(),
         };
         if self.quality.has_shadows {
             arriving = self.after_shadows(arriving, number, &lit, &arrival, scratch);
@@ -428,7 +432,7 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
 }
 
 /// How media are sampled together: as that of the most intervals, at the least threshold of all.
-fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
+pub(super) fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
     let mut common = media.first()?.sampling;
     for media in media {
         let own = media.sampling;
@@ -442,7 +446,7 @@ fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
 }
 
 /// Where a ray is in some beam and where in none, in order.
-fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
+pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
     let mut lit: Vec<(f64, f64)> = beams.iter().map(|beam| (beam.from, beam.to)).collect();
     lit.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut parts: Vec<Part> = Vec::new();
@@ -476,7 +480,7 @@ fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
 }
 
 /// The intervals of some parts: lit ones have their share of them.
-fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
+pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
     let wanted = sampling.intervals as usize;
     let all = wanted.max(parts.len());
     let weight = |part: &Part| {
@@ -515,7 +519,7 @@ fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
 }
 
 /// What is left of light.
-fn vanishing(swallowed: Rgb) -> Rgb {
+pub(super) fn vanishing(swallowed: Rgb) -> Rgb {
     swallowed.map(|c| (-c).exp())
 }
 

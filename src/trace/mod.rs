@@ -2,11 +2,13 @@
 //!
 //! POV-Ray 3.7 is the model, to the order of sums and the precision of colours. A ray is a chain of straight
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
-//! at most `max_trace_level` deep. Missing: photons, light below the surface.
+//! at most `max_trace_level` deep. Missing: light below the surface.
 
 mod air;
 mod area;
 mod block;
+mod caustics;
+mod cloud;
 mod coats;
 mod film;
 mod gather;
@@ -14,10 +16,12 @@ mod lens;
 mod light;
 mod media;
 mod passage;
+mod photon;
 mod plain;
 mod plain_four;
 mod radiosity;
 mod shadows;
+mod shoot;
 mod spectrum;
 mod surface;
 #[cfg(test)]
@@ -30,6 +34,7 @@ use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
+use crate::photons::Kept;
 use crate::radiosity::{Mode, Session};
 use air::Air;
 pub use block::{BLOCK, BlockScratch, Met};
@@ -137,6 +142,8 @@ pub struct Tracer<'w> {
     reflected_background: Background,
     /// The samples of gathered light for threads that have no others.
     samples: Option<Box<Session>>,
+    /// The photons, once they are shot, if any lie on surfaces.
+    kept: Option<Box<Kept>>,
     stop: Stop,
 }
 
@@ -177,6 +184,7 @@ impl<'w> Tracer<'w> {
             background,
             reflected_background,
             samples: None,
+            kept: None,
             stop: Stop::default(),
             coats: Vec::new(),
         }
@@ -204,6 +212,16 @@ impl<'w> Tracer<'w> {
     pub fn with_samples(self, samples: &Session) -> Self {
         let samples = Some(Box::new(samples.in_mode(Mode::Lone)));
         Tracer { samples, ..self }
+    }
+
+    /// The same with photons.
+    #[must_use]
+    pub fn with_photons(self, kept: Kept) -> Self {
+        Tracer {
+            takes_plain: false,
+            kept: Some(Box::new(kept)),
+            ..self
+        }
     }
 
     /// What the camera sees at a point of a picture of `width` by `height` pixels; whole `x` and `y` are centres of

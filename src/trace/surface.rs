@@ -66,12 +66,12 @@ pub(super) fn single(weight: f64) -> f32 {
 }
 
 /// A mirror image to be traced.
-struct Mirror<'f> {
-    reflectivity: Rgb,
-    weight: f64,
+pub(super) struct Mirror<'f> {
+    pub(super) reflectivity: Rgb,
+    pub(super) weight: f64,
     finish: &'f Finish,
     /// The direction of the mirrored ray.
-    dir: DVec3,
+    pub(super) dir: DVec3,
 }
 
 impl Tracer<'_> {
@@ -104,7 +104,7 @@ impl Tracer<'_> {
 
     /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
     /// of a smooth triangle decide which side is seen, not the order of its corners.
-    fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
+    pub(super) fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
         let outside = match &surface.inside_texture {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
                 return self.look_of(inside, hit, dir);
@@ -154,7 +154,7 @@ impl Tracer<'_> {
 
     /// The point at which the patterns of a hit are asked, and the place itself.
     #[inline]
-    fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, Spot) {
+    pub(super) fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, Spot) {
         let mut spot = spot(hit, dir);
         let surface = &self.world.surfaces[hit.surface as usize];
         if !surface.uses_uv() {
@@ -197,10 +197,12 @@ impl Tracer<'_> {
             known,
             is_double_illuminated: surface.flags.double_illuminate,
             lights: self.world.lights.of(surface.lights),
+            collects: self.has_caustics() && !surface.flags.photons.keeps_none,
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
         let mut gathered = Gathered::default();
+        let mut photons = None;
         let (_, mut spot) = self.place(hit, path.ray.dir);
         let flat = lit.at.normal;
         let mut top = None;
@@ -218,6 +220,10 @@ impl Tracer<'_> {
             let color = self.color(layer, look.point, &spot);
             spot.normal = flat;
             let mut own = self.layer(&lit, layer, color, scratch);
+            if lit.collects {
+                let (_, coat) = self.coat(layer, color);
+                own += self.caustics(&lit, &coat, flat, &mut photons, scratch);
+            }
             if let Some(radiosity) = &self.world.radiosity {
                 let gathering = Gathering::new(radiosity, &lit, flat);
                 own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
@@ -236,6 +242,9 @@ impl Tracer<'_> {
             if self.is_opaque(path, filter) {
                 break;
             }
+        }
+        if let Some(photons) = photons {
+            scratch.photons = photons;
         }
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
@@ -277,7 +286,7 @@ impl Tracer<'_> {
     }
 
     /// How much of its surroundings a layer reflects at this angle.
-    fn mirror<'f>(
+    pub(super) fn mirror<'f>(
         &self,
         lit: &Lit,
         (hit, flat): (&Hit, DVec3),
@@ -359,7 +368,7 @@ impl Tracer<'_> {
 
     /// The colour of a layer, in previews its quick colour.
     #[inline]
-    fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
+    pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
         match &layer.quick_color {
             Some(quick) if !self.quality.has_transparency => **quick,
             _ => layer.pigment.patterned(point, spot),
@@ -368,7 +377,7 @@ impl Tracer<'_> {
 
     /// The normal of a layer on the side that is seen, tilted by its bumps.
     #[inline]
-    fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
+    pub(super) fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
         match &layer.normal {
             Some(bumps) if self.quality.has_normals => bumps.tilted(point, spot.normal, spot),
             _ => spot.normal,

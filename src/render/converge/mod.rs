@@ -113,6 +113,7 @@ pub(super) fn draw(
         rays: drawing.rays,
         reached,
         radiosity: None,
+        photons: None,
     }
 }
 

@@ -1,0 +1,9 @@
+// Photons of an area light, from each lamp and from the middle.
+#version 3.7;
+global_settings { assumed_gamma 1 photons { radius .9 spacing 0.1 } }
+camera { location <0,4,-6> look_at <0,0.4,0> }
+light_source { <3,8,-2>, .6 area_light x*2, z*2, 3, 3 photons { area_light } }
+light_source { <-5,6,-2>, .5 area_light x, y, 2, 2 adaptive 0 }
+plane { y, 0 pigment { rgb 1 } finish { ambient 0.05 diffuse .8 } }
+sphere { <0,1.2,0>, 1 pigment { rgbt <1,1,1,.9> } finish { ambient 0 diffuse .1  } interior { ior 1.5  }
+  photons { target refraction on } }

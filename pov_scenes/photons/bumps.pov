@@ -1,0 +1,8 @@
+// Glass and floor with bumps, lit from behind too.
+#version 3.7;
+global_settings { assumed_gamma 1 photons { radius .4 spacing 0.05 } }
+camera { location <0,4,-6> look_at <0,0.4,0> }
+light_source { <3,8,-2>, 1 }
+plane { y, 0 pigment { rgb 1 } normal { bumps .4 scale .3 } finish { ambient 0.05 diffuse .6, .3 } }
+sphere { <0,1.2,0>, 1 pigment { rgbt <1,1,1,.9> } finish { ambient 0 diffuse .1  } normal { bumps .2 scale .3 } interior { ior 1.5  }
+  photons { target refraction on } }
