@@ -140,8 +140,9 @@ impl Program {
         }
     }
 
-    /// What those of four rays that are `there` find in a way that it suits.
-    #[inline(always)]
+    /// What those of four rays that are `there` find in a way that it suits. Large, and called from many places: inlined, it
+    /// would take as long to compile as all the rest.
+    #[inline(never)]
     fn ask_four(
         &self,
         lanes: Lanes,
