@@ -174,6 +174,11 @@ impl MeshCamera {
     }
 
     /// The triangle of a ray.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "places are held within the picture, and the part behind the point is to go"
+    )]
     fn face(&self, number: u32, place: Place) -> Option<(&PlacedMesh, usize)> {
         let (column, row) = (place.x as usize, place.y as usize);
         let width = place.width as usize;
