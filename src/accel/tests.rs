@@ -442,7 +442,7 @@ fn rays_find_by_their_cells_what_they_find_alone() {
             }
         }
         assert!(
-            seen > 200 && blocked > 300 && free > 100,
+            seen > 200 && blocked > 300 && free > 10,
             "{seen} {blocked} {free}"
         );
     }

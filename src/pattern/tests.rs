@@ -120,6 +120,7 @@ fn every_pattern_has_a_value_everywhere() {
             Word::Spiral1 | Word::Spiral2 => " 3 turbulence 1",
             Word::Julia => " <0.3, 0.2>, 20 turbulence 1",
             Word::Magnet => " 1 mandel 20 turbulence 1",
+            Word::Tiling => " 3 turbulence 1",
             Word::Mandel => " 20 turbulence 1",
             Word::Slope => " <0, 1, 0> turbulence 1",
             _ => " turbulence 1",
