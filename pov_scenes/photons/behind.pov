@@ -1,4 +1,5 @@
 // What lies behind the target passes photons on only where it or the light says so.
+// compare: channel<=110 pixels<=0.1% because "single pixels at the edges of a shadow and of the box"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .4 spacing 0.06 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }
