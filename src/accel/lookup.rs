@@ -80,28 +80,27 @@ impl Vista {
         let group = &rays.group;
         let (cells, inside) = eight(lanes, &CellsOf { vista, group });
         let there = rays.there;
-        for &item in &self.around {
-            let may_meet = there & self.may_meet(lanes, item, &rays.group);
-            if may_meet != 0 {
-                visit(item, may_meet, rays);
-            }
-        }
         let mut left = inside & there;
-        while left != 0 {
-            let cell = cells[left.trailing_zeros() as usize % LANES];
-            let cells = &cells;
-            let alike = left & eight(lanes, &Alike { cells, cell });
-            left &= !alike;
-            for &item in self.raster.items(number_of(cell)) {
-                let known = &self.known[item as usize];
-                if known.near > rays.farthest {
+        // One place that visits: what it does is compiled into it.
+        let (mut items, mut asked) = (&self.around[..], there);
+        loop {
+            for &item in items {
+                if self.known[item as usize].near > rays.farthest {
                     break;
                 }
-                let may_meet = alike & self.may_meet(lanes, item, &rays.group);
+                let may_meet = asked & self.may_meet(lanes, item, &rays.group);
                 if may_meet != 0 {
                     visit(item, may_meet, rays);
                 }
             }
+            if left == 0 {
+                break;
+            }
+            let cell = cells[left.trailing_zeros() as usize % LANES];
+            let cells = &cells;
+            asked = left & eight(lanes, &Alike { cells, cell });
+            left &= !asked;
+            items = self.raster.items(number_of(cell));
         }
         there & !inside
     }

@@ -189,6 +189,9 @@ impl Vista {
         for known in &mut known {
             known.near = raster.rounded(known.near);
         }
+        for &item in &around {
+            known[item as usize].near = 0.0;
+        }
         Some(Vista {
             frame: tree.frame,
             origin: view.origin,

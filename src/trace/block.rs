@@ -160,19 +160,22 @@ impl Tracer<'_> {
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<&FourHits>),
     ) {
-        if !self.world.knows_all_around() {
-            let parts = std::mem::take(&mut scratch.parts);
-            self.seen_together((places, &parts), size, scratch, take);
-            scratch.parts = parts;
-            return;
-        }
-        // No walk is shared: fewer at a time stay nearer at hand.
-        for (piece, places) in places.chunks(AROUND).enumerate() {
-            let of_all = (places, &[places.len()][..]);
-            self.seen_together(of_all, size, scratch, |number, sample, hits| {
-                take(AROUND * piece + number, sample, hits);
+        // Where no walk is shared fewer at a time stay nearer at hand.
+        let is_known = self.world.knows_all_around();
+        let parts = std::mem::take(&mut scratch.parts);
+        let at_once = if is_known {
+            AROUND
+        } else {
+            places.len().max(1)
+        };
+        for (piece, places) in places.chunks(at_once).enumerate() {
+            let whole = [places.len()];
+            let parts = if is_known { &whole } else { &parts[..] };
+            self.seen_together((places, parts), size, scratch, |number, sample, hits| {
+                take(at_once * piece + number, sample, hits);
             });
         }
+        scratch.parts = parts;
     }
 
     /// The same for places in parts that end where `parts` tells.
