@@ -68,7 +68,8 @@ impl Vista {
         rays
     }
 
-    /// Visits, the nearest first, items with those of eight rays that may meet them before they end, one bit each; `visit` notes new ends. Gives the rays that leave the view.
+    /// Visits, the nearest first, items with those of eight rays that may meet them before they end, one bit each; `visit`
+    /// notes new ends. Gives the rays that leave the view.
     #[inline(always)]
     pub(crate) fn each(
         &self,

@@ -33,6 +33,8 @@ const ENTRIES_OF_ITEM: usize = 24;
 const SOME_ENTRIES: usize = 4096;
 /// Items count as so much of a cell larger than they are, far above the rounding of a ray's cell.
 const MARGIN: f64 = 1.0 / 16.0;
+/// A grid over no more than its items goes on for so much of a cell.
+const EDGE: f64 = 2.0 * MARGIN;
 /// Distances are told apart in so many steps. Items of one step come in the order of the tree, which is kind to caches.
 const STEPS: usize = 128;
 const LAST_STEP: f32 = 127.0;
@@ -119,15 +121,18 @@ impl Grid {
             size: [1; 2],
         };
         for side in 0..2 {
-            let (low, high) = (window.low[side], window.high[side]);
+            let (mut low, mut high) = (window.low[side], window.high[side]);
             let wide = (high - low).max(f64::MIN_POSITIVE);
             let mut cell = cell[side].max(wide / LONGEST);
-            let mut low = low;
             if let Some(together) = together {
                 let together = together[side];
                 cell = together * (cell / together).round().max(1.0);
                 // The edges of cells lie where the picture begins.
                 low = -0.5 - cell * ((-0.5 - low) / cell).ceil();
+            } else {
+                // A ray past the outermost edge of an item must not be rounded out of the grid.
+                low -= EDGE * cell;
+                high += EDGE * cell;
             }
             let count = ((high - low) / cell).ceil().clamp(1.0, 2.0 * LONGEST);
             grid.rate[side] = nearest(1.0 / cell);

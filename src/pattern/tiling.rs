@@ -21,8 +21,7 @@ const REACH: i32 = 3;
 /// The tilings. A block of lines each:
 /// * `tiling number, root, kinds, depth`: the root that its coordinates are made of, and twelve times the depth;
 /// * `cell` and the two vectors of its lattice;
-/// * for each tile of the cell its kind, perhaps `|`, and its corners anticlockwise. Upright sides of tiles with `|` do
-///   not count for the depth (an oddity of POV-Ray's).
+/// * for each tile of the cell its kind, and its corners anticlockwise.
 ///
 /// A number is two: quarters of one, and quarters of the root. A point or vector is two numbers.
 const TABLE: &str = include_str!("tiling.txt");
@@ -49,7 +48,6 @@ struct Tile {
 struct Side {
     normal: DVec2,
     edge: f64,
-    is_counted: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -107,10 +105,6 @@ impl Tiling {
         let Some((kind, corners)) = line.split_once(": ") else {
             return;
         };
-        let (kind, is_odd) = match kind.strip_suffix('|') {
-            Some(kind) => (kind, true),
-            None => (kind, false),
-        };
         let kind = kind.parse().unwrap_or(0.0);
         let corners = points(corners, root);
         for (i, j) in (-REACH..=REACH).flat_map(|i| (-REACH..=REACH).map(move |j| (i, j))) {
@@ -132,7 +126,6 @@ impl Tiling {
                 Side {
                     normal,
                     edge: normal.dot(from + shift),
-                    is_counted: !(is_odd && normal.x.abs() > 0.99),
                 }
             });
             self.tiles.push(Tile {
@@ -161,13 +154,6 @@ impl Tile {
         let far = |side: &Side| side.edge - side.normal.dot(point);
         self.sides.iter().map(far).fold(f64::INFINITY, f64::min)
     }
-
-    /// The distance to the sides that count.
-    fn depth(&self, point: DVec2) -> f64 {
-        let counted = self.sides.iter().filter(|side| side.is_counted);
-        let far = |side: &Side| side.edge - side.normal.dot(point);
-        counted.map(far).fold(f64::INFINITY, f64::min)
-    }
 }
 
 impl Pattern for Prepared {
@@ -192,7 +178,7 @@ impl Value for Prepared {
         let Some((_, tile)) = best else {
             return 0.0;
         };
-        let share = (tile.depth(point) / tiling.depth).clamp(0.0, 1.0);
+        let share = (tile.inside(point) / tiling.depth).clamp(0.0, 1.0);
         (tile.kind + 1.0 - share) / tiling.kinds
     }
 }
