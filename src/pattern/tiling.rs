@@ -175,10 +175,10 @@ impl Value for Prepared {
                 best = Some((inside, tile));
             }
         }
-        let Some((_, tile)) = best else {
+        let Some((inside, tile)) = best else {
             return 0.0;
         };
-        let share = (tile.inside(point) / tiling.depth).clamp(0.0, 1.0);
+        let share = (inside / tiling.depth).clamp(0.0, 1.0);
         (tile.kind + 1.0 - share) / tiling.kinds
     }
 }
