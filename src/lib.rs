@@ -45,6 +45,7 @@ pub mod interior;
 pub mod lang;
 pub mod light;
 pub mod math;
+pub mod memory;
 pub mod options;
 pub mod output;
 pub mod pattern;

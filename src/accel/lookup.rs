@@ -116,12 +116,15 @@ impl Vista {
             radius: known.radius,
         };
         let mut may_meet = eight(lanes, &ball);
-        if may_meet != 0 && known.slab != NONE {
-            let slab = &self.slabs[known.slab as usize];
+        let Some(form) = self.forms.get(item as usize).filter(|_| may_meet != 0) else {
+            return may_meet;
+        };
+        if form.slab != NONE {
+            let slab = &self.slabs[form.slab as usize];
             may_meet &= eight(lanes, &GroupAndBox { group, slab });
         }
-        if may_meet != 0 && known.rod != NONE {
-            let rod = &self.rods[known.rod as usize];
+        if may_meet != 0 && form.rod != NONE {
+            let rod = &self.rods[form.rod as usize];
             may_meet &= eight(lanes, &GroupAndRod { group, rod });
         }
         may_meet
@@ -167,7 +170,9 @@ impl Vista {
         dir.cross(centre).length_squared() <= limit
             && along - known.radius <= end
             && along + known.radius >= 0.0
-            && (known.slab == NONE || self.slabs[known.slab as usize].is_met(dir, end))
+            && self.forms.get(item as usize).is_none_or(|form| {
+                form.slab == NONE || self.slabs[form.slab as usize].is_met(dir, end)
+            })
     }
 }
 

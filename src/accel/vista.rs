@@ -7,7 +7,7 @@
 
 use super::Bvh;
 use super::bundle::{Ball, DOUBT, FARTHEST, Slab};
-use super::node::{Cell, Frame};
+use super::node::Frame;
 use super::raster::{Raster, Rect};
 use super::rod::{Rod, SeenRod};
 use super::view::{Extent, View};
@@ -33,6 +33,8 @@ pub struct Vista {
     /// The items that are no part of the picture that the grid holds: those around the point, and beside it.
     pub(super) around: Vec<u32>,
     pub(super) known: Vec<Known>,
+    /// More of items that are not balls; empty if all are.
+    pub(super) forms: Vec<Form>,
     pub(super) slabs: Vec<Slab>,
     pub(super) rods: Vec<SeenRod>,
 }
@@ -45,12 +47,23 @@ pub(super) struct Known {
     pub(super) radius: f32,
     /// Nothing of it is nearer.
     pub(super) near: f32,
-    /// Its box, and the rod around it; [`NONE`] where the ball tells as much.
+}
+
+/// The box of an item, and the rod around it; [`NONE`] where the ball tells as much.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Form {
     pub(super) slab: u32,
     pub(super) rod: u32,
 }
 
 pub(super) const NONE: u32 = u32::MAX;
+
+impl Form {
+    const BALL: Form = Form {
+        slab: NONE,
+        rod: NONE,
+    };
+}
 
 impl Known {
     /// Out of view.
@@ -58,28 +71,14 @@ impl Known {
         centre: [0.0; 3],
         radius: 0.0,
         near: f32::INFINITY,
-        slab: NONE,
-        rod: NONE,
     };
-}
 
-impl Known {
-    fn new(ball: Option<Ball>, cell: &Cell, origin: DVec3, slabs: &mut Vec<Slab>) -> Self {
-        let slab = match ball {
-            Some(ball) if ball.is_filled => NONE,
-            _ => u32::try_from(slabs.len()).unwrap_or(NONE),
-        };
-        if slab != NONE {
-            slabs.push(Slab::new(cell, origin));
-        }
-        let ball = ball.unwrap_or_else(|| Ball::around(cell));
+    fn new(ball: &Ball, origin: DVec3) -> Self {
         let (centre, radius, distance) = ball.seen_from(origin);
         Known {
             centre: centre.to_array(),
             radius,
             near: (distance * (1.0 - 4.0 * DOUBT) - radius).max(0.0),
-            slab,
-            rod: NONE,
         }
     }
 }
@@ -153,6 +152,9 @@ impl Vista {
         tree.each_item(|item, _| count = count.max(item as usize + 1));
         let mut rects = vec![Rect::EMPTY; count];
         let mut known = vec![Known::NOTHING; count];
+        let is_ball = |ball: &Option<Ball>| ball.is_some_and(|ball| ball.is_filled);
+        let are_balls = tree.balls.len() >= count && tree.balls.iter().all(is_ball);
+        let mut forms = vec![Form::BALL; if are_balls { 0 } else { count }];
         let (mut slabs, mut seen_rods, mut around) = (Vec::new(), Vec::new(), Vec::new());
         let mut seen = Rect::EMPTY;
         let reach = (1.0 / (LEAST_COSINE * LEAST_COSINE) - 1.0).sqrt();
@@ -170,11 +172,17 @@ impl Vista {
                 }
                 _ => around.push(item),
             }
-            let known = &mut known[item as usize];
-            *known = Known::new(ball, &cell, view.origin, &mut slabs);
+            let around_it = ball.unwrap_or_else(|| Ball::around(&cell));
+            known[item as usize] = Known::new(&around_it, view.origin);
+            if is_ball(&ball) {
+                return;
+            }
+            let form = &mut forms[item as usize];
+            form.slab = number_of_next(&slabs);
+            slabs.push(Slab::new(&cell, view.origin));
             let rod = rods(item).and_then(|rod| SeenRod::new(rod, &tree.frame, view.origin));
             if let Some(rod) = rod {
-                known.rod = u32::try_from(seen_rods.len()).unwrap_or(NONE);
+                form.rod = number_of_next(&seen_rods);
                 seen_rods.push(rod);
             }
         });
@@ -199,6 +207,7 @@ impl Vista {
             raster,
             around,
             known,
+            forms,
             slabs,
             rods: seen_rods,
         })
@@ -211,7 +220,13 @@ impl Vista {
             + self.raster.bytes()
             + self.around.capacity() * size_of::<u32>()
             + self.known.capacity() * size_of::<Known>()
+            + self.forms.capacity() * size_of::<Form>()
             + self.slabs.capacity() * size_of::<Slab>()
             + self.rods.capacity() * size_of::<SeenRod>()
     }
+}
+
+/// The number of what comes next in a list; [`NONE`] if that is too large.
+fn number_of_next<T>(list: &[T]) -> u32 {
+    u32::try_from(list.len()).unwrap_or(NONE)
 }

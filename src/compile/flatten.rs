@@ -3,7 +3,7 @@
 
 use super::combine::is_gated;
 use super::interiors::Interiors;
-use super::leaf::{Extent, Leaf};
+use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::Lights;
 use super::looks::Heritage;
 use super::model::{Item, Parts};
@@ -13,9 +13,9 @@ use super::targets::Targets;
 use crate::light::Light;
 use crate::math::{Bounds, Step};
 use crate::pattern::Settings;
-use crate::scene::{Kind, Object};
+use crate::scene::{Kind, Look, Object, Plain, Taken};
 use crate::shape::{Geometry, Shape};
-use crate::texture::{PreparedTexture, Texture};
+use crate::texture::{Finish, Layer, PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -45,6 +45,7 @@ pub(super) struct Flat {
     /// What objects without a texture look like.
     pub(super) plain: Option<Arc<PreparedTexture>>,
     pub(super) last_surface: Option<u32>,
+    pub(super) last_finish: Option<Arc<Finish>>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
     /// Bounds of the operands of the combination being built.
@@ -68,6 +69,24 @@ impl Flat {
         Flat {
             settings,
             ..Flat::default()
+        }
+    }
+
+    /// Takes in one object of the scene's top level, which is needed no more.
+    pub(super) fn take(&mut self, object: Taken) {
+        match object {
+            // There may be millions of them; photons have to know where they stand.
+            Taken::Colored(shape, color, finish)
+                if shape.skins().is_empty() && self.targets.is_none() =>
+            {
+                let surface = self.surface_of_layer(Layer::colored(color, finish));
+                self.add_leaf(shape, (&[], Absorb::AllItCan), surface);
+            }
+            Taken::Colored(shape, color, finish) => {
+                let look = Look::Color(color, finish);
+                self.add(&Plain { shape, look }.into());
+            }
+            Taken::Object(object) => self.add(&object),
         }
     }
 
@@ -113,8 +132,11 @@ impl Flat {
 
     fn add_shape(&mut self, shape: &Shape, below: &Heritage) {
         let (surface, absorb) = self.surface_of(shape, below);
-        let place = (below.steps.as_ref(), absorb);
-        let (leaf, mut bounds) = Leaf::new(shape.clone(), place, surface, Extent::Surface);
+        self.add_leaf(shape.clone(), (&below.steps, absorb), surface);
+    }
+
+    fn add_leaf(&mut self, shape: Shape, place: (&[Step], Absorb), surface: u32) {
+        let (leaf, mut bounds) = Leaf::new(shape, place, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
         }

@@ -180,9 +180,21 @@ impl Flat {
         let looks = skins_moved.as_ref().unwrap_or(looks);
         let mut surface = self.new_surface(looks, shape.skins());
         if loses_uv && surface.uses_uv() {
-            surface.unmoved = Some(Arc::new(Unmoved::new(shape, &looks.steps)));
+            surface.set_unmoved(Unmoved::new(shape, &looks.steps));
         }
         (self.number_of(surface), Absorb::AllItCan)
+    }
+
+    /// The number of the surface of a shape of the scene's top level that has one layer and nothing else.
+    pub(super) fn surface_of_layer(&mut self, layer: Layer) -> u32 {
+        let finishes = std::iter::once(&*layer.finish);
+        let interior = self.interiors.of_object(None, None, finishes);
+        let lit = (LightList::default(), Flags::default());
+        self.interiors.set_hollow(interior, lit.1.hollow);
+        let mut texture = Texture::from(layer).prepare(&[], &self.settings);
+        texture.share_finishes(&mut self.last_finish);
+        let surface = Surface::new(Arc::new(texture), None, Box::default(), interior, lit);
+        self.number_of(surface)
     }
 
     /// The number of a surface. Neighbours in the file often share theirs.
@@ -239,17 +251,27 @@ impl Flat {
 
     /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
     fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
-        if !placed.texture.depends_on_place() {
-            let fresh = || Arc::new(placed.texture.prepare(&[], &self.settings));
-            // The object has it and hands it down; whoever shares it makes more.
-            if Arc::strong_count(&placed.texture) <= 2 {
-                return fresh();
-            }
-            let key = Arc::as_ptr(&placed.texture).addr();
-            let kept = || (Arc::clone(&placed.texture), fresh());
-            return Arc::clone(&self.prepared.entry(key).or_insert_with(kept).1);
+        if placed.texture.depends_on_place() {
+            return self.fresh(placed, &placed.steps);
         }
-        Arc::new(placed.texture.prepare(&placed.steps, &self.settings))
+        // The object has it and hands it down; whoever shares it makes more.
+        if Arc::strong_count(&placed.texture) <= 2 {
+            return self.fresh(placed, &[]);
+        }
+        let key = Arc::as_ptr(&placed.texture).addr();
+        if let Some((_, known)) = self.prepared.get(&key) {
+            return Arc::clone(known);
+        }
+        let fresh = self.fresh(placed, &[]);
+        let kept = (Arc::clone(&placed.texture), Arc::clone(&fresh));
+        self.prepared.insert(key, kept);
+        fresh
+    }
+
+    fn fresh(&mut self, placed: &Placed, steps: &[Step]) -> Arc<PreparedTexture> {
+        let mut texture = placed.texture.prepare(steps, &self.settings);
+        texture.share_finishes(&mut self.last_finish);
+        Arc::new(texture)
     }
 }
 

@@ -47,11 +47,15 @@ pub use rays::Rays;
 pub use surface::{Flags, Surface};
 pub use world::{Globals, World};
 
+use crate::memory;
 use crate::options::RenderOptions;
 use crate::pattern::Settings;
 use crate::scene::Scene;
 use flatten::Flat;
 use targets::Targets;
+
+/// The room that so many objects had is worth giving back.
+const MANY_OBJECTS: usize = 4096;
 
 /// Below this quality there are no photons (facts 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;
@@ -68,8 +72,13 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
-    for object in std::mem::take(&mut scene.objects).one_by_one() {
-        flat.add(&object);
+    let objects = std::mem::take(&mut scene.objects);
+    let are_many = objects.len() >= MANY_OBJECTS;
+    for object in objects.taken_apart() {
+        flat.take(object);
+    }
+    if are_many {
+        memory::give_back();
     }
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);

@@ -62,10 +62,10 @@ impl World {
     ) -> Vec<&'static str> {
         let textures = || {
             self.surfaces.iter().flat_map(|surface| {
-                let inside = surface.inside_texture.iter();
+                let inside = surface.inside_texture().into_iter();
                 std::iter::once(&surface.texture)
                     .chain(inside)
-                    .chain(&surface.skins)
+                    .chain(surface.skins())
             })
         };
         let has = |some: bool, what: &'static str| (!some).then_some(what);

@@ -76,20 +76,24 @@ impl Unmoved {
 pub struct Surface {
     /// The layers, with all transforms of the object taken in.
     pub texture: Arc<PreparedTexture>,
-    /// The texture seen from inside, if the scene gives one.
-    pub inside_texture: Option<Arc<PreparedTexture>>,
-    /// The textures that pieces of the shape have of their own, moved like the layers.
-    pub skins: Box<[Arc<PreparedTexture>]>,
     /// The interior of the object.
     pub interior: InteriorId,
     /// The lights that shine on it.
     pub lights: LightList,
     /// Its switches.
     pub flags: Flags,
-    /// What gives its texture coordinates, if that is not the leaf as it is.
-    pub(super) unmoved: Option<Arc<Unmoved>>,
+    /// What few surfaces have; of others there may be a million.
+    rare: Option<Box<Rare>>,
     /// What follows from its textures.
     traits: Traits,
+}
+
+/// What few surfaces have.
+#[derive(Clone, Debug, Default)]
+struct Rare {
+    inside_texture: Option<Arc<PreparedTexture>>,
+    skins: Box<[Arc<PreparedTexture>]>,
+    unmoved: Option<Unmoved>,
 }
 
 /// Answers about the textures of a surface that every ray may ask for: the textures lie elsewhere in memory.
@@ -102,6 +106,19 @@ struct Traits {
     is_bumpy: bool,
     uses_uv: bool,
     filters_evenly: bool,
+}
+
+impl Rare {
+    /// Whether the two need not be told apart.
+    fn is_same(&self, other: &Rare) -> bool {
+        let same_inside = match (&self.inside_texture, &other.inside_texture) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        };
+        let has_more = |rare: &Rare| !rare.skins.is_empty() || rare.unmoved.is_some();
+        same_inside && !has_more(self) && !has_more(other)
+    }
 }
 
 impl Surface {
@@ -130,16 +147,44 @@ impl Surface {
             is_bumpy: has(&|layer| layer.normal.is_some()),
             filters_evenly: textures().count() == 1 && texture.is_even(),
         };
+        let is_rare = inside_texture.is_some() || !skins.is_empty();
+        let rare = is_rare.then(|| {
+            Box::new(Rare {
+                inside_texture,
+                skins,
+                unmoved: None,
+            })
+        });
         Surface {
             texture,
-            inside_texture,
-            skins,
             interior,
             lights,
             flags,
-            unmoved: None,
+            rare,
             traits,
         }
+    }
+
+    /// The texture seen from inside, if the scene gives one.
+    #[must_use]
+    pub fn inside_texture(&self) -> Option<&Arc<PreparedTexture>> {
+        self.rare.as_ref()?.inside_texture.as_ref()
+    }
+
+    /// The textures that pieces of the shape have of their own, moved like the layers.
+    #[must_use]
+    pub fn skins(&self) -> &[Arc<PreparedTexture>] {
+        self.rare.as_ref().map_or(&[], |rare| &rare.skins)
+    }
+
+    /// What gives its texture coordinates, if that is not the leaf as it is.
+    pub(super) fn unmoved(&self) -> Option<&Unmoved> {
+        self.rare.as_ref()?.unmoved.as_ref()
+    }
+
+    /// Takes its texture coordinates from a shape that is not moved.
+    pub(super) fn set_unmoved(&mut self, unmoved: Unmoved) {
+        self.rare.get_or_insert_default().unmoved = Some(unmoved);
     }
 
     /// Whether something in its looks asks for texture coordinates.
@@ -193,20 +238,16 @@ impl Surface {
     /// that no scene has written.
     pub(super) fn is_same(&self, other: &Surface) -> bool {
         let has_no_inside = |one: &Surface| one.is_opaque() && one.interior.is_unnamed();
-        let same_inside = match (&self.inside_texture, &other.inside_texture) {
+        let same_beside = match (&self.rare, &other.rare) {
             (None, None) => true,
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (Some(a), Some(b)) => a.is_same(b),
             _ => false,
         };
-        let same_skins = self.skins.is_empty() && other.skins.is_empty();
-        same_inside
-            && same_skins
+        same_beside
             && Arc::ptr_eq(&self.texture, &other.texture)
             && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
             && self.flags == other.flags
-            && self.unmoved.is_none()
-            && other.unmoved.is_none()
     }
 
     /// Whether nothing can be seen through it.

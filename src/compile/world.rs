@@ -242,14 +242,14 @@ impl World {
     #[must_use]
     pub fn has_one_side(&self, hit: &Hit) -> bool {
         let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
-        !self.surfaces[hit.surface as usize].skins.is_empty() && is_blob()
+        !self.surfaces[hit.surface as usize].skins().is_empty() && is_blob()
     }
 
     /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
     #[must_use]
     pub fn uv(&self, hit: &Hit) -> DVec2 {
         let Departure { leaf, face, .. } = hit.departure;
-        let own = match &self.surfaces[hit.surface as usize].unmoved {
+        let own = match self.surfaces[hit.surface as usize].unmoved() {
             Some(unmoved) => unmoved.uv(hit.point, face),
             None => self.model.uv(leaf, hit.point, face),
         };

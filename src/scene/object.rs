@@ -5,6 +5,7 @@ use crate::light::{Light, ObjectPhotons};
 use crate::math::Step;
 use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::Texture;
+use std::num::NonZeroU64;
 use std::sync::Arc;
 
 /// Of smaller unions each copy is prepared by itself.
@@ -137,19 +138,19 @@ pub struct Flags {
 
 /// The share of the rays that gather light that counts where they meet an object (`radiosity { importance }`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Importance(u64);
+pub struct Importance(NonZeroU64);
 
 impl Importance {
     /// A share, above 0 and up to 1.
     #[must_use]
     pub fn new(share: f64) -> Self {
-        Importance(share.to_bits())
+        Importance(NonZeroU64::new(share.to_bits()).unwrap_or(NonZeroU64::MIN))
     }
 
     /// The share.
     #[must_use]
     pub fn share(self) -> f64 {
-        f64::from_bits(self.0)
+        f64::from_bits(self.0.get())
     }
 }
 

@@ -6,7 +6,7 @@
 use super::{Kind, Object};
 use crate::color::Color;
 use crate::shape::{Shape, Sphere};
-use crate::texture::{Finish, Layer, Pigment, Texture};
+use crate::texture::{Finish, Layer, Texture};
 use std::sync::Arc;
 
 /// Objects are kept in pieces of so many, so that the room of those taken out is free before the last one is.
@@ -35,6 +35,15 @@ pub enum Look {
     Color(Color, Arc<Finish>),
     /// As a texture says.
     Texture(Arc<Texture>),
+}
+
+/// An object as it is taken out.
+#[derive(Debug)]
+pub(crate) enum Taken {
+    /// A shape that stands where its own numbers say, of one colour everywhere and nothing else.
+    Colored(Shape, Color, Arc<Finish>),
+    /// Any other.
+    Object(Arc<Object>),
 }
 
 /// An object as it is kept. The numbers of balls stand in the list itself, for there may be millions of them.
@@ -124,6 +133,11 @@ impl Objects {
         self.pieces.into_iter().flatten().map(Entry::into_object)
     }
 
+    /// All of them, each let go before the next, those of one colour as what they are.
+    pub(crate) fn taken_apart(self) -> impl Iterator<Item = Taken> {
+        self.pieces.into_iter().flatten().map(Entry::taken)
+    }
+
     /// Those that are more than plain shapes, or may be: all others have neither parts nor lights nor an interior.
     pub(crate) fn whole(&self) -> impl Iterator<Item = &Arc<Object>> {
         self.entries().filter_map(|entry| match entry {
@@ -186,6 +200,22 @@ impl Entry {
         }
     }
 
+    fn taken(self) -> Taken {
+        match self {
+            Entry::Ball {
+                sphere,
+                color,
+                finish,
+            } => Taken::Colored(Shape::Sphere(sphere), color, finish),
+            Entry::Colored {
+                shape,
+                color,
+                finish,
+            } => Taken::Colored(Arc::unwrap_or_clone(shape), color, finish),
+            other => Taken::Object(other.into_object()),
+        }
+    }
+
     fn into_object(self) -> Arc<Object> {
         let ball = |sphere| Arc::new(Shape::Sphere(sphere));
         let (shape, look) = match self {
@@ -216,11 +246,7 @@ impl From<Plain> for Object {
 fn object_of(shape: Arc<Shape>, look: Look) -> Object {
     let texture = match look {
         Look::Texture(texture) => texture,
-        Look::Color(color, finish) => Arc::new(Texture::from(Layer {
-            pigment: Pigment::plain(color),
-            finish,
-            normal: None,
-        })),
+        Look::Color(color, finish) => Arc::new(Texture::from(Layer::colored(color, finish))),
     };
     let mut object = Object::new(Kind::Shape(shape));
     object.texture = Some(object.attach(texture));

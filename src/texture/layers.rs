@@ -81,6 +81,16 @@ impl Layer {
         Ok(true)
     }
 
+    /// One colour everywhere, and how it answers to light.
+    #[must_use]
+    pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Layer {
+        Layer {
+            pigment: Pigment::plain(color),
+            finish,
+            normal: None,
+        }
+    }
+
     /// Whether it is a pigment without modifiers, and a finish.
     #[must_use]
     pub(crate) fn is_bare(&self) -> bool {

@@ -105,13 +105,13 @@ impl Tracer<'_> {
     /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
     /// of a smooth triangle decide which side is seen, not the order of its corners.
     pub(super) fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
-        let outside = match &surface.inside_texture {
+        let outside = match surface.inside_texture() {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
                 return self.look_of(inside, hit, dir);
             }
             _ => &*surface.texture,
         };
-        let shares = if surface.skins.is_empty() {
+        let shares = if surface.skins().is_empty() {
             Shares::new()
         } else {
             self.world.shares(hit)
@@ -124,7 +124,7 @@ impl Tracer<'_> {
         let mut looks = Looks::new();
         let (point, spot) = self.place(hit, dir);
         for share in drawn {
-            let skin = surface.skins.get(share.skin as usize);
+            let skin = surface.skins().get(share.skin as usize);
             let texture = skin.map_or(outside, |skin| skin);
             texture.look(point, &spot, single(share.weight), &mut looks);
         }
