@@ -4,7 +4,7 @@ use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
 use super::leaf::Absorb;
 use super::lights::LightList;
-use super::surface::{Flags, Surface, Unmoved};
+use super::surface::{Flags, Kept, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
 use crate::shape::{Geometry, Shape, Skin};
@@ -191,9 +191,8 @@ impl Flat {
         let interior = self.interiors.of_object(None, None, finishes);
         let lit = (LightList::default(), Flags::default());
         self.interiors.set_hollow(interior, lit.1.hollow);
-        let mut texture = Texture::from(layer).prepare(&[], &self.settings);
-        texture.share_finishes(&mut self.last_finish);
-        let surface = Surface::new(Arc::new(texture), None, Box::default(), interior, lit);
+        let texture = Kept::Own(self.fresh(&Texture::from(layer), &[]));
+        let surface = Surface::new(texture, None, Box::default(), interior, lit);
         self.number_of(surface)
     }
 
@@ -218,23 +217,21 @@ impl Flat {
             None => {
                 let fresh = || Texture::from(Layer::default()).prepare(&[], &self.settings);
                 let plain = self.plain.get_or_insert_with(|| Arc::new(fresh()));
-                Arc::clone(plain)
+                Kept::Shared(Arc::clone(plain))
             }
         };
         let inside_texture = looks
             .inside_texture
             .as_ref()
-            .map(|placed| self.prepare(placed));
+            .map(|placed| self.prepare(placed).shared());
         let skin = |skin: &Skin| {
             let steps = if looks.says_uv {
                 Arc::default()
             } else {
                 Arc::clone(&looks.steps)
             };
-            self.prepare(&Placed {
-                texture: Arc::clone(&skin.0),
-                steps,
-            })
+            let texture = Arc::clone(&skin.0);
+            self.prepare(&Placed { texture, steps }).shared()
         };
         let skins = skins.iter().map(skin).collect();
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
@@ -250,28 +247,28 @@ impl Flat {
     }
 
     /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
-    fn prepare(&mut self, placed: &Placed) -> Arc<PreparedTexture> {
+    fn prepare(&mut self, placed: &Placed) -> Kept {
         if placed.texture.depends_on_place() {
-            return self.fresh(placed, &placed.steps);
+            return Kept::Own(self.fresh(&placed.texture, &placed.steps));
         }
         // The object has it and hands it down; whoever shares it makes more.
         if Arc::strong_count(&placed.texture) <= 2 {
-            return self.fresh(placed, &[]);
+            return Kept::Own(self.fresh(&placed.texture, &[]));
         }
         let key = Arc::as_ptr(&placed.texture).addr();
         if let Some((_, known)) = self.prepared.get(&key) {
-            return Arc::clone(known);
+            return Kept::Shared(Arc::clone(known));
         }
-        let fresh = self.fresh(placed, &[]);
+        let fresh = Arc::new(self.fresh(&placed.texture, &[]));
         let kept = (Arc::clone(&placed.texture), Arc::clone(&fresh));
         self.prepared.insert(key, kept);
-        fresh
+        Kept::Shared(fresh)
     }
 
-    fn fresh(&mut self, placed: &Placed, steps: &[Step]) -> Arc<PreparedTexture> {
-        let mut texture = placed.texture.prepare(steps, &self.settings);
+    fn fresh(&mut self, texture: &Texture, steps: &[Step]) -> PreparedTexture {
+        let mut texture = texture.prepare(steps, &self.settings);
         texture.share_finishes(&mut self.last_finish);
-        Arc::new(texture)
+        texture
     }
 }
 

@@ -44,7 +44,7 @@ pub use passed::Passed;
 pub use probe::Probed;
 pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;
-pub use surface::{Flags, Surface};
+pub use surface::{Flags, Kept, Surface};
 pub use world::{Globals, World};
 
 use crate::memory;

@@ -63,9 +63,8 @@ impl World {
         let textures = || {
             self.surfaces.iter().flat_map(|surface| {
                 let inside = surface.inside_texture().into_iter();
-                std::iter::once(&surface.texture)
-                    .chain(inside)
-                    .chain(surface.skins())
+                let others = inside.chain(surface.skins());
+                std::iter::once(&*surface.texture).chain(others.map(|texture| &**texture))
             })
         };
         let has = |some: bool, what: &'static str| (!some).then_some(what);

@@ -10,6 +10,7 @@ use crate::scene::Importance;
 use crate::shape::{Geometry, Shape};
 use crate::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
 use glam::{DAffine3, DVec3};
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// The object switches that matter while tracing.
@@ -71,11 +72,51 @@ impl Unmoved {
     }
 }
 
+/// A texture as a surface keeps it: in itself, unless others have it too. There may be a million that nothing shares,
+/// and small pieces of memory among others that are let go hold on to all of it.
+#[derive(Debug)]
+pub enum Kept {
+    /// Of one surface alone.
+    Own(PreparedTexture),
+    /// Of any number of them.
+    Shared(Arc<PreparedTexture>),
+}
+
+impl Deref for Kept {
+    type Target = PreparedTexture;
+
+    #[inline(always)]
+    fn deref(&self) -> &PreparedTexture {
+        match self {
+            Kept::Own(texture) => texture,
+            Kept::Shared(texture) => texture,
+        }
+    }
+}
+
+impl Kept {
+    /// The texture, to be shared.
+    pub(super) fn shared(self) -> Arc<PreparedTexture> {
+        match self {
+            Kept::Own(texture) => Arc::new(texture),
+            Kept::Shared(texture) => texture,
+        }
+    }
+
+    /// Whether both are the same, not only alike.
+    fn is_same(&self, other: &Kept) -> bool {
+        match (self, other) {
+            (Kept::Shared(a), Kept::Shared(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+}
+
 /// How the surface of an object looks and what lies behind it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Surface {
     /// The layers, with all transforms of the object taken in.
-    pub texture: Arc<PreparedTexture>,
+    pub texture: Kept,
     /// The interior of the object.
     pub interior: InteriorId,
     /// The lights that shine on it.
@@ -124,15 +165,15 @@ impl Rare {
 impl Surface {
     /// A surface that looks so.
     pub(super) fn new(
-        texture: Arc<PreparedTexture>,
+        texture: Kept,
         inside_texture: Option<Arc<PreparedTexture>>,
         skins: Box<[Arc<PreparedTexture>]>,
         interior: InteriorId,
         (lights, flags): (LightList, Flags),
     ) -> Self {
         let textures = || {
-            let two = std::iter::once(&texture).chain(&inside_texture);
-            two.chain(&skins)
+            let others = inside_texture.iter().chain(&skins);
+            std::iter::once(&*texture).chain(others.map(|texture| &**texture))
         };
         let has = |is_such: &dyn Fn(&PreparedLayer) -> bool| {
             textures().any(|texture| texture.has_layer(is_such))
@@ -244,7 +285,7 @@ impl Surface {
             _ => false,
         };
         same_beside
-            && Arc::ptr_eq(&self.texture, &other.texture)
+            && self.texture.is_same(&other.texture)
             && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
             && self.flags == other.flags
