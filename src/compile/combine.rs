@@ -8,6 +8,7 @@ use super::model::Item;
 use crate::math::Bounds;
 use crate::scene::{Kind, Object, Operation};
 use crate::shape::Geometry;
+use smallvec::smallvec;
 use std::sync::Arc;
 
 /// What lies around a part of a combination.
@@ -56,7 +57,7 @@ impl Flat {
             parent: NONE,
         };
         let mut program = Program {
-            nodes: vec![root],
+            nodes: smallvec![root],
             first: index(self.parts.leaves.len()),
             ..Program::default()
         };

@@ -12,10 +12,11 @@
 use super::leaf::Leaf;
 use super::query::Departure;
 use super::simplify::Order;
-use super::state::State;
+use super::state::{Rest, State};
 use crate::math::Ray;
 use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// How a node combines its children.
@@ -56,21 +57,22 @@ pub(super) struct Operand {
     pub(super) is_hidden: bool,
 }
 
-/// A combination of the leaves `first .. first + operands.len()` of a model.
+/// A combination of the leaves `first .. first + operands.len()` of a model. There may be many of a few parts, which keep
+/// them in place.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Program {
     /// The nodes, parents before children.
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: SmallVec<[Node; 1]>,
     /// The leaves in order.
-    pub(super) operands: Vec<Operand>,
+    pub(super) operands: SmallVec<[Operand; 5]>,
     /// The number of the first leaf.
     pub(super) first: u32,
     /// What `bounded_by` says.
     pub(super) gates: Vec<Gate>,
     /// What a ray is inside of where it is outside of all leaves.
-    pub(super) rest: State,
+    pub(super) rest: Rest,
     /// Patches that are inverse, in order, which changes nothing but the side their normals are on.
-    pub(super) turned: Vec<u32>,
+    pub(super) turned: SmallVec<[u32; 4]>,
     /// The order in which operands are asked.
     pub(super) order: Order,
 }
@@ -233,10 +235,10 @@ impl Program {
         for &number in &self.order.others {
             self.ask(number, passing, (from, to), sweep);
         }
-        if let Some(tree) = &self.order.tree {
+        if let Some(many) = &self.order.many {
             // Where the ray is in no box, it is outside.
-            tree.any(passing.ray, from, to, |place| {
-                let number = self.order.bounded[place as usize];
+            many.tree.any(passing.ray, from, to, |place| {
+                let number = many.bounded[place as usize];
                 self.ask(number, passing, (from, to), sweep);
                 false
             });

@@ -358,7 +358,7 @@ impl Passing<'_> {
     #[inline(always)]
     fn gather(&mut self, lanes: Lanes, others: &mut Numbers) -> Option<()> {
         let order = &self.program.order;
-        let Some(tree) = &order.tree else {
+        let Some(many) = &order.many else {
             return Some(());
         };
         let ([low, high], left) = four(lanes, &Narrowing(*self));
@@ -368,13 +368,13 @@ impl Passing<'_> {
             _ => MOST_OPERANDS - order.required.len(),
         };
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
-            let is_full = tree.any_in(
+            let is_full = many.tree.any_in(
                 lanes,
                 &self.rays.ray(lane),
                 (low[lane], high[lane]),
                 #[inline(always)]
                 |place| {
-                    let number = order.bounded[place as usize];
+                    let number = many.bounded[place as usize];
                     if !others.contains(&number) {
                         others.push(number);
                     }
@@ -537,7 +537,7 @@ mod tests {
                 };
                 assert_eq!(together(&wide), alone, "{program:?}");
                 assert_eq!(together(&narrow), alone, "{program:?}");
-                let is_cut = usize::from(program.order.tree.is_some());
+                let is_cut = usize::from(program.order.many.is_some());
                 known[usize::from(way == Way::Tree)][is_cut] += usize::from(alone.is_some());
             }
         }

@@ -132,10 +132,10 @@ impl Tree<'_> {
     fn apart<F: Four>(&self, parts: &[Part<F>]) -> [[u32; 2]; MOST_NODES] {
         let order = &self.0.program.order;
         let mut apart = [[0; 2]; MOST_NODES];
-        for (apart, resting) in apart.iter_mut().zip(&order.resting) {
-            *apart = *resting;
-        }
-        if order.tree.is_some() {
+        if let Some(many) = &order.many {
+            for (apart, resting) in apart.iter_mut().zip(&many.resting) {
+                *apart = *resting;
+            }
             for part in &parts[order.required.len() + order.others.len()..] {
                 let operand = &self.0.program.operands[part.number as usize];
                 apart[operand.parent as usize % MOST_NODES][usize::from(operand.is_inverse)] -= 1;

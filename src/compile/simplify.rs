@@ -6,11 +6,12 @@
 
 use super::csg::{Combine, NONE, Node, Program};
 use super::leaf::Leaf;
-use super::state::State;
+use super::state::Rest;
 use crate::accel::Bvh;
 use crate::math::Bounds;
 use crate::shape::Geometry;
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
 const TREE_FROM: usize = 9;
@@ -19,11 +20,18 @@ const TREE_FROM: usize = 9;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Order {
     /// Where one of these is not, nothing is shown: they narrow the stretch of the ray in which to look.
-    pub(super) required: Vec<u32>,
+    pub(super) required: SmallVec<[u32; 4]>,
     /// All others, except those in the tree.
-    pub(super) others: Vec<u32>,
-    /// Bounded operands of a large combination, by position in `bounded`.
-    pub(super) tree: Option<Bvh>,
+    pub(super) others: SmallVec<[u32; 4]>,
+    /// The bounded operands of a large combination.
+    pub(super) many: Option<Box<Many>>,
+}
+
+/// So many operands that they are found by a tree.
+#[derive(Clone, Debug)]
+pub(super) struct Many {
+    /// By position in `bounded`.
+    pub(super) tree: Bvh,
     pub(super) bounded: Vec<u32>,
     /// For each node how many of these there are, those that are not inverse and those that are.
     pub(super) resting: Vec<[u32; 2]>,
@@ -114,24 +122,25 @@ impl Program {
     }
 
     /// The state at a place outside of all leaves.
-    fn state_outside_all(&self) -> State {
-        let leaf_in = self.operands.iter().map(|o| o.is_inverse).collect();
-        let mut state = State::new(leaf_in, vec![0; self.nodes.len()]);
+    fn state_outside_all(&self) -> Rest {
+        let mut counts = vec![0; self.nodes.len()];
         for operand in self.operands.iter().filter(|operand| operand.is_inverse) {
-            state.counts[operand.parent as usize] += 1;
+            counts[operand.parent as usize] += 1;
         }
-        self.count_from_below(&mut state.counts);
-        state
+        self.count_from_below(&mut counts);
+        let leaf_in = self.operands.iter().map(|operand| operand.is_inverse);
+        Rest::new(leaf_in, &counts)
     }
 
     fn order(&self, leaves: &[Leaf], bounds: &[Bounds]) -> Order {
         let mut order = Order::default();
+        let mut bounded = Vec::new();
         for (number, operand) in (0..).zip(&self.operands) {
             let bounds = &bounds[number as usize];
             if !operand.is_inverse && self.is_required(operand.parent) {
                 order.required.push(number);
             } else if bounds.is_finite() && !bounds.is_empty() {
-                order.bounded.push(number);
+                bounded.push(number);
             } else {
                 order.others.push(number);
             }
@@ -141,16 +150,20 @@ impl Program {
         order
             .required
             .sort_by_key(|&number| leaves[first + number as usize].object_from_world.is_some());
-        if order.bounded.len() < TREE_FROM {
-            order.others.append(&mut order.bounded);
+        if bounded.len() < TREE_FROM {
+            order.others.extend(bounded);
         } else {
-            let boxes: Vec<_> = order.bounded.iter().map(|&n| bounds[n as usize]).collect();
-            order.tree = Some(Bvh::build(&boxes));
-            order.resting = vec![[0; 2]; self.nodes.len()];
-            for &number in &order.bounded {
+            let boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
+            let mut resting = vec![[0; 2]; self.nodes.len()];
+            for &number in &bounded {
                 let operand = &self.operands[number as usize];
-                order.resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
+                resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
             }
+            order.many = Some(Box::new(Many {
+                tree: Bvh::build(&boxes),
+                bounded,
+                resting,
+            }));
         }
         order
     }
@@ -282,7 +295,7 @@ pub(super) mod tests {
             plain.rest = plain.state_outside_all();
             let mut prepared = plain.clone();
             prepared.prepare(&leaves, &bounds);
-            trees += usize::from(prepared.order.tree.is_some());
+            trees += usize::from(prepared.order.many.is_some());
             narrowed += usize::from(!prepared.order.required.is_empty());
             for _ in 0..12 {
                 let origin = coarse(&mut rng) * 2.0 + DVec3::splat(0.25);
@@ -342,7 +355,7 @@ pub(super) mod tests {
         program.prepare(&vec![leaf; 4], &[bounds; 4]);
         assert_eq!(program.nodes.len(), 1);
         assert_eq!(program.nodes[0].children, 4);
-        assert_eq!(program.order.required, [0]);
-        assert_eq!(program.rest.counts, [3]);
+        assert_eq!(program.order.required[..], [0]);
+        assert_eq!(program.rest.counts[..], [3]);
     }
 }

@@ -3,6 +3,7 @@
 //! A ray crosses a handful of the parts of a large combination, and copying what is known of all of them would cost more
 //! than everything else. So what it changes is noted and put back.
 
+use smallvec::SmallVec;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Numbers the states at rest.
@@ -11,6 +12,27 @@ static PROGRAMS: AtomicU64 = AtomicU64::new(1);
 /// From so many operands on, a ray puts back what it has changed of the state instead of copying all of it.
 const LARGE: usize = 64;
 
+/// What a ray is inside of, of a combination, where it is outside of all leaves. Small combinations, of which there may
+/// be many, keep it in place.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rest {
+    leaf_in: SmallVec<[bool; 16]>,
+    pub(super) counts: SmallVec<[u32; 4]>,
+    /// None has 0.
+    number: u64,
+}
+
+impl Rest {
+    /// By operand and by node, as in [`State`].
+    pub(super) fn new(leaf_in: impl Iterator<Item = bool>, counts: &[u32]) -> Rest {
+        Rest {
+            leaf_in: leaf_in.collect(),
+            counts: SmallVec::from_slice(counts),
+            number: PROGRAMS.fetch_add(1, Ordering::Relaxed),
+        }
+    }
+}
+
 /// What a ray is inside of at a place.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
@@ -18,7 +40,7 @@ pub(super) struct State {
     pub(super) leaf_in: Vec<bool>,
     /// For each node, how many children hold the ray.
     pub(super) counts: Vec<u32>,
-    /// The number of the state at rest from which it comes; none has 0.
+    /// The number of the [`Rest`] from which it comes.
     of: u64,
     /// Operands and nodes of a large combination that are no longer as they are at rest.
     changed: Vec<u32>,
@@ -26,23 +48,15 @@ pub(super) struct State {
 }
 
 impl State {
-    /// A state at rest, with a number of its own.
-    pub(super) fn new(leaf_in: Vec<bool>, counts: Vec<u32>) -> State {
-        State {
-            leaf_in,
-            counts,
-            of: PROGRAMS.fetch_add(1, Ordering::Relaxed),
-            ..State::default()
-        }
-    }
-
     /// Makes this the state at rest again.
     #[inline(always)]
-    pub(super) fn rest(&mut self, rest: &State) {
-        if self.of != rest.of || rest.leaf_in.len() < LARGE {
-            self.leaf_in.clone_from(&rest.leaf_in);
-            self.counts.clone_from(&rest.counts);
-            self.of = rest.of;
+    pub(super) fn rest(&mut self, rest: &Rest) {
+        if self.of != rest.number || rest.leaf_in.len() < LARGE {
+            self.leaf_in.clear();
+            self.leaf_in.extend_from_slice(&rest.leaf_in);
+            self.counts.clear();
+            self.counts.extend_from_slice(&rest.counts);
+            self.of = rest.number;
         } else {
             for operand in self.changed.iter().map(|&operand| operand as usize) {
                 self.leaf_in[operand] = rest.leaf_in[operand];
@@ -85,12 +99,11 @@ mod tests {
     #[test]
     fn what_a_ray_changed_is_put_back_whatever_came_before() {
         let mut rng = Random::new(41);
-        let all: Vec<State> = [3, 64, 200, 200]
+        let all: Vec<Rest> = [3, 64, 200, 200]
             .into_iter()
             .map(|operands| {
-                let leaf_in = (0..operands).map(|_| rng.share() < 0.5).collect();
-                let counts = (0..20).map(|_| 100).collect();
-                State::new(leaf_in, counts)
+                let leaf_in = (0..operands).map(|_| rng.share() < 0.5);
+                Rest::new(leaf_in, &[100; 20])
             })
             .collect();
         let mut state = State::default();
@@ -100,8 +113,8 @@ mod tests {
             };
             let rest = &all[number(&mut rng, all.len())];
             state.rest(rest);
-            assert_eq!(state.leaf_in, rest.leaf_in);
-            assert_eq!(state.counts, rest.counts);
+            assert_eq!(state.leaf_in[..], rest.leaf_in[..]);
+            assert_eq!(state.counts[..], rest.counts[..]);
             for _ in 0..number(&mut rng, 9) {
                 let operand = number(&mut rng, rest.leaf_in.len());
                 state.set(u32::try_from(operand).unwrap(), rng.share() < 0.5);
