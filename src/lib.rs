@@ -76,6 +76,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 1 << 30;
 
+/// Scenes with so many objects are compiled in a thread of their own.
+const LARGE_SCENE: usize = 4096;
+
 /// Worlds with fewer primitives are let go at once.
 const LARGE_WORLD: usize = 10_000;
 
@@ -286,20 +289,21 @@ fn with_deep_stack<T: Send>(
     listen: &Listen<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> Result<T, Failure> {
-    std::thread::scope(|scope| {
-        let reader = std::thread::Builder::new()
-            .name("reader".to_owned())
-            .stack_size(STACK_BYTES);
-        match reader.spawn_scoped(scope, work) {
-            Ok(reader) => reader
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            Err(error) => {
-                let message = format!("no memory for the stack of the reader: {error}");
-                Err(failure(message, listen))
-            }
+    std::thread::scope(|scope| match deep("reader").spawn_scoped(scope, work) {
+        Ok(reader) => reader
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+        Err(error) => {
+            let message = format!("no memory for the stack of the reader: {error}");
+            Err(failure(message, listen))
         }
     })
+}
+
+/// A thread of this name with such a stack.
+fn deep(name: &str) -> std::thread::Builder {
+    let thread = std::thread::Builder::new();
+    thread.name(name.to_owned()).stack_size(STACK_BYTES)
 }
 
 /// A failure that has nothing to do with the scene.
@@ -341,7 +345,30 @@ impl lang::Probe for OwnObjects {
 
 fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
     let working = scene.working_gamma();
-    (compile::compile(scene, render), working)
+    let world = if scene.objects.len() < LARGE_SCENE {
+        compile::compile(scene, render)
+    } else {
+        compiled_apart(scene, render)
+    };
+    (world, working)
+}
+
+/// Compiles a scene in a thread of its own. What an allocator gives a thread it takes from memory that it has for that
+/// thread alone: what stays of the scene does not lie scattered over all the room that the rest of it leaves.
+fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
+    let scene = Mutex::new(Some(scene));
+    let compile = || {
+        let scene = scene.lock().unwrap_or_else(PoisonError::into_inner).take();
+        scene.map(|scene| compile::compile(scene, render))
+    };
+    let world = std::thread::scope(|scope| {
+        let compiler = deep("compiler").spawn_scoped(scope, &compile).ok()?;
+        let world = compiler.join();
+        world.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    });
+    world
+        .or_else(compile)
+        .expect("the scene is compiled here if it was not there")
 }
 
 /// Reads a scene; what drawing cannot do yet is an error if it would be seen at the quality asked for. With it comes what

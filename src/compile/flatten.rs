@@ -42,6 +42,9 @@ pub(super) struct Flat {
     pub(super) targets: Option<Targets>,
     /// By address, which stays taken as long as the texture is kept.
     pub(super) prepared: FxHashMap<usize, (Arc<Texture>, Arc<PreparedTexture>)>,
+    /// Which of them the last object of the top level has brought, and its first surface.
+    pub(super) lately_prepared: Vec<usize>,
+    first_surface: usize,
     /// What objects without a texture look like.
     pub(super) plain: Option<Arc<PreparedTexture>>,
     pub(super) last_surface: Option<u32>,
@@ -74,6 +77,7 @@ impl Flat {
 
     /// Takes in one object of the scene's top level, which is needed no more.
     pub(super) fn take(&mut self, object: Taken) {
+        self.forget_textures();
         match object {
             // There may be millions of them; photons have to know where they stand.
             Taken::Colored(shape, color, finish)
@@ -88,6 +92,19 @@ impl Flat {
             }
             Taken::Object(object) => self.add(&object),
         }
+    }
+
+    /// Lets go of prepared textures that nothing else of the scene can ask for. Those of one surface become its own.
+    fn forget_textures(&mut self) {
+        for texture in self.lately_prepared.drain(..) {
+            let known = self.prepared.get(&texture);
+            if known.is_some_and(|(texture, _)| Arc::strong_count(texture) == 1) {
+                self.prepared.remove(&texture);
+            }
+        }
+        let lately = &mut self.surfaces[self.first_surface..];
+        lately.iter_mut().for_each(Surface::take_texture);
+        self.first_surface = self.surfaces.len();
     }
 
     /// Takes in one object of the scene's top level.

@@ -262,6 +262,7 @@ impl Flat {
         let fresh = Arc::new(self.fresh(&placed.texture, &[]));
         let kept = (Arc::clone(&placed.texture), Arc::clone(&fresh));
         self.prepared.insert(key, kept);
+        self.lately_prepared.push(key);
         Kept::Shared(fresh)
     }
 

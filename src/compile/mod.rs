@@ -55,7 +55,7 @@ use flatten::Flat;
 use targets::Targets;
 
 /// The room that so many objects had is worth giving back.
-const MANY_OBJECTS: usize = 4096;
+const MANY_OBJECTS: u32 = 8192;
 
 /// Below this quality there are no photons (facts 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;
@@ -73,12 +73,11 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
     flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
     let objects = std::mem::take(&mut scene.objects);
-    let are_many = objects.len() >= MANY_OBJECTS;
-    for object in objects.taken_apart() {
+    for (taken, object) in (1..).zip(objects.taken_apart()) {
         flat.take(object);
-    }
-    if are_many {
-        memory::give_back();
+        if taken % MANY_OBJECTS == 0 {
+            memory::give_back();
+        }
     }
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);

@@ -43,6 +43,7 @@ impl Program {
         self.leave_patches(leaves);
         self.join_nodes();
         self.drop_lone_root();
+        self.nodes.shrink_to_fit();
         self.rest = self.state_outside_all();
         self.order = self.order(leaves, bounds);
     }

@@ -206,6 +206,15 @@ impl Surface {
         }
     }
 
+    /// Keeps its texture in itself if nothing else has it.
+    pub(super) fn take_texture(&mut self) {
+        if let Kept::Shared(texture) = &mut self.texture
+            && let Some(texture) = Arc::get_mut(texture)
+        {
+            self.texture = Kept::Own(std::mem::take(texture));
+        }
+    }
+
     /// The texture seen from inside, if the scene gives one.
     #[must_use]
     pub fn inside_texture(&self) -> Option<&Arc<PreparedTexture>> {

@@ -14,7 +14,7 @@ use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// A texture ready for rays.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct PreparedTexture {
     layers: SmallVec<[PreparedLayer; 1]>,
     /// What chooses among other textures; the layers do not count then.
