@@ -362,7 +362,7 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         scene.map(|scene| compile::compile(scene, render))
     };
     let world = std::thread::scope(|scope| {
-        let compiler = deep("compiler").spawn_scoped(scope, &compile).ok()?;
+        let compiler = deep("compiler").spawn_scoped(scope, compile).ok()?;
         let world = compiler.join();
         world.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     });

@@ -1,10 +1,12 @@
 //! How an element reads its parameters, whoever holds them: the language's cursor over tokens, a test, a caller in Rust.
 
+mod alike;
 mod steps;
 #[cfg(test)]
 pub(crate) mod text;
 
 pub use crate::syntax::Word;
+pub use alike::{Alike, alike};
 pub use steps::transform_step;
 
 use crate::color::{Color, Gamma};
@@ -121,6 +123,10 @@ pub trait Args {
     /// A malformed function.
     fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
         Ok(None)
+    }
+    /// Where values are kept that many objects say alike, if anywhere.
+    fn alike(&self) -> Option<&Alike> {
+        None
     }
     /// The place of the next token.
     fn span(&mut self) -> Span;

@@ -15,7 +15,7 @@ use crate::math::{Bounds, Step};
 use crate::pattern::Settings;
 use crate::scene::{Kind, Look, Object, Plain, Taken};
 use crate::shape::{Geometry, Shape};
-use crate::texture::{Finish, Layer, PreparedTexture, Texture};
+use crate::texture::{Layer, PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -48,7 +48,6 @@ pub(super) struct Flat {
     /// What objects without a texture look like.
     pub(super) plain: Option<Arc<PreparedTexture>>,
     pub(super) last_surface: Option<u32>,
-    pub(super) last_finish: Option<Arc<Finish>>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
     /// Bounds of the operands of the combination being built.

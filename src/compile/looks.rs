@@ -8,7 +8,7 @@ use super::surface::{Flags, Kept, Surface, Unmoved};
 use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
 use crate::shape::{Geometry, Shape, Skin};
-use crate::texture::{Layer, PreparedTexture, Texture};
+use crate::texture::{Layer, Texture};
 use std::sync::Arc;
 
 /// What an object hands down to its children.
@@ -191,7 +191,7 @@ impl Flat {
         let interior = self.interiors.of_object(None, None, finishes);
         let lit = (LightList::default(), Flags::default());
         self.interiors.set_hollow(interior, lit.1.hollow);
-        let texture = Kept::Own(self.fresh(&Texture::from(layer), &[]));
+        let texture = Kept::Own(Texture::from(layer).prepare(&[], &self.settings));
         let surface = Surface::new(texture, None, Box::default(), interior, lit);
         self.number_of(surface)
     }
@@ -249,27 +249,21 @@ impl Flat {
     /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
     fn prepare(&mut self, placed: &Placed) -> Kept {
         if placed.texture.depends_on_place() {
-            return Kept::Own(self.fresh(&placed.texture, &placed.steps));
+            return Kept::Own(placed.texture.prepare(&placed.steps, &self.settings));
         }
         // The object has it and hands it down; whoever shares it makes more.
         if Arc::strong_count(&placed.texture) <= 2 {
-            return Kept::Own(self.fresh(&placed.texture, &[]));
+            return Kept::Own(placed.texture.prepare(&[], &self.settings));
         }
         let key = Arc::as_ptr(&placed.texture).addr();
         if let Some((_, known)) = self.prepared.get(&key) {
             return Kept::Shared(Arc::clone(known));
         }
-        let fresh = Arc::new(self.fresh(&placed.texture, &[]));
+        let fresh = Arc::new(placed.texture.prepare(&[], &self.settings));
         let kept = (Arc::clone(&placed.texture), Arc::clone(&fresh));
         self.prepared.insert(key, kept);
         self.lately_prepared.push(key);
         Kept::Shared(fresh)
-    }
-
-    fn fresh(&mut self, texture: &Texture, steps: &[Step]) -> PreparedTexture {
-        let mut texture = texture.prepare(steps, &self.settings);
-        texture.share_finishes(&mut self.last_finish);
-        texture
     }
 }
 

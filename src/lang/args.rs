@@ -3,7 +3,7 @@
 use super::cursor::Start;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Args, Parse, Sampled, Word};
+use crate::args::{Alike, Args, Parse, Sampled, Word};
 use crate::color::{Color, Gamma};
 use crate::math::Transform;
 use crate::scene;
@@ -19,6 +19,10 @@ use std::sync::Arc;
 const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
+    fn alike(&self) -> Option<&Alike> {
+        Some(&self.memory.alike)
+    }
+
     fn float(&mut self) -> Parse<f64> {
         let start = self.start()?;
         let number = self.number_at_sum()?;

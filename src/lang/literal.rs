@@ -6,7 +6,7 @@
 
 use super::scope::Scopes;
 use super::value::Value;
-use crate::args::{Args, Parse, Word};
+use crate::args::{Alike, Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, FileId, Span};
 use crate::syntax::{Class, Names, number, word_end};
@@ -35,14 +35,17 @@ pub(super) struct Literal<'a> {
 
 /// For each first letter the reserved word that was met last. Data say the same few words again and again.
 #[derive(Debug, Default)]
-pub(super) struct Memory([Cell<Option<Word>>; 32]);
+pub(super) struct Memory {
+    words: [Cell<Option<Word>>; 32],
+    pub(super) alike: Alike,
+}
 
 impl Memory {
     /// The reserved word that begins at a byte, with its length.
     #[inline]
     fn word(&self, text: &str, at: usize) -> Option<(Word, usize)> {
         let bytes = &text.as_bytes()[at..];
-        let last = &self.0[usize::from(*bytes.first()?) % 32];
+        let last = &self.words[usize::from(*bytes.first()?) % 32];
         if let Some(word) = last.get() {
             let spelling = word.spelling().as_bytes();
             let behind = bytes.get(spelling.len()).copied().unwrap_or(b' ');
@@ -254,6 +257,10 @@ fn is_letter(byte: u8) -> bool {
 }
 
 impl Args for Literal<'_> {
+    fn alike(&self) -> Option<&Alike> {
+        Some(&self.memory.alike)
+    }
+
     fn float(&mut self) -> Parse<f64> {
         match self.components() {
             Some((vector, 1)) => Ok(vector[0]),

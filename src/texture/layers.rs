@@ -1,7 +1,7 @@
 //! `texture`: layers of pigment and finish, and how later parts of a scene change them.
 
 use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
-use crate::args::{Args, Parse, Word, declared, transform_step};
+use crate::args::{Args, Parse, Word, alike, declared, transform_step};
 use crate::color::Color;
 use crate::math::Step;
 use crate::pattern::{Settings, Turns};
@@ -56,7 +56,8 @@ impl Layer {
             }
             Word::Finish => {
                 args.accept(word)?;
-                self.finish = Arc::new(Finish::read(args, &self.finish)?);
+                let finish = Finish::read(args, &self.finish)?;
+                self.finish = alike(args, finish);
             }
             Word::Normal => {
                 args.accept(word)?;

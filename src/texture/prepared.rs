@@ -97,16 +97,6 @@ impl PreparedTexture {
         }
     }
 
-    /// Keeps a finish once that comes again and again: each that is the same as `last` becomes it.
-    pub(crate) fn share_finishes(&mut self, last: &mut Option<Arc<Finish>>) {
-        for layer in &mut self.layers {
-            match last {
-                Some(last) if *last == layer.finish => layer.finish = Arc::clone(last),
-                _ => *last = Some(Arc::clone(&layer.finish)),
-            }
-        }
-    }
-
     /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
     #[must_use]
     pub fn layers(&self) -> &[PreparedLayer] {

@@ -6,7 +6,7 @@
 
 use super::ball::Ball;
 use super::{Known, Level, Replays};
-use crate::args::{Args, Parse, Word};
+use crate::args::{Alike, Args, Parse, Word};
 use crate::color::{Color, Gamma};
 use crate::lang::bulk::literal_at;
 use crate::lang::cursor::is_bare_directive;
@@ -40,6 +40,7 @@ struct Quiet<'a> {
     default: &'a Layer,
     version: f64,
     gamma: Option<Gamma>,
+    alike: &'a Alike,
     /// Whether there was something that only the cursor can tell.
     is_doubtful: Cell<bool>,
 }
@@ -81,6 +82,7 @@ impl Reader<'_> {
             default: &self.default_layer,
             version: self.version,
             gamma,
+            alike: &self.memory.alike,
             is_doubtful: Cell::new(false),
         };
         let object = plain_object(&mut quiet, &self.default_layer);
@@ -239,6 +241,10 @@ fn color_word(token: Token) -> Option<Word> {
 }
 
 impl Args for Quiet<'_> {
+    fn alike(&self) -> Option<&Alike> {
+        Some(self.alike)
+    }
+
     fn float(&mut self) -> Parse<f64> {
         let number = self.sum()?;
         if number.len == 1 && number.v[0].is_finite() {
