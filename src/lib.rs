@@ -70,7 +70,7 @@ use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};
 use statistics::Watch;
 use std::hash::{Hash, Hasher};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
@@ -78,6 +78,12 @@ const STACK_BYTES: usize = 1 << 30;
 
 /// Scenes with so many objects are compiled in a thread of their own.
 const LARGE_SCENE: usize = 4096;
+/// So many objects are let go together.
+const BATCH: usize = 256;
+/// So many batches may wait for that.
+const WAITING: usize = 2;
+/// The room of so many batches is worth giving back.
+const BATCHES: usize = 8;
 
 /// Worlds with fewer primitives are let go at once.
 const LARGE_WORLD: usize = 10_000;
@@ -353,16 +359,32 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma
     (world, working)
 }
 
-/// Compiles a scene in a thread of its own. What an allocator gives a thread it takes from memory that it has for that
-/// thread alone: what stays of the scene does not lie scattered over all the room that the rest of it leaves.
+/// Compiles a scene in a thread of its own, and lets go of its objects here. An allocator gives each thread memory from
+/// a room of that thread, and what it lets go of: so what stays does not lie scattered over the room of what does not.
 fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
-    let scene = Mutex::new(Some(scene));
+    let (sender, objects) = mpsc::sync_channel(WAITING);
+    let work = Mutex::new(Some((scene, sender)));
     let compile = || {
-        let scene = scene.lock().unwrap_or_else(PoisonError::into_inner).take();
-        scene.map(|scene| compile::compile(scene, render))
+        let (scene, sender) = work.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+        let mut batch = Vec::with_capacity(BATCH);
+        let world = compile::compile_apart(scene, render, &mut |object| {
+            batch.push(object);
+            if batch.len() == BATCH {
+                // Nobody is there to take them only where there is no other thread.
+                let _ = sender.send(std::mem::replace(&mut batch, Vec::with_capacity(BATCH)));
+            }
+        });
+        Some(world)
     };
     let world = std::thread::scope(|scope| {
         let compiler = deep("compiler").spawn_scoped(scope, compile).ok()?;
+        for (batches, objects) in (1..).zip(objects) {
+            drop::<Vec<Arc<Object>>>(objects);
+            if batches % BATCHES == 0 {
+                memory::give_back();
+            }
+        }
+        memory::give_back();
         let world = compiler.join();
         world.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     });

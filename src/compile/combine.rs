@@ -91,7 +91,7 @@ impl Flat {
         let bounds = self.add_clipped(object, above, &below, program, (parent, is_hidden));
         if is_gated(object) {
             let operands = first..index(program.operands.len());
-            for bound in &object.bounded_by {
+            for bound in object.bounded_by() {
                 let around = Heritage {
                     steps: joined(&object.steps[bound.after..], &above.steps),
                     ..below.clone()
@@ -112,7 +112,7 @@ impl Flat {
         program: &mut Program,
         (parent, is_hidden): (u32, bool),
     ) -> Around {
-        if object.clipped_by.is_empty() {
+        if object.clipped_by().is_empty() {
             return self.add_bare(
                 object,
                 below,
@@ -124,7 +124,7 @@ impl Flat {
         let node = push_node(program, Combine::Intersection, parent);
         let mut bounds =
             self.add_bare(object, below, program, (node, object.is_inverse), is_hidden);
-        for clip in &object.clipped_by {
+        for clip in object.clipped_by() {
             let around = Heritage {
                 steps: joined(&object.steps[clip.after..], &above.steps),
                 place: Place::Cut,
@@ -248,7 +248,7 @@ impl Flat {
 /// Whether `bounded_by` decides anything: POV-Ray drops it from finite primitives, which have bounds of their own.
 pub(super) fn is_gated(object: &Object) -> bool {
     let needs_none = matches!(&object.kind, Kind::Shape(shape) if shape.bounds().is_finite());
-    !object.bounded_by.is_empty() && !needs_none
+    !object.bounded_by().is_empty() && !needs_none
 }
 
 fn push_node(program: &mut Program, combine: Combine, parent: u32) -> u32 {

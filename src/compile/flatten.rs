@@ -74,9 +74,8 @@ impl Flat {
         }
     }
 
-    /// Takes in one object of the scene's top level, which is needed no more.
-    pub(super) fn take(&mut self, object: Taken) {
-        self.forget_textures();
+    /// Takes in one object of the scene's top level; what is left of it is needed no more.
+    pub(super) fn take(&mut self, object: Taken) -> Option<Arc<Object>> {
         match object {
             // There may be millions of them; photons have to know where they stand.
             Taken::Colored(shape, color, finish)
@@ -84,20 +83,30 @@ impl Flat {
             {
                 let surface = self.surface_of_layer(Layer::colored(color, finish));
                 self.add_leaf(shape, (&[], Absorb::AllItCan), surface);
+                None
             }
             Taken::Colored(shape, color, finish) => {
                 let look = Look::Color(color, finish);
                 self.add(&Plain { shape, look }.into());
+                None
             }
-            Taken::Object(object) => self.add(&object),
+            Taken::Object(object) => {
+                self.add(&object);
+                self.forget_textures(&object);
+                Some(object)
+            }
         }
     }
 
-    /// Lets go of prepared textures that nothing else of the scene can ask for. Those of one surface become its own.
-    fn forget_textures(&mut self) {
+    /// Lets go of prepared textures that nothing but this object of the top level asks for. Those of one surface become
+    /// its own.
+    fn forget_textures(&mut self, object: &Object) {
+        let is_copy =
+            matches!(&object.kind, Kind::Csg { children, .. } if Arc::strong_count(children) > 1);
         for texture in self.lately_prepared.drain(..) {
             let known = self.prepared.get(&texture);
-            if known.is_some_and(|(texture, _)| Arc::strong_count(texture) == 1) {
+            // Here and in the object.
+            if !is_copy && known.is_some_and(|(texture, _)| Arc::strong_count(texture) <= 2) {
                 self.prepared.remove(&texture);
             }
         }
@@ -132,7 +141,7 @@ impl Flat {
             }
             return;
         }
-        let is_bare = object.clipped_by.is_empty() && !is_gated(object) && !object.is_inverse;
+        let is_bare = object.clipped_by().is_empty() && !is_gated(object) && !object.is_inverse;
         match &object.kind {
             Kind::Light { .. } => self.add_light(&object.kind, above, below),
             Kind::Shape(shape) if is_bare => self.add_shape(shape, &below),

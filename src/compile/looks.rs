@@ -102,7 +102,7 @@ impl Flat {
                 ..Heritage::default()
             };
         }
-        let place = |own: &Option<Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
+        let place = |own: Option<&Attached<Arc<Texture>>>, inherited: &Option<Placed>| match own {
             Some(own) => Some(Placed {
                 texture: Arc::clone(&own.what),
                 steps: texture_steps(object, own.after, above),
@@ -133,8 +133,8 @@ impl Flat {
             lights: group.unwrap_or(above.lights),
             global_lights,
             group,
-            texture: place(&object.texture, &above.texture),
-            inside_texture: place(&object.interior_texture, &above.inside_texture),
+            texture: place(object.texture.as_ref(), &above.texture),
+            inside_texture: place(object.interior_texture(), &above.inside_texture),
             interior: Some(interior),
             flags,
             obeyed: obeyed(&flags, above),

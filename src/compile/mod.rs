@@ -47,15 +47,12 @@ pub use rays::Rays;
 pub use surface::{Flags, Kept, Surface};
 pub use world::{Globals, World};
 
-use crate::memory;
 use crate::options::RenderOptions;
 use crate::pattern::Settings;
-use crate::scene::Scene;
+use crate::scene::{Object, Scene};
 use flatten::Flat;
+use std::sync::Arc;
 use targets::Targets;
-
-/// The room that so many objects had is worth giving back.
-const MANY_OBJECTS: u32 = 8192;
 
 /// Below this quality there are no photons (facts 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;
@@ -64,6 +61,16 @@ const QUALITY_OF_PHOTONS: u8 = 9;
 /// combinations, and builds the tree.
 #[must_use]
 pub fn compile(scene: Scene, options: &RenderOptions) -> World {
+    compile_apart(scene, options, &mut drop)
+}
+
+/// The same; `let_go` gets the objects that are needed no more, one by one.
+#[must_use]
+pub fn compile_apart(
+    scene: Scene,
+    options: &RenderOptions,
+    let_go: &mut dyn FnMut(Arc<Object>),
+) -> World {
     let mut scene = scene.near_the_origin().in_comfort();
     let mut flat = Flat::new(Settings {
         solid_of: Some(probe::solid_of),
@@ -72,11 +79,9 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> World {
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
-    let objects = std::mem::take(&mut scene.objects);
-    for (taken, object) in (1..).zip(objects.taken_apart()) {
-        flat.take(object);
-        if taken % MANY_OBJECTS == 0 {
-            memory::give_back();
+    for object in std::mem::take(&mut scene.objects).taken_apart() {
+        if let Some(object) = flat.take(object) {
+            let_go(object);
         }
     }
     flat.lights.finish();

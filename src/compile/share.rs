@@ -103,10 +103,10 @@ impl Slots {
     pub(super) fn object(&mut self, object: &Object, above: &Heritage) -> u32 {
         let flags = scene::Flags::default();
         let is_plain = object.texture.is_none()
-            && object.interior_texture.is_none()
+            && object.interior_texture().is_none()
             && object.interior.is_none()
             && object.light_group.is_none()
-            && object.photons.is_none()
+            && object.photons().is_none()
             && object.flags == flags;
         // What it is handed down may count for it alone.
         let is_in_sum = matches!(above.place, Place::Union | Place::Merge);
@@ -192,11 +192,10 @@ impl Slot {
             Slot::Whole | Slot::Same(_) => true,
             Slot::Skins { .. } => false,
             Slot::Object { object, .. } => {
-                let mut textures = [&object.texture, &object.interior_texture].into_iter();
                 object.interior.is_none()
-                    && object.photons.is_none()
+                    && object.photons().is_none()
                     && object.light_group.is_none()
-                    && textures.all(|own| own.as_ref().is_none_or(|own| is_fixed(&own.what)))
+                    && object.textures().all(|own| is_fixed(&own.what))
             }
         }
     }

@@ -27,7 +27,7 @@ impl Targets {
 
     /// What an object does with photons. A part of a target is no target of its own.
     pub(super) fn role(&mut self, object: &Object, above: &Heritage) -> PhotonRole {
-        let Some(own) = &object.photons else {
+        let Some(own) = object.photons() else {
             return above.flags.photons;
         };
         let mut role = above.flags.photons.with(own);

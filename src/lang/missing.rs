@@ -42,8 +42,7 @@ impl Reader<'_> {
             if is_shared && !seen.insert(Arc::as_ptr(object).addr()) {
                 continue;
             }
-            let textures = [&object.texture, &object.interior_texture];
-            for texture in textures.into_iter().flatten() {
+            for texture in object.textures() {
                 for texture in all_textures(&texture.what) {
                     if has_subsurface {
                         found.extend(subsurface_of(texture));

@@ -27,7 +27,7 @@ impl Reader<'_> {
 
     /// The object of a word at hand, read token by token.
     pub(super) fn object_of_tokens(&mut self, word: Word) -> Parse<Option<Arc<Object>>> {
-        let object = match word {
+        let mut object = match word {
             Word::Union => self.csg(Operation::Union)?,
             Word::Merge => self.csg(Operation::Merge)?,
             Word::Intersection => self.csg(Operation::Intersection)?,
@@ -38,6 +38,7 @@ impl Reader<'_> {
             Word::LightGroup => self.csg(Operation::Union)?,
             _ => return Ok(None),
         };
+        object.steps.shrink_to_fit();
         Ok(Some(Arc::new(object)))
     }
 
@@ -234,7 +235,7 @@ impl Reader<'_> {
                 self.pass();
                 let default = self.default_layer.clone();
                 let texture = Texture::read(self, &default)?;
-                object.interior_texture = Some(object.attach(Arc::new(texture)));
+                object.set_interior_texture(Arc::new(texture));
             }
             Word::Interior => {
                 self.pass();
@@ -294,7 +295,7 @@ impl Reader<'_> {
             }
             Word::Photons => {
                 self.pass();
-                object.photons.get_or_insert_default().read(self)?;
+                object.photons_mut().read(self)?;
                 return Ok(true);
             }
             _ if word.class() == Class::Color => {
@@ -345,7 +346,7 @@ impl Reader<'_> {
             self.lay_over(object, texture)?;
         }
         if let Some(texture) = material.interior_texture {
-            object.interior_texture = Some(object.attach(Arc::new(texture)));
+            object.set_interior_texture(Arc::new(texture));
         }
         if let Some(interior) = material.interior {
             object.interior = Some(Arc::new(interior.after(&object.steps)));
@@ -366,9 +367,9 @@ impl Reader<'_> {
         };
         if self.take_word(other)? {
             let copied = if is_clip {
-                object.bounded_by.clone()
+                object.bounded_by().to_vec()
             } else {
-                object.clipped_by.clone()
+                object.clipped_by().to_vec()
             };
             for attached in copied {
                 clip_or_bound(object, is_clip, attached);
@@ -403,11 +404,9 @@ impl Reader<'_> {
 
 /// Makes one step of very many, from the last one on before which the object was given something.
 pub(super) fn fold_steps(object: &mut Object) {
-    let textures = [&object.texture, &object.interior_texture];
-    let textures = textures.into_iter().flatten().map(|texture| texture.after);
-    let around = object.clipped_by.iter().chain(&object.bounded_by);
+    let textures = object.textures().map(|texture| texture.after);
     let start = textures
-        .chain(around.map(|attached| attached.after))
+        .chain(object.around().map(|attached| attached.after))
         .max()
         .unwrap_or(0);
     shorten(&mut object.steps, start);

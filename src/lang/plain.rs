@@ -147,5 +147,6 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
             _ => return Ok(None),
         }
     }
+    object.steps.shrink_to_fit();
     Ok(Some(Read::Object(object)))
 }

@@ -78,8 +78,8 @@ impl Object {
             }
             Kind::Light { .. } => EVERYTHING,
         };
-        let around = self.clipped_by.iter().chain(&self.bounded_by);
-        around.fold(bare, |bounds, attached| self.narrowed(bounds, attached))
+        self.around()
+            .fold(bare, |bounds, attached| self.narrowed(bounds, attached))
     }
 
     /// A clip or a bound takes the place of the box if its own box is smaller.

@@ -5,7 +5,7 @@
 //! moved without a rounding (Sterbenz 1974), and so are things that only a chain of translations has brought there: a
 //! scene looks the same wherever it stands, as far as its own numbers go.
 
-use super::{Attached, Kind, Object, Scene};
+use super::{Kind, Object, Scene};
 use crate::math::{Bounds, Step, Transform};
 use crate::shape::Geometry;
 use glam::DVec3;
@@ -96,10 +96,8 @@ impl Object {
 
     /// Adds a translation; the last ones become one with it, whose sum is rounded once.
     fn move_by(&mut self, by: DVec3) {
-        let attached = [&self.texture, &self.interior_texture];
-        let textures = attached.into_iter().flatten().map(|texture| texture.after);
-        let around = self.clipped_by.iter().chain(&self.bounded_by);
-        let taken = textures.chain(around.map(|held: &Attached<_>| held.after));
+        let textures = self.textures().map(|texture| texture.after);
+        let taken = textures.chain(self.around().map(|held| held.after));
         let kept = taken.max().unwrap_or(0);
         let (mut sum, mut rest) = (by, DVec3::ZERO);
         while self.steps.len() > kept

@@ -23,23 +23,26 @@ pub struct Object {
     pub steps: Vec<Step>,
     /// Its texture, if it has one of its own.
     pub texture: Option<Attached<Arc<Texture>>>,
-    /// The texture that is seen from inside.
-    pub interior_texture: Option<Attached<Arc<Texture>>>,
     /// What fills it, if it says so itself.
     pub interior: Option<Arc<Interior>>,
     /// Its switches.
     pub flags: Flags,
     /// Whether it is a `light_group`, whose own lights shine on it alone.
     pub light_group: Option<LightGroup>,
-    /// What it does with photons, if it says so itself.
-    pub photons: Option<Box<ObjectPhotons>>,
     /// Whether inside and outside are exchanged.
     pub is_inverse: bool,
-    /// `clipped_by`: the surface is kept where all of these hold it.
-    pub clipped_by: Box<[Attached<Arc<Object>>]>,
-    /// `bounded_by`: rays that miss any of these miss the object.
-    pub bounded_by: Box<[Attached<Arc<Object>>]>,
+    /// What few objects say; there may be a million of the others.
+    rare: Option<Box<Rare>>,
     size: Size,
+}
+
+/// What few objects say.
+#[derive(Clone, Debug, Default)]
+struct Rare {
+    interior_texture: Option<Attached<Arc<Texture>>>,
+    photons: Option<ObjectPhotons>,
+    clipped_by: Vec<Attached<Arc<Object>>>,
+    bounded_by: Vec<Attached<Arc<Object>>>,
 }
 
 /// How much an object holds. Sharing hides it: forty unions that each hold the one before twice are forty objects,
@@ -199,15 +202,64 @@ impl Object {
             size,
             steps: Vec::new(),
             texture: None,
-            interior_texture: None,
             interior: None,
             flags: Flags::default(),
             light_group: None,
-            photons: None,
             is_inverse: false,
-            clipped_by: Box::default(),
-            bounded_by: Box::default(),
+            rare: None,
         }
+    }
+
+    /// The texture that is seen from inside.
+    #[must_use]
+    pub fn interior_texture(&self) -> Option<&Attached<Arc<Texture>>> {
+        self.rare.as_ref()?.interior_texture.as_ref()
+    }
+
+    /// Gives it a texture that is seen from inside, and that only its later transforms move.
+    pub fn set_interior_texture(&mut self, texture: Arc<Texture>) {
+        let texture = self.attach(texture);
+        self.rare.get_or_insert_default().interior_texture = Some(texture);
+    }
+
+    /// Its textures, that seen from outside first.
+    pub fn textures(&self) -> impl Iterator<Item = &Attached<Arc<Texture>>> {
+        self.texture.iter().chain(self.interior_texture())
+    }
+
+    /// What it does with photons, if it says so itself.
+    #[must_use]
+    pub fn photons(&self) -> Option<&ObjectPhotons> {
+        self.rare.as_ref()?.photons.as_ref()
+    }
+
+    /// What it says of photons, to be changed.
+    pub fn photons_mut(&mut self) -> &mut ObjectPhotons {
+        let rare = self.rare.get_or_insert_default();
+        rare.photons.get_or_insert_default()
+    }
+
+    /// `clipped_by`: the surface is kept where all of these hold it.
+    #[must_use]
+    pub fn clipped_by(&self) -> &[Attached<Arc<Object>>] {
+        self.rare.as_ref().map_or(&[], |rare| &rare.clipped_by)
+    }
+
+    /// `bounded_by`: rays that miss any of these miss the object.
+    #[must_use]
+    pub fn bounded_by(&self) -> &[Attached<Arc<Object>>] {
+        self.rare.as_ref().map_or(&[], |rare| &rare.bounded_by)
+    }
+
+    /// What it is clipped and bounded by.
+    pub fn around(&self) -> impl Iterator<Item = &Attached<Arc<Object>>> {
+        self.clipped_by().iter().chain(self.bounded_by())
+    }
+
+    /// The same, to be changed.
+    pub(super) fn around_mut(&mut self) -> impl Iterator<Item = &mut Attached<Arc<Object>>> {
+        let rare = self.rare.iter_mut();
+        rare.flat_map(|rare| rare.clipped_by.iter_mut().chain(&mut rare.bounded_by))
     }
 
     /// The texture of an object that has one from its start, and nothing else.
@@ -216,32 +268,24 @@ impl Object {
             kind: _,
             steps,
             texture: Some(texture),
-            interior_texture: None,
             interior: None,
             flags,
             light_group: None,
-            photons: None,
             is_inverse: false,
-            clipped_by,
-            bounded_by,
+            rare: None,
             size: _,
         } = self
         else {
             return None;
         };
-        let is_plain = steps.is_empty()
-            && texture.after == 0
-            && *flags == Flags::default()
-            && clipped_by.is_empty()
-            && bounded_by.is_empty();
+        let is_plain = steps.is_empty() && texture.after == 0 && *flags == Flags::default();
         is_plain.then_some(&texture.what)
     }
 
     /// Whether it or something in it asks for texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
-        let textures = [&self.texture, &self.interior_texture];
-        let mut textures = textures.into_iter().flatten();
+        let mut textures = self.textures();
         self.size.uses_uv || self.flags.uv_mapping || textures.any(|own| own.what.uses_uv())
     }
 
@@ -270,7 +314,7 @@ impl Object {
         let Kind::Csg { operation, .. } = &self.kind else {
             return true;
         };
-        let is_bare = self.clipped_by.is_empty() && self.bounded_by.is_empty();
+        let is_bare = self.around().next().is_none();
         let is_shared = |of| matches!(of, Operation::Intersection | Operation::Difference);
         let is_same = if self.is_inverse == is_cut {
             *operation == around || (is_shared(*operation) && is_shared(around))
@@ -285,7 +329,7 @@ impl Object {
     /// The parts of a union that is no more than all of them: neither inverse, nor clipped or bounded.
     #[must_use]
     pub fn plain_union(&self) -> Option<&Children> {
-        let is_plain = !self.is_inverse && self.clipped_by.is_empty() && self.bounded_by.is_empty();
+        let is_plain = !self.is_inverse && self.around().next().is_none();
         match &self.kind {
             Kind::Csg {
                 operation: Operation::Union,
@@ -315,13 +359,13 @@ impl Object {
     /// Gives the object a `clipped_by`.
     pub fn clip(&mut self, by: Attached<Arc<Object>>) {
         self.size = self.size.with_inside(by.what.size);
-        self.clipped_by = with(&mut self.clipped_by, by);
+        self.rare.get_or_insert_default().clipped_by.push(by);
     }
 
     /// Gives the object a `bounded_by`.
     pub fn bound(&mut self, by: Attached<Arc<Object>>) {
         self.size = self.size.with_inside(by.what.size);
-        self.bounded_by = with(&mut self.bounded_by, by);
+        self.rare.get_or_insert_default().bounded_by.push(by);
     }
 
     /// Moves what it holds to `to`; what remains is a leaf.
@@ -345,12 +389,9 @@ impl Object {
                 }
             }
         }
-        for around in [&mut self.clipped_by, &mut self.bounded_by] {
-            to.extend(
-                std::mem::take(around)
-                    .into_iter()
-                    .map(|attached| attached.what),
-            );
+        if let Some(rare) = self.rare.take() {
+            let around = rare.clipped_by.into_iter().chain(rare.bounded_by);
+            to.extend(around.map(|attached| attached.what));
         }
     }
 }
@@ -394,13 +435,6 @@ impl Size {
             uses_uv: self.uses_uv || inner.uses_uv,
         }
     }
-}
-
-/// A list with one item more. Lists are short, and few objects have one.
-fn with<T>(list: &mut Box<[T]>, item: T) -> Box<[T]> {
-    let mut longer = std::mem::take(list).into_vec();
-    longer.push(item);
-    longer.into()
 }
 
 #[cfg(test)]

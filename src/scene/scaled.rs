@@ -93,7 +93,7 @@ impl Object {
         if let Some(interior) = &mut self.interior {
             scale_interior(interior, factor);
         }
-        for bound in self.clipped_by.iter_mut().chain(&mut self.bounded_by) {
+        for bound in self.around_mut() {
             bound.what = scaled_child(&bound.what, factor, known);
         }
         match &mut self.kind {
