@@ -36,7 +36,7 @@ impl World {
         {
             return false;
         }
-        let is_opaque = self.is_opaque || self.opaque[found.surface as usize];
+        let is_opaque = self.overview.is_opaque || self.overview.opaque[found.surface as usize];
         if !is_opaque {
             *way = Way::Filtered;
         }

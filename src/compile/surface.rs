@@ -37,6 +37,11 @@ pub struct Flags {
 }
 
 impl Flags {
+    /// Whether some rays do not see it.
+    fn hides_from_some(&self) -> bool {
+        self.no_image || self.no_reflection || self.no_radiosity || self.no_shadow
+    }
+
     /// Whether who looks sees it.
     pub(super) fn is_seen(&self, seen: Seen) -> bool {
         match seen {
@@ -135,6 +140,41 @@ struct Rare {
     inside_texture: Option<Arc<PreparedTexture>>,
     skins: Box<[Arc<PreparedTexture>]>,
     unmoved: Option<Unmoved>,
+}
+
+/// What holds of the surfaces of a world, found by looking at each once: there may be millions.
+#[derive(Debug)]
+pub(super) struct Overview {
+    /// For each, whether nothing can be seen through it.
+    pub(super) opaque: Vec<bool>,
+    /// Whether all are so.
+    pub(super) is_opaque: bool,
+    /// Whether some cannot be seen by some rays.
+    pub(super) hides_some: bool,
+    /// Whether the view through some matters to their mirror images.
+    pub(super) has_fresnel: bool,
+    /// Whether light that arrives from behind may matter to some.
+    pub(super) minds_backs: bool,
+}
+
+impl Overview {
+    pub(super) fn of(surfaces: &[Surface]) -> Overview {
+        let mut all = Overview {
+            opaque: Vec::with_capacity(surfaces.len()),
+            is_opaque: true,
+            hides_some: false,
+            has_fresnel: false,
+            minds_backs: false,
+        };
+        for surface in surfaces {
+            all.opaque.push(surface.is_opaque());
+            all.is_opaque &= surface.is_opaque();
+            all.hides_some |= surface.flags.hides_from_some();
+            all.has_fresnel |= surface.has_fresnel();
+            all.minds_backs |= surface.is_lit_from_behind() || surface.is_bumpy();
+        }
+        all
+    }
 }
 
 /// Answers about the textures of a surface that every ray may ask for: the textures lie elsewhere in memory.

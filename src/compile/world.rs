@@ -8,7 +8,7 @@ use super::lights::Lights;
 use super::model::{Item, Model};
 use super::order::{Finder, Numbered};
 use super::query::{Departure, Hit, Seen};
-use super::surface::Surface;
+use super::surface::{Overview, Surface};
 use super::vistas::Vistas;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
@@ -91,11 +91,8 @@ pub struct World {
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     pub(super) boxes: Vec<SingleBox>,
     pub(super) ties_by_box: bool,
-    pub(super) is_opaque: bool,
-    /// For each surface, whether nothing can be seen through it.
-    pub(super) opaque: Vec<bool>,
-    /// Whether some surface cannot be seen by some rays.
-    pub(super) hides_some: bool,
+    /// What holds of its surfaces.
+    pub(super) overview: Overview,
     pub(super) least_distance: LeastDistance,
     pub(super) vistas: Vistas,
 }
@@ -153,12 +150,7 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.least_distance,
-            is_opaque: flat.surfaces.iter().all(Surface::is_opaque),
-            opaque: flat.surfaces.iter().map(Surface::is_opaque).collect(),
-            hides_some: flat.surfaces.iter().any(|surface| {
-                let flags = &surface.flags;
-                flags.no_image || flags.no_reflection || flags.no_radiosity || flags.no_shadow
-            }),
+            overview: Overview::of(&flat.surfaces),
             radiosity: radiosity
                 .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             photons: flat.targets.and_then(|targets| {
@@ -186,14 +178,27 @@ impl World {
     /// Whether four rays can be asked about an item at once: they see all surfaces alike, and its form is a simple one.
     #[inline(always)]
     pub(super) fn suits_four(&self, item: Item, seen: Seen) -> bool {
-        let sees_all = !self.hides_some && (seen != Seen::Shadow || self.is_opaque);
+        let sees_all =
+            !self.overview.hides_some && (seen != Seen::Shadow || self.overview.is_opaque);
         sees_all && self.model.suits_four(item)
     }
 
     /// Whether nothing in the scene lets light through.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.is_opaque
+        self.overview.is_opaque
+    }
+
+    /// Whether the view through some surface matters to its mirror images.
+    #[must_use]
+    pub fn has_fresnel(&self) -> bool {
+        self.overview.has_fresnel
+    }
+
+    /// Whether light that arrives from behind may matter to some surface.
+    #[must_use]
+    pub fn minds_backs(&self) -> bool {
+        self.overview.minds_backs
     }
 
     /// The interiors of all objects that hold a point: of the unbounded ones first, then of the others in the order
@@ -261,7 +266,7 @@ impl World {
 
     /// Whether some surface cannot be seen by some rays.
     pub(super) fn hides_some(&self) -> bool {
-        self.hides_some
+        self.overview.hides_some
     }
 
     /// The primitives of the world, without those of instances.
@@ -283,7 +288,7 @@ impl World {
 
     #[inline(always)]
     pub(super) fn is_seen(&self, found: &Found, seen: Seen) -> bool {
-        !self.hides_some || self.surfaces[found.surface as usize].flags.is_seen(seen)
+        !self.overview.hides_some || self.surfaces[found.surface as usize].flags.is_seen(seen)
     }
 }
 

@@ -30,7 +30,7 @@ mod through;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen, Surface, World};
+use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
@@ -152,7 +152,7 @@ impl<'w> Tracer<'w> {
     #[must_use]
     pub fn new(world: &'w World, quality: u8) -> Self {
         let is_all_opaque = world.is_opaque();
-        let has_fresnel = world.surfaces.iter().any(Surface::has_fresnel);
+        let has_fresnel = world.has_fresnel();
         let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
         let minds_interiors = !is_all_opaque
             || has_fresnel
@@ -172,12 +172,11 @@ impl<'w> Tracer<'w> {
             has_reflection: quality >= 8,
             has_normals: quality >= 8,
         };
-        let minds_back = |surface: &Surface| surface.is_lit_from_behind() || surface.is_bumpy();
         Tracer {
             world,
             quality,
             has_media,
-            minds_backs: world.surfaces.iter().any(minds_back),
+            minds_backs: world.minds_backs(),
             takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
             minds_interiors,
             around_camera,
