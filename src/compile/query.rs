@@ -91,10 +91,14 @@ pub struct Scratch {
     pub lamps: Vec<Option<Rgb>>,
     /// How many rays were followed.
     pub rays: Rays,
-    /// The random numbers of the sample at hand.
+    /// The random numbers of lamps and rainbows for the sample at hand.
     pub stream: Stream,
+    /// Those of media.
+    pub media_stream: Stream,
     /// The state of the generator that `crand` draws from.
     pub crand: u32,
+    /// Whether random numbers go on from sample to sample instead of starting anew.
+    pub goes_on: bool,
     /// What is known of radiosity, where that is drawn.
     pub radiosity: Option<Box<Session>>,
     /// Photons around a point.
@@ -109,6 +113,15 @@ pub struct Scratch {
     pub(super) mesh: MeshScratch,
     /// What the ray to a light meets that is being followed.
     pub(super) among: Items,
+}
+
+impl Scratch {
+    /// Starts all random numbers anew.
+    pub fn begin_anew(&mut self) {
+        self.stream = Stream::default();
+        self.media_stream = Stream::default();
+        self.crand = 0;
+    }
 }
 
 /// What lies between a point and a light.

@@ -383,7 +383,7 @@ impl Tracer<'_> {
     /// light is inside of.
     fn fade(&self, inside: &mut Inside, interior: InteriorId, length: f64) -> Rgb {
         if passage::cross(inside, interior) {
-            self.world.interiors.get(interior).fade(length)
+            self.world.interiors.get(interior).fade_on_light(length)
         } else {
             Rgb::WHITE
         }

@@ -389,9 +389,13 @@ impl Background {
     }
 }
 
-/// Starts the random numbers of a sample.
+/// Starts the random numbers of a sample, unless they go on.
 fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
+    if scratch.goes_on {
+        return;
+    }
     scratch.stream = Stream::of_sample(x, y);
+    scratch.media_stream = scratch.stream;
     scratch.crand = seed_of_sample(x, y);
 }
 

@@ -58,7 +58,7 @@ impl Tracer<'_> {
             film,
             factor: filter * fade * interior.refraction,
             transmit: fade.grey() * filter.grey(),
-            weight: f64::from(filter.max()),
+            weight: f64::from(filter.map(f32::abs).max()),
             passage,
         };
         if path.wavelength.is_none() && through.passage.splits() {
