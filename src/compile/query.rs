@@ -99,6 +99,8 @@ pub struct Scratch {
     pub crand: u32,
     /// Whether random numbers go on from sample to sample instead of starting anew.
     pub goes_on: bool,
+    /// Behind how many surfaces the ray at hand is, of those that wait for what it finds.
+    pub followed: u32,
     /// What is known of radiosity, where that is drawn.
     pub radiosity: Option<Box<Session>>,
     /// Photons around a point.
@@ -116,6 +118,13 @@ pub struct Scratch {
 }
 
 impl Scratch {
+    /// Whether rays are to be followed in POV-Ray's order, since each changes what the next ones find.
+    #[must_use]
+    pub fn minds_order(&self) -> bool {
+        let session = self.radiosity.as_ref();
+        self.goes_on || session.is_some_and(|session| session.minds_order())
+    }
+
     /// Starts all random numbers anew.
     pub fn begin_anew(&mut self) {
         self.stream = Stream::default();

@@ -246,7 +246,7 @@ fn draw_tile(
             let (whole, rays) = draw_rows(tracer, tile, options, scratch);
             (cut_out(&whole, tile, &wanted), rays)
         }
-        Sampling::Centres | Sampling::Converging(_) if minds_order(scratch) => {
+        Sampling::Centres | Sampling::Converging(_) if scratch.single().minds_order() => {
             draw_rows(tracer, &wanted, options, scratch)
         }
         Sampling::Centres | Sampling::Converging(_) => {
@@ -300,14 +300,6 @@ fn draw_blocks(
         }
     }
     (pixels, scratch.take_rays())
-}
-
-/// Whether pixels are to be drawn row by row.
-fn minds_order(scratch: &mut BlockScratch) -> bool {
-    let session = &scratch.single().radiosity;
-    session
-        .as_ref()
-        .is_some_and(|session| session.minds_order())
 }
 
 /// The same, pixel by pixel.

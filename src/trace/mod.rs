@@ -311,8 +311,11 @@ impl<'w> Tracer<'w> {
                 break plain;
             }
             let lights = self.world.surfaces[hit.surface as usize].lights;
-            let air = self.air(&path, hit.t, lights, scratch);
+            // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
+            let is_last = scratch.minds_order();
+            let air = (!is_last).then(|| self.air(&path, hit.t, lights, scratch));
             let view = self.shade(&path, &hit, known, scratch);
+            let air = air.unwrap_or_else(|| self.air(&path, hit.t, lights, scratch));
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,

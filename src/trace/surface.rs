@@ -252,6 +252,9 @@ impl Tracer<'_> {
             let film = texture.layers().first().map(|top| &top.finish.irid);
             is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
         }
+        if scratch.minds_order() && (self.has_air() || !mirrors.is_empty()) {
+            self.follow_straight_on(&lit, hit, &mut view, scratch);
+        }
         if !is_total {
             for mirror in &mirrors {
                 view.reflected += self.reflect(&lit, hit, mirror, scratch);
