@@ -7,4 +7,3 @@ light_source { <5, 6, -4>, rgb <0.4, 0.4, 0.6> area_light x, y, 3, 3 jitter circ
 plane { y, 0 pigment { rgb <0.9, 0.8, 0.7> } }
 sphere { <-1.5, 1, 0>, 1 pigment { rgb <0.8, 0.3, 0.2> } finish { phong 0.6 } }
 box { <0.5, 0, -1>, <1.6, 1.4, 0.2> pigment { rgb 1 } finish { ambient 0.4 diffuse 0 } }
-sphere { <2.6, 0.7, -1.4>, 0.7 pigment { rgbt <0.8, 0.9, 1, 0.6> } finish { reflection 0.3 } }
