@@ -119,6 +119,43 @@ fn a_part_is_drawn_as_it_is_in_the_whole() {
     }
 }
 
+/// Lamps that are moved at random, grain, and fog of a kind that is sampled at random.
+const CHANCE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at 0 angle 40 }
+light_source { <-4, 6, -8>, rgb 1 area_light 3*x, 3*z, 4, 4 adaptive 1 jitter }
+plane { y, -1 pigment { rgb 0.8 } finish { crand 0.2 } }
+sphere { <-1, 0, 0>, 1 pigment { rgbt <0.9, 0.6, 0.5, 0.5> } finish { reflection 0.3 } }
+sphere { <1, 0, 0>, 1 hollow pigment { rgbt 1 } interior { media { method 1 intervals 2 emission 0.4 } } }";
+
+#[test]
+fn random_numbers_are_the_same_for_any_number_of_threads_and_any_part() {
+    for sampling in [Sampling::Centres, Sampling::PovRay(Antialias::default())] {
+        let with = |threads, options| {
+            let options = RenderOptions {
+                threads: Some(threads),
+                sampling,
+                ..options
+            };
+            drawn(CHANCE, &options)
+        };
+        let whole = with(1, options());
+        assert_eq!(whole, with(5, options()), "{sampling:?}");
+        let part = RenderOptions {
+            columns: 40..70,
+            rows: 35..64,
+            ..options()
+        };
+        let film = with(3, part.clone());
+        for y in part.rows.clone() {
+            for x in part.columns.clone() {
+                let at = (y * WIDTH + x) as usize;
+                assert_eq!(film.pixels[at], whole.pixels[at], "at {x}, {y}");
+            }
+        }
+    }
+}
+
 /// A room whose light goes from wall to wall, with samples that are made while it is drawn.
 const ROOM: &str = "#version 3.7;
 global_settings { assumed_gamma 1 radiosity { count 30 error_bound 0.6 minimum_reuse 0.004 ALWAYS } }

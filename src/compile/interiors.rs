@@ -96,6 +96,11 @@ impl Interiors {
         self.media.get(id.0 as usize).map_or(&[], |media| media)
     }
 
+    /// What fills any of them.
+    pub(super) fn all_media(&self) -> impl Iterator<Item = &PreparedMedia> {
+        self.media.iter().flat_map(|media| &**media)
+    }
+
     /// Whether something fills some interior.
     #[must_use]
     pub fn have_media(&self) -> bool {

@@ -151,23 +151,23 @@ impl Lights {
             .map(|(_, program)| program)
     }
 
-    /// How far things cast shadows on a ray to a light: up to what it is projected through. `None` where the ray
-    /// misses that, and so the light.
+    /// How far things cast shadows on a ray to a light: up to what it is projected through, where that is farther than
+    /// `least` and wanted. `None` where the ray misses that, and so the light.
     pub(super) fn reach(
         &self,
         light: u32,
         leaves: &[Leaf],
-        query: &Query,
+        (query, least): (&Query, f64),
+        wanted: impl FnMut(&Found) -> bool,
         scratch: &mut Scratch,
     ) -> Option<f64> {
         let Some(program) = self.projector(light) else {
             return Some(query.far);
         };
-        let any = |_: &Found| true;
-        let span = (0.0, query.far);
+        let span = (least, query.far);
         let (from, sweep) = (query.from.as_ref(), &mut scratch.sweep);
         program
-            .nearest(leaves, &query.ray, span, from, sweep, any)
+            .nearest(leaves, &query.ray, span, from, sweep, wanted)
             .map(|found| found.root.t)
     }
 }

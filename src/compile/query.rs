@@ -91,10 +91,16 @@ pub struct Scratch {
     pub lamps: Vec<Option<Rgb>>,
     /// How many rays were followed.
     pub rays: Rays,
-    /// The random numbers of the sample at hand.
+    /// The random numbers of lamps and rainbows for the sample at hand.
     pub stream: Stream,
+    /// Those of media.
+    pub media_stream: Stream,
     /// The state of the generator that `crand` draws from.
     pub crand: u32,
+    /// Whether random numbers go on from sample to sample instead of starting anew.
+    pub goes_on: bool,
+    /// Behind how many surfaces the ray at hand is, of those that wait for what it finds.
+    pub followed: u32,
     /// What is known of radiosity, where that is drawn.
     pub radiosity: Option<Box<Session>>,
     /// Photons around a point.
@@ -109,6 +115,22 @@ pub struct Scratch {
     pub(super) mesh: MeshScratch,
     /// What the ray to a light meets that is being followed.
     pub(super) among: Items,
+}
+
+impl Scratch {
+    /// Whether rays are to be followed in POV-Ray's order, since each changes what the next ones find.
+    #[must_use]
+    pub fn minds_order(&self) -> bool {
+        let session = self.radiosity.as_ref();
+        self.goes_on || session.is_some_and(|session| session.minds_order())
+    }
+
+    /// Starts all random numbers anew.
+    pub fn begin_anew(&mut self) {
+        self.stream = Stream::default();
+        self.media_stream = Stream::default();
+        self.crand = 0;
+    }
 }
 
 /// What lies between a point and a light.

@@ -75,7 +75,12 @@ impl World {
     /// the ray, since it misses what the light is projected through.
     #[must_use]
     pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
-        self.lights.reach(light, &self.model.leaves, query, scratch)
+        // The object may stand in the scene as well, and the ray leave its surface.
+        let least = self.least_distance(query);
+        let wanted = |found: &Found| !self.is_left(found, query);
+        let leaves = &self.model.leaves;
+        self.lights
+            .reach(light, leaves, (query, least), wanted, scratch)
     }
 
     /// What lies on a ray to the light of this number. Where that is transparent it is gathered for

@@ -151,6 +151,16 @@ impl Interior {
         })
     }
 
+    /// The factor on light on its way from a source: as in POV-Ray it does not fade by powers that are not positive.
+    #[must_use]
+    pub fn fade_on_light(&self, distance: f64) -> Rgb {
+        if self.fade_power > 0.0 {
+            self.fade(distance)
+        } else {
+            Rgb::WHITE
+        }
+    }
+
     /// Takes over `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes have them.
     pub fn take_from_finishes<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
         for finish in finishes {
@@ -239,6 +249,14 @@ mod tests {
             read("{ fade_distance 1 }").unwrap().fade(2.0),
             Rgb::splat(0.5)
         );
+    }
+
+    #[test]
+    fn light_of_a_source_does_not_fade_by_power_0() {
+        let interior = read("{ fade_distance 1 }").unwrap();
+        assert_eq!(interior.fade_on_light(2.0), Rgb::WHITE);
+        let interior = read("{ fade_distance 2 fade_power 1 }").unwrap();
+        assert_eq!(interior.fade_on_light(2.0), interior.fade(2.0));
     }
 
     #[test]

@@ -74,8 +74,7 @@ impl Iterator for Twister {
 /// A way through the table.
 ///
 /// POV-Ray's threads each walk through it as long as they draw, so that what a pixel gets depends on all that was
-/// drawn before. Here each sample starts a walk of its own, and so pictures do not depend on threads or crops; the
-/// sample in the upper left corner walks as POV-Ray does.
+/// drawn before. So do pictures here that are drawn in its order. Otherwise each sample starts a walk of its own.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stream {
     last: u32,

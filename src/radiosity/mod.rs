@@ -142,6 +142,8 @@ pub struct Session {
     pub notes: Notes,
     /// By depth, the next direction.
     next: Vec<usize>,
+    /// Whether light was asked for since this was last looked at.
+    is_asked: bool,
 }
 
 /// What is known of the light at a place.
@@ -166,6 +168,7 @@ impl Session {
             quality: 1.0,
             notes: Notes::default(),
             next: vec![0; radiosity.settings.recursion_limit as usize + 1],
+            is_asked: false,
         }
     }
 
@@ -191,6 +194,7 @@ impl Session {
             quality: 1.0,
             notes: Notes::of(&self.cache),
             next: self.next.clone(),
+            is_asked: false,
         }
     }
 
@@ -214,6 +218,7 @@ impl Session {
 
     /// What is known of the light at a place.
     pub fn known(&mut self, radiosity: &Radiosity, look: &Look) -> Known {
+        self.is_asked = true;
         let mean = self.cache.mean(look);
         if self.mode == Mode::Watch {
             self.notes.ask(*look);
@@ -231,6 +236,11 @@ impl Session {
             return Known::Unknown;
         }
         Known::Short(mean)
+    }
+
+    /// Whether light was asked for since this was last called.
+    pub fn was_asked(&mut self) -> bool {
+        std::mem::take(&mut self.is_asked)
     }
 
     /// Notes the quality of light that was used.

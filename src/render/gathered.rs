@@ -33,7 +33,9 @@ impl Gathered {
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
+        scratch.single().goes_on = world.takes_chances();
         pretrace(tracer, options, scratch.single());
+        scratch.single().begin_anew();
         let rays = scratch.take_rays();
         let mut pretraced = 0;
         if let Some(session) = &mut scratch.single().radiosity {
@@ -63,10 +65,11 @@ impl Gathered {
             progress((drawn.0.columns.len() * drawn.0.rows.len()) as u64);
             drawn
         };
+        let in_turn = rayon::current_num_threads() == 1 || self.scratch.goes_on();
         let Some(session) = &self.scratch.single().radiosity else {
             return Vec::new();
         };
-        if rayon::current_num_threads() == 1 {
+        if in_turn {
             let each = tiles
                 .iter()
                 .map(|tile| finished(draw(&mut self.scratch, tile)));

@@ -87,10 +87,14 @@ pub fn render(
             ..drawn
         };
     }
-    // A piece of an earlier run does not tell which samples it added.
-    let unfinished = unfinished.filter(|_| gathered.is_none());
+    let mut in_order = world.takes_chances().then(going_on);
+    // A piece of an earlier run does not tell which samples it added, nor which numbers it took.
+    let unfinished = unfinished.filter(|_| gathered.is_none() && in_order.is_none());
     let gathers = gathered.is_some();
-    let tiles = tiles_of(options);
+    let tiles = match in_order {
+        Some(_) => tiles_of(&with_all_before(options)),
+        None => tiles_of(options),
+    };
     let leveller = options.only_for.as_ref().and_then(Leveller::of);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match unfinished {
@@ -118,12 +122,13 @@ pub fn render(
     // Tiles by tiles, or all pixels would lie in memory twice.
     let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
     for some in tiles.chunks(at_once) {
-        let drawn: Vec<(Tile, Kept, Rays)> = match &mut gathered {
-            None => some
+        let drawn: Vec<(Tile, Kept, Rays)> = match (&mut gathered, &mut in_order) {
+            (None, None) => some
                 .par_iter()
                 .map_init(BlockScratch::default, draw)
                 .collect(),
-            Some(gathered) => gathered.draw(some, &draw, progress),
+            (None, Some(scratch)) => some.iter().map(|tile| draw(scratch, tile)).collect(),
+            (Some(gathered), _) => gathered.draw(some, &draw, progress),
         };
         for (tile, kept, of_tile) in drawn {
             rays += of_tile;
@@ -143,6 +148,22 @@ pub fn render(
         reached: None,
         radiosity: gathered.map(Gathered::taken),
         photons,
+    }
+}
+
+/// What a thread keeps that draws in order, with random numbers that go on.
+fn going_on() -> BlockScratch {
+    let mut scratch = BlockScratch::default();
+    scratch.single().goes_on = true;
+    scratch
+}
+
+/// Options for all tiles up to those wanted, so that these get the random numbers that they have in the whole picture.
+fn with_all_before(options: &RenderOptions) -> RenderOptions {
+    RenderOptions {
+        columns: 0..options.width,
+        rows: 0..options.rows.end,
+        ..options.clone()
     }
 }
 
@@ -221,7 +242,11 @@ fn draw_tile(
 ) -> (Tile, Pixels) {
     let wanted = wanted(tile, options);
     let pixels = match &options.sampling {
-        Sampling::Centres | Sampling::Converging(_) if minds_order(scratch) => {
+        Sampling::Centres | Sampling::Converging(_) if scratch.goes_on() => {
+            let (whole, rays) = draw_rows(tracer, tile, options, scratch);
+            (cut_out(&whole, tile, &wanted), rays)
+        }
+        Sampling::Centres | Sampling::Converging(_) if scratch.single().minds_order() => {
             draw_rows(tracer, &wanted, options, scratch)
         }
         Sampling::Centres | Sampling::Converging(_) => {
@@ -230,17 +255,23 @@ fn draw_tile(
         Sampling::PovRay(how) => {
             let single = scratch.single();
             let whole = Sampler::new(tracer, options, how).block(tile, single);
-            let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
-            let skipped = (wanted.columns.start - tile.columns.start) as usize;
-            let pixels = rows
-                .filter(|(_, y)| wanted.rows.contains(y))
-                .flat_map(|(row, _)| &row[skipped..skipped + wanted.columns.len()])
-                .copied()
-                .collect();
-            (pixels, scratch.take_rays())
+            (cut_out(&whole, tile, &wanted), scratch.take_rays())
         }
     };
     (wanted, pixels)
+}
+
+/// The pixels of a part of a tile.
+fn cut_out(whole: &[Pixel], tile: &Tile, wanted: &Tile) -> Vec<Pixel> {
+    if wanted.columns.is_empty() {
+        return Vec::new();
+    }
+    let rows = whole.chunks(tile.columns.len()).zip(tile.rows.clone());
+    let skipped = (wanted.columns.start - tile.columns.start) as usize;
+    rows.filter(|(_, y)| wanted.rows.contains(y))
+        .flat_map(|(row, _)| &row[skipped..skipped + wanted.columns.len()])
+        .copied()
+        .collect()
 }
 
 /// The pixels of a rectangle, row by row, without antialiasing.
@@ -271,14 +302,6 @@ fn draw_blocks(
     (pixels, scratch.take_rays())
 }
 
-/// Whether pixels are to be drawn row by row.
-fn minds_order(scratch: &mut BlockScratch) -> bool {
-    let session = &scratch.single().radiosity;
-    session
-        .as_ref()
-        .is_some_and(|session| session.minds_order())
-}
-
 /// The same, pixel by pixel.
 fn draw_rows(
     tracer: &Tracer<'_>,
@@ -297,6 +320,8 @@ fn draw_rows(
     (pixels, scratch.take_rays())
 }
 
+/// What two ranges share; where they share nothing, an empty one.
 fn shared(a: &Range<u32>, b: &Range<u32>) -> Range<u32> {
-    a.start.max(b.start)..a.end.min(b.end)
+    let start = a.start.max(b.start);
+    start..a.end.min(b.end).max(start)
 }

@@ -6,6 +6,7 @@ use super::tiles_of;
 use crate::compile::Scratch;
 use crate::math::mersenne;
 use crate::options::RenderOptions;
+use crate::radiosity::Session;
 use crate::trace::Tracer;
 use std::ops::Range;
 
@@ -61,7 +62,8 @@ fn places(range: &Range<u32>, spacing: f64) -> impl Iterator<Item = f64> + use<>
         .take_while(move |&at| at < end)
 }
 
-/// Makes the samples of a picture.
+/// Makes the samples of a picture. Where a pass asks for no light in a block, POV-Ray does not come back to it in later
+/// ones (measured by the numbers of samples that it tells).
 pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &mut Scratch) {
     let Some(radiosity) = &tracer.world().radiosity else {
         return;
@@ -74,8 +76,12 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
     };
     let tiles = tiles_of(&whole);
     let spacings = spacings(options, settings.pretrace_start, settings.pretrace_end);
+    let mut is_lit = vec![true; tiles.len()];
     for (pass, spacing) in (0..).zip(spacings) {
-        for (block, tile) in (0..).zip(&tiles) {
+        for ((block, tile), is_lit) in (0..).zip(&tiles).zip(&mut is_lit) {
+            if !*is_lit {
+                continue;
+            }
             let mut jitter = Jitter::of_block(pass, block);
             let amount = (0.5 * spacing).min(1.0);
             let middle = 0.5 * (spacing - 1.0);
@@ -87,6 +93,8 @@ pub(super) fn pretrace(tracer: &Tracer<'_>, options: &RenderOptions, scratch: &m
                     let _ = tracer.pixel(x, y, options.width, options.height, scratch);
                 }
             }
+            let session = scratch.radiosity.as_deref_mut();
+            *is_lit = session.is_some_and(Session::was_asked);
             if options.stop.is_asked() {
                 return;
             }

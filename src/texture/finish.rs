@@ -84,6 +84,14 @@ struct Albedo {
 }
 
 impl Finish {
+    /// Whether light from lamps can be seen on it.
+    #[must_use]
+    #[inline]
+    pub fn takes_light(&self) -> bool {
+        let shares = [self.diffuse, self.diffuse_back, self.phong, self.specular];
+        shares.iter().any(|&share| share != 0.0)
+    }
+
     /// The finish of a block; what the block does not say is as in `base`.
     ///
     /// # Errors

@@ -37,7 +37,8 @@ impl Tracer<'_> {
             return None;
         }
         let inside = self.media_inside(path, length, lights, scratch);
-        let (rainbows, dir) = (self.world.rainbows.iter(), path.ray.dir);
+        // The last comes first, as in POV-Ray: that counts where they take random numbers.
+        let (rainbows, dir) = (self.world.rainbows.iter().rev(), path.ray.dir);
         let stream = &mut scratch.stream;
         let arcs = rainbows.filter_map(|rainbow| rainbow.tint(dir, length, stream));
         Some(Air {

@@ -84,6 +84,11 @@ impl BlockScratch {
         self.parts_of_block.clone_from(&self.parts);
     }
 
+    /// Whether random numbers go on from sample to sample.
+    pub fn goes_on(&self) -> bool {
+        self.single.goes_on
+    }
+
     /// What it keeps for rays that are followed one at a time.
     pub fn single(&mut self) -> &mut Scratch {
         &mut self.single

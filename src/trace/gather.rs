@@ -90,7 +90,7 @@ impl Tracer<'_> {
             nearest: WAY_TO_NOTHING * self.world.globals.unit,
             to_nearest: look.normal,
         };
-        let random = (scratch.stream, scratch.crand);
+        let random = (scratch.stream, scratch.media_stream, scratch.crand);
         if self.sends_together(depth, count, scratch) {
             self.send_together(gathering, look, &mut aim, &mut sum, scratch);
         } else {
@@ -99,7 +99,7 @@ impl Tracer<'_> {
                 sum.add(dir, &self.send(gathering, look, (number, dir), scratch));
             }
         }
-        (scratch.stream, scratch.crand) = random;
+        (scratch.stream, scratch.media_stream, scratch.crand) = random;
         let eye = self.world.camera.location().distance(look.point);
         let [least, most] = radiosity.reuse(depth).map(|reuse| reuse * eye);
         let sample = Sample {
@@ -196,6 +196,7 @@ impl Tracer<'_> {
         // Random numbers of its own, or they would hang on the rays before it.
         let place = look.point.x + look.point.y + look.point.z;
         scratch.stream = Stream::of_sample(f64::from(number), place);
+        scratch.media_stream = scratch.stream;
         scratch.crand = seed_of_sample(f64::from(number), place);
         let path = Path {
             ray: Ray::new(look.point, dir),

@@ -50,7 +50,9 @@ impl Tracer<'_> {
                 let sample = LensRay { sample, x, y };
                 let ray = lens.ray(&self.world.camera, &sample, size.0, size.1);
                 let seen = self.sample(ray, scratch);
-                spread.add(seen.rgb, seen.transmit);
+                // Where the picture keeps no transparency the background is opaque, whatever it says.
+                let is_opaque = ray.is_some() && !self.world.globals.has_alpha;
+                spread.add(seen.rgb, if is_opaque { 0.0 } else { seen.transmit });
                 rgb += seen.rgb;
                 transmit += seen.transmit;
             }

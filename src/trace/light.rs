@@ -157,6 +157,9 @@ impl Tracer<'_> {
     /// What all lights give to a layer.
     pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let mut sum = Rgb::BLACK;
+        if !coat.finish.takes_light() {
+            return sum;
+        }
         for &light in lit.lights {
             sum += self.light_up(light, lit, coat, scratch);
         }
@@ -383,7 +386,7 @@ impl Tracer<'_> {
     /// light is inside of.
     fn fade(&self, inside: &mut Inside, interior: InteriorId, length: f64) -> Rgb {
         if passage::cross(inside, interior) {
-            self.world.interiors.get(interior).fade(length)
+            self.world.interiors.get(interior).fade_on_light(length)
         } else {
             Rgb::WHITE
         }

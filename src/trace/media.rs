@@ -194,7 +194,7 @@ impl Tracer<'_> {
             method => {
                 let count = sampling.samples[0];
                 for number in 0..count {
-                    let random = scratch.stream.next_number();
+                    let random = scratch.media_stream.next_number();
                     let at = if method == 1 {
                         random
                     } else {
@@ -226,7 +226,7 @@ impl Tracer<'_> {
             while sum.count <= most
                 && sum.variance() >= scale * chi_square(sum.count.max(1), confidence)
             {
-                let at = scratch.stream.next_number();
+                let at = scratch.media_stream.next_number();
                 self.add_sample(stretch, interval, at, sum, scratch);
             }
         }
@@ -260,8 +260,9 @@ impl Tracer<'_> {
         let steps = sampling.samples[0] / 2 + 1;
         let width = 1.0 / (f64::from(steps) + 1.0);
         let jitter = width * sampling.jitter;
-        let shifted =
-            |at: f64, scratch: &mut Scratch| at + jitter * (scratch.stream.next_number() - 0.5);
+        let shifted = |at: f64, scratch: &mut Scratch| {
+            at + jitter * (scratch.media_stream.next_number() - 0.5)
+        };
         let mut from = shifted(0.0, scratch);
         let mut first = self.at(stretch, interval, from, scratch);
         for step in 1..=steps {
@@ -287,7 +288,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Sampled {
         let sampling = &stretch.sampling;
-        let random = scratch.stream.next_number() - 0.5;
+        let random = scratch.media_stream.next_number() - 0.5;
         let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
         let middle = self.at(stretch, interval, at, scratch);
         if depth == 0 {
@@ -390,7 +391,7 @@ impl Tracer<'_> {
         for interval in 0..intervals {
             let from = f64::from(interval) * long;
             let mean = if is_even {
-                scratch.stream.next_number();
+                scratch.media_stream.next_number();
                 taken(from)
             } else {
                 mean_of(&sampling, |at| taken(from + at * long), scratch)
@@ -407,7 +408,7 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
     let mut sum = Rgb::BLACK;
     if sampling.method != 3 {
         for number in 0..least {
-            let random = scratch.stream.next_number();
+            let random = scratch.media_stream.next_number();
             sum += of(if sampling.method == 1 {
                 random
             } else {
@@ -419,7 +420,7 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
     let steps = least / 2 + 1;
     let width = 1.0 / (f64::from(steps) + 1.0);
     let mut shifted =
-        |at: f64, by: f64| at + by * sampling.jitter * (scratch.stream.next_number() - 0.5);
+        |at: f64, by: f64| at + by * sampling.jitter * (scratch.media_stream.next_number() - 0.5);
     let mut from = shifted(0.0, width);
     for step in 1..=steps {
         let to = shifted(f64::from(step) * width, width);

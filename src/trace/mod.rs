@@ -310,8 +310,11 @@ impl<'w> Tracer<'w> {
                 break plain;
             }
             let lights = self.world.surfaces[hit.surface as usize].lights;
-            let air = self.air(&path, hit.t, lights, scratch);
+            // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
+            let is_last = scratch.minds_order();
+            let air = (!is_last).then(|| self.air(&path, hit.t, lights, scratch));
             let view = self.shade(&path, &hit, known, scratch);
+            let air = air.unwrap_or_else(|| self.air(&path, hit.t, lights, scratch));
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
@@ -388,9 +391,13 @@ impl Background {
     }
 }
 
-/// Starts the random numbers of a sample.
+/// Starts the random numbers of a sample, unless they go on.
 fn begin_sample(x: f64, y: f64, scratch: &mut Scratch) {
+    if scratch.goes_on {
+        return;
+    }
     scratch.stream = Stream::of_sample(x, y);
+    scratch.media_stream = scratch.stream;
     scratch.crand = seed_of_sample(x, y);
 }
 

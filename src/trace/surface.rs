@@ -248,9 +248,12 @@ impl Tracer<'_> {
         }
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
-        if self.quality.has_transparency && !self.is_opaque(path, filter.map(f32::abs)) {
+        if self.quality.has_transparency && !self.is_opaque(path, filter) {
             let film = texture.layers().first().map(|top| &top.finish.irid);
             is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
+        }
+        if scratch.minds_order() && (self.has_air() || !mirrors.is_empty()) {
+            self.follow_straight_on(&lit, hit, &mut view, scratch);
         }
         if !is_total {
             for mirror in &mirrors {
@@ -389,8 +392,9 @@ impl Tracer<'_> {
         self.world.interiors.get(id)
     }
 
+    /// Whether too little passes to be looked at; colours that take light away count as much as those that give it.
     fn is_opaque(&self, path: &Path, filter: Rgb) -> bool {
-        f64::from(filter.grey()) <= self.bailout(path)
+        f64::from(filter.map(f32::abs).grey()) <= self.bailout(path)
     }
 }
 

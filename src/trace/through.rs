@@ -10,6 +10,9 @@ use crate::math::Ray;
 use crate::texture::Irid;
 use glam::DVec3;
 
+/// So many surfaces one behind the other are followed while others wait: each takes some of the stack.
+const MOST_FOLLOWED: u32 = 100;
+
 /// What shines through without a bend.
 pub(super) struct StraightOn {
     /// The factor on light from behind.
@@ -58,7 +61,7 @@ impl Tracer<'_> {
             film,
             factor: filter * fade * interior.refraction,
             transmit: fade.grey() * filter.grey(),
-            weight: f64::from(filter.max()),
+            weight: f64::from(filter.map(f32::abs).max()),
             passage,
         };
         if path.wavelength.is_none() && through.passage.splits() {
@@ -89,6 +92,41 @@ impl Tracer<'_> {
                 true
             }
         }
+    }
+
+    /// Adds what shines through without a bend at once, for what comes after it in POV-Ray's order. Behind too many
+    /// surfaces it is left to the one who asked.
+    pub(super) fn follow_straight_on(
+        &self,
+        lit: &Lit,
+        hit: &Hit,
+        view: &mut View,
+        scratch: &mut Scratch,
+    ) {
+        let path = lit.path;
+        if scratch.followed >= MOST_FOLLOWED {
+            return;
+        }
+        let Some(onward) = view.straight_on.take() else {
+            return;
+        };
+        let behind = if path.level + 1 < self.world.globals.max_trace_level {
+            scratch.followed += 1;
+            let path = Path {
+                ray: Ray::new(hit.point, path.ray.dir),
+                from: Some(hit.departure),
+                weight: path.weight * onward.weight,
+                inside: onward.inside,
+                ..*path
+            };
+            let behind = self.trace(path, None, scratch);
+            scratch.followed -= 1;
+            behind
+        } else {
+            Sample::BLACK
+        };
+        view.rgb += onward.factor * behind.rgb;
+        view.transmit = onward.transmit * behind.transmit;
     }
 
     /// What comes through a surface from a direction.
