@@ -246,14 +246,15 @@ fn unfinished(
         quality,
         alpha,
         least_distance,
+        random_order,
         sampling,
         ..
     } = render;
     let size = (render.width, render.height);
     // All that decides about the pixels, but for the number of threads.
     let all = format!(
-        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {sampling:?} {declares:?} \
-         {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
+        "{} {print} {size:?} {columns:?} {rows:?} {quality} {alpha} {least_distance:?} {random_order:?} {sampling:?} \
+         {declares:?} {version:?} {clock} {clock_on} {clock_delta} {frame_number}",
         keep.build
     );
     let mut hasher = rustc_hash::FxHasher::default();

@@ -144,6 +144,8 @@ pub struct RenderOptions {
     pub alpha: bool,
     /// From which distance on a ray meets surfaces.
     pub least_distance: LeastDistance,
+    /// In which order pixels take random numbers.
+    pub random_order: RandomOrder,
     /// Whether to tell what was left out.
     pub statistics: bool,
     /// How pixels are sampled.
@@ -261,6 +263,20 @@ pub enum LeastDistance {
     /// two pictures differ by nothing else.
     PovRay,
 }
+
+/// In which order pixels take the random numbers of lamps, grain and media. It never hangs on the number of threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RandomOrder {
+    /// As [`RandomOrder::PovRay`] in pictures of up to [`IN_ORDER`] pixels, which are soon drawn. In larger ones each
+    /// pixel takes numbers of its own, so that all threads can draw.
+    #[default]
+    BySize,
+    /// One after the other, as POV-Ray with one thread: the numbers are POV-Ray's, but one thread draws alone.
+    PovRay,
+}
+
+/// Pictures of no more pixels are drawn in POV-Ray's order if that matters: 400 by 300 and a little more.
+pub const IN_ORDER: u64 = 1 << 17;
 
 /// A drawn scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -411,6 +427,15 @@ impl Default for ReadOptions {
     }
 }
 
+impl RenderOptions {
+    /// Whether pixels take random numbers one after the other.
+    #[must_use]
+    pub fn takes_numbers_in_order(&self) -> bool {
+        let pixels = u64::from(self.width) * u64::from(self.height);
+        self.random_order == RandomOrder::PovRay || pixels <= IN_ORDER
+    }
+}
+
 impl Default for RenderOptions {
     /// All of a picture of 800 by 600 pixels, as on Debian.
     fn default() -> Self {
@@ -423,6 +448,7 @@ impl Default for RenderOptions {
             threads: None,
             alpha: false,
             least_distance: LeastDistance::default(),
+            random_order: RandomOrder::default(),
             statistics: false,
             sampling: Sampling::Centres,
             keep: None,

@@ -156,6 +156,39 @@ fn random_numbers_are_the_same_for_any_number_of_threads_and_any_part() {
     }
 }
 
+#[test]
+fn random_numbers_of_large_pictures_are_the_same_for_any_number_of_threads_and_any_part() {
+    let large = RenderOptions {
+        width: 512,
+        height: 257,
+        columns: 0..512,
+        rows: 100..164,
+        ..options()
+    };
+    assert!(!large.takes_numbers_in_order());
+    let with = |threads, options| {
+        let threads = Some(threads);
+        drawn(CHANCE, &RenderOptions { threads, ..options })
+    };
+    let whole = with(1, large.clone());
+    assert_eq!(whole, with(5, large.clone()));
+    let (columns, rows) = (200..270, 110..140);
+    let part = with(
+        3,
+        RenderOptions {
+            columns,
+            rows,
+            ..large
+        },
+    );
+    for y in 110..140 {
+        for x in 200..270 {
+            let at = y * 512 + x;
+            assert_eq!(part.pixels[at], whole.pixels[at], "at {x}, {y}");
+        }
+    }
+}
+
 /// A room whose light goes from wall to wall, with samples that are made while it is drawn.
 const ROOM: &str = "#version 3.7;
 global_settings { assumed_gamma 1 radiosity { count 30 error_bound 0.6 minimum_reuse 0.004 ALWAYS } }

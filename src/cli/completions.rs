@@ -98,6 +98,7 @@ mod tests {
                 "hardfail",
                 "completions",
                 "pov-distances",
+                "pov-random",
             ] {
                 assert!(script.contains(word), "{shell}: {word}");
             }

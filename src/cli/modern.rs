@@ -10,7 +10,7 @@ use super::error::CliError;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
 use super::values::{duration, error};
-use crate::options::LeastDistance;
+use crate::options::{LeastDistance, RandomOrder};
 
 /// Draws POV-Ray scenes.
 #[derive(Debug, Parser)]
@@ -57,6 +57,9 @@ pub(super) struct Modern {
     /// Lose what is thinner than POV-Ray's least distances, as it does
     #[arg(long)]
     pov_distances: bool,
+    /// Take random numbers in POV-Ray's order in large pictures too, which then one thread draws
+    #[arg(long)]
+    pov_random: bool,
     // Without a short form: `-V` is POV-Ray's.
     /// Print version
     #[arg(long, action = clap::ArgAction::Version)]
@@ -173,6 +176,9 @@ impl Modern {
         }
         if self.pov_distances {
             typed.least_distance = LeastDistance::PovRay;
+        }
+        if self.pov_random {
+            typed.random_order = RandomOrder::PovRay;
         }
     }
 }

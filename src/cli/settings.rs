@@ -160,6 +160,7 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         threads: typed.threads,
         alpha: typed.alpha,
         least_distance: typed.least_distance,
+        random_order: typed.random_order,
         statistics: typed.stats || typed.json || typed.keeps_statistics(),
         sampling: sampling(typed),
         keep: None,

@@ -1,6 +1,6 @@
 //! What was typed, before it is decided what that means: every option's last value.
 
-use crate::options::{Antialias, LeastDistance};
+use crate::options::{Antialias, LeastDistance, RandomOrder};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -47,6 +47,7 @@ pub(super) struct Typed {
     pub(super) stats: bool,
     pub(super) json: bool,
     pub(super) least_distance: LeastDistance,
+    pub(super) random_order: RandomOrder,
     /// Whether to go on with an unfinished picture.
     pub(super) continues: bool,
     pub(super) is_antialiased: bool,
@@ -122,6 +123,7 @@ impl Default for Typed {
             stats: false,
             json: false,
             least_distance: LeastDistance::default(),
+            random_order: RandomOrder::default(),
             continues: false,
             is_antialiased: false,
             is_jittered: true,

@@ -27,10 +27,9 @@ impl World {
     fn is_grainy(&self) -> bool {
         let has_grain = |layer: &PreparedLayer| layer.finish.crand > 0.0;
         let mut textures = self.surfaces.iter().flat_map(|surface| {
-            let inside = surface.inside_texture.iter();
-            std::iter::once(&surface.texture)
-                .chain(inside)
-                .chain(&surface.skins)
+            let inside = surface.inside_texture().into_iter();
+            let others = inside.chain(surface.skins());
+            std::iter::once(&*surface.texture).chain(others.map(|texture| &**texture))
         });
         textures.any(|texture| texture.has_layer(&has_grain))
     }

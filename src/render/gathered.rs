@@ -33,7 +33,7 @@ impl Gathered {
         let mut scratch = BlockScratch::default();
         let session = Session::new(radiosity, world.globals.unit);
         scratch.single().radiosity = Some(Box::new(session));
-        scratch.single().goes_on = world.takes_chances();
+        scratch.single().goes_on = super::draws_in_order(world, options);
         pretrace(tracer, options, scratch.single());
         scratch.single().begin_anew();
         let rays = scratch.take_rays();

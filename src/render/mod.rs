@@ -87,7 +87,7 @@ pub fn render(
             ..drawn
         };
     }
-    let mut in_order = world.takes_chances().then(going_on);
+    let mut in_order = draws_in_order(world, options).then(going_on);
     // A piece of an earlier run does not tell which samples it added, nor which numbers it took.
     let unfinished = unfinished.filter(|_| gathered.is_none() && in_order.is_none());
     let gathers = gathered.is_some();
@@ -149,6 +149,11 @@ pub fn render(
         radiosity: gathered.map(Gathered::taken),
         photons,
     }
+}
+
+/// Whether pixels are drawn one after the other, for the sake of random numbers that the scene shows.
+fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
+    options.takes_numbers_in_order() && world.takes_chances()
 }
 
 /// What a thread keeps that draws in order, with random numbers that go on.
