@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// The rooms by floor, lowest first. Rooms of one floor do not use each other, but for [`NEIGHBOURS`].
 const FLOORS: &[&[&str]] = &[
-    &["math", "source", "color"],
+    &["math", "source", "color", "memory"],
     &["encoding"],
     &["syntax", "accel", "film"],
     &["args", "options"],

@@ -6,4 +6,4 @@ camera {
   aperture 0.3 focal_point <0, 0.5, -1> blur_samples 16 variance 1/1000 confidence 0.95
 }
 light_source { <-4, 6, -6>, rgb 1 }
-plane { y, 0 pigment { granite } }
+plane { y, 0 pigment { rgb 0.5 } }
