@@ -53,6 +53,19 @@ pub enum OutputError {
 
 type EncodeResult = Result<Vec<u8>, String>;
 
+/// Who refuses to write a picture.
+enum Refusal {
+    /// The format, which cannot hold it.
+    ByFormat(String),
+    BySystem(io::Error),
+}
+
+impl From<io::Error> for Refusal {
+    fn from(error: io::Error) -> Self {
+        Refusal::BySystem(error)
+    }
+}
+
 fn encoder(format: Format) -> fn(&Film, &EncodeOptions) -> EncodeResult {
     match format {
         Format::Png => png::encode,
@@ -72,13 +85,19 @@ fn encoder(format: Format) -> fn(&Film, &EncodeOptions) -> EncodeResult {
 pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputError> {
     let format = options.format;
     let refuse = |reason| OutputError::Encode { format, reason };
+    can_hold(film, format).map_err(refuse)?;
+    encoder(format)(film, options).map_err(refuse)
+}
+
+/// Why a format cannot hold a picture at all, if it cannot.
+fn can_hold(film: &Film, format: Format) -> Result<(), String> {
     if film.width == 0 || film.height == 0 {
-        return Err(refuse("it has no pixels".to_owned()));
+        return Err("it has no pixels".to_owned());
     }
     if film.levels.is_some() && matches!(format, Format::Exr | Format::Hdr) {
-        return Err(refuse(levels::OF_ANOTHER.to_owned()));
+        return Err(levels::OF_ANOTHER.to_owned());
     }
-    encoder(format)(film, options).map_err(refuse)
+    Ok(())
 }
 
 /// Writes the picture. A file appears whole or not at all; one that was there stays as it was on any failure.
@@ -86,7 +105,20 @@ pub fn encode(film: &Film, options: &EncodeOptions) -> Result<Vec<u8>, OutputErr
 /// # Errors
 /// When the format cannot hold the picture, or the system refuses to write.
 pub fn write(film: &Film, target: &Target, options: &EncodeOptions) -> Result<(), OutputError> {
-    put(&encode(film, options)?, target)
+    let format = options.format;
+    let (Target::File(path), Format::Png) = (target, format) else {
+        return put(&encode(film, options)?, target);
+    };
+    let written = can_hold(film, format).map_err(Refusal::ByFormat);
+    let written =
+        written.and_then(|()| place::replace_by(path, |file| png::write(film, options, file)));
+    written.map_err(|refusal| match refusal {
+        Refusal::ByFormat(reason) => OutputError::Encode { format, reason },
+        Refusal::BySystem(source) => OutputError::Write {
+            target: target.clone(),
+            source,
+        },
+    })
 }
 
 /// Writes the bytes of a file, as [`write()`] does.

@@ -1,22 +1,35 @@
 //! Bytes to a file, whole or not at all: a temporary file in the same folder takes them, then takes the name.
 
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Replaces the file at `path`. Where the name is that of a link, the file it points to is replaced; where it is
 /// that of a device or a pipe, the bytes go into it.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace_by(path, |file| file.write_all(bytes))
+}
+
+/// The same with what `write` writes.
+pub(super) fn replace_by<E: From<io::Error>>(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&mut dyn Write>) -> Result<(), E>,
+) -> Result<(), E> {
+    let buffered = |file: &mut dyn Write| {
+        let mut file = BufWriter::new(file);
+        write(&mut file)?;
+        Ok(file.flush()?)
+    };
     if let Ok(found) = fs::metadata(path) {
         if found.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
+            return Err(io::Error::from(io::ErrorKind::IsADirectory).into());
         }
         if !found.is_file() {
-            return File::options().write(true).open(path)?.write_all(bytes);
+            return buffered(&mut File::options().write(true).open(path)?);
         }
     }
     let mut file = Pending::new(path)?;
-    file.write_all(bytes)?;
+    buffered(&mut file)?;
     file.take_name()?;
     Ok(())
 }

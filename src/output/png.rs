@@ -3,10 +3,11 @@
 //! Compression is the fastest there is: the best would take several times as long as drawing a small scene.
 //! The chunks `gAMA` and `sRGB` are POV-Ray's; a scene without gamma handling is announced as sRGB, as there.
 
-use png::{BitDepth, ColorType, Compression, Encoder, chunk};
+use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
+use std::io::Write;
 
 use super::levels::{self, Channels, Depth};
-use super::{EncodeOptions, EncodeResult};
+use super::{EncodeOptions, EncodeResult, Refusal};
 use crate::color::Gamma;
 use crate::film::Film;
 
@@ -17,12 +18,25 @@ pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     Ok(file)
 }
 
+/// The same into a file, so that its bytes need not all be in memory once more.
+pub(super) fn write(
+    film: &Film,
+    options: &EncodeOptions,
+    to: &mut impl Write,
+) -> Result<(), Refusal> {
+    let data = levels::of(film, options).map_err(Refusal::ByFormat)?;
+    file_of(film, options, &data, to).map_err(|error| match error {
+        EncodingError::IoError(error) => Refusal::BySystem(error),
+        other => Refusal::ByFormat(other.to_string()),
+    })
+}
+
 fn file_of(
     film: &Film,
     options: &EncodeOptions,
     data: &[u8],
-    file: &mut Vec<u8>,
-) -> Result<(), png::EncodingError> {
+    file: &mut impl Write,
+) -> Result<(), EncodingError> {
     let mut encoder = Encoder::new(file, film.width, film.height);
     encoder.set_color(match Channels::of(options) {
         Channels::Grey => ColorType::Grayscale,
