@@ -78,45 +78,52 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn killed_at_any_moment_it_goes_on_to_the_same_picture() {
     for (way, lamps) in WAYS {
-        let whole = folder(lamps);
-        let start = std::time::Instant::now();
-        ended(whole.path(), way);
-        let took = start.elapsed();
-        let expected = fs::read(whole.path().join("s.png")).expect("a picture");
-        let with_c: Vec<&str> = way.iter().copied().chain(["+C"]).collect();
-        let mut went_on = 0;
-        // From before the first tile to after the last; every kill is on top of what was kept before.
-        let broken = folder(lamps);
-        let mut kills = 0;
-        for moment in 1..=17_u32 {
-            let mut child = started(broken.path(), &with_c);
-            std::thread::sleep(took.mul_f64(f64::from(moment * 7 % 17) / 26.0));
-            child.kill().expect("it is there");
-            child.wait().expect("it ends");
-            kills += 1;
-            let names = names(broken.path());
-            let is_done = names.contains(&"s.png".to_owned());
-            if is_done || kills % 4 == 0 {
-                let said = if is_done {
-                    String::new()
-                } else {
-                    let output = ended(broken.path(), &with_c);
-                    String::from_utf8_lossy(&output.stderr).into_owned()
-                };
-                went_on += usize::from(said.contains("going on: "));
-                let found = fs::read(broken.path().join("s.png")).expect("a picture");
-                assert!(
-                    found == expected,
-                    "{way:?} differs after {kills} kills: {said}"
-                );
-                let left = self::names(broken.path());
-                let is_clean = left.iter().all(|name| !name.ends_with(".povr-state"));
-                assert!(is_clean || is_done, "{left:?}");
-                fs::remove_file(broken.path().join("s.png")).expect("it is there");
-            }
-        }
-        assert!(went_on > 0, "{way:?} never went on");
+        // Where other work comes and goes every drawing may end before it is killed.
+        let went_on = (0..3).any(|_| kill_often(way, lamps) > 0);
+        assert!(went_on, "{way:?} never went on");
     }
+}
+
+/// Kills drawings at many moments, checks what comes of them, and tells how often one was gone on with.
+fn kill_often(way: &[&str], lamps: &str) -> usize {
+    let whole = folder(lamps);
+    let start = std::time::Instant::now();
+    ended(whole.path(), way);
+    let took = start.elapsed();
+    let expected = fs::read(whole.path().join("s.png")).expect("a picture");
+    let with_c: Vec<&str> = way.iter().copied().chain(["+C"]).collect();
+    let mut went_on = 0;
+    // From before the first tile to after the last; every kill is on top of what was kept before.
+    let broken = folder(lamps);
+    let mut kills = 0;
+    for moment in 1..=17_u32 {
+        let mut child = started(broken.path(), &with_c);
+        std::thread::sleep(took.mul_f64(f64::from(moment * 7 % 17) / 26.0));
+        child.kill().expect("it is there");
+        child.wait().expect("it ends");
+        kills += 1;
+        let names = names(broken.path());
+        let is_done = names.contains(&"s.png".to_owned());
+        if is_done || kills % 4 == 0 {
+            let said = if is_done {
+                String::new()
+            } else {
+                let output = ended(broken.path(), &with_c);
+                String::from_utf8_lossy(&output.stderr).into_owned()
+            };
+            went_on += usize::from(said.contains("going on: "));
+            let found = fs::read(broken.path().join("s.png")).expect("a picture");
+            assert!(
+                found == expected,
+                "{way:?} differs after {kills} kills: {said}"
+            );
+            let left = self::names(broken.path());
+            let is_clean = left.iter().all(|name| !name.ends_with(".povr-state"));
+            assert!(is_clean || is_done, "{left:?}");
+            fs::remove_file(broken.path().join("s.png")).expect("it is there");
+        }
+    }
+    went_on
 }
 
 #[test]
