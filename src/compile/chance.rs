@@ -6,7 +6,6 @@
 
 use super::World;
 use crate::interior::{PreparedMedia, Sampling};
-use crate::texture::PreparedLayer;
 
 impl World {
     /// Whether random numbers can be seen in the picture: in lamps, grain, rainbows or media.
@@ -20,18 +19,7 @@ impl World {
                 .iter()
                 .chain(self.interiors.all_media())
                 .any(takes_chances)
-            || self.is_grainy()
-    }
-
-    /// Whether some finish has `crand`.
-    fn is_grainy(&self) -> bool {
-        let has_grain = |layer: &PreparedLayer| layer.finish.crand > 0.0;
-        let mut textures = self.surfaces.iter().flat_map(|surface| {
-            let inside = surface.inside_texture().into_iter();
-            let others = inside.chain(surface.skins());
-            std::iter::once(&*surface.texture).chain(others.map(|texture| &**texture))
-        });
-        textures.any(|texture| texture.has_layer(&has_grain))
+            || self.overview.is_grainy
     }
 }
 

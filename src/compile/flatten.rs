@@ -29,6 +29,8 @@ pub(super) struct Flat {
     pub(super) slots: Option<Slots>,
     /// What copies share, by the address of their list of parts, and by whether they may ask for texture coordinates.
     pub(super) shared: FxHashMap<(usize, bool), Box<Shared>>,
+    /// How many copies each list of parts had when the first was met, by its address.
+    pub(super) copies: FxHashMap<usize, usize>,
     /// Whether the model at hand is one for copies that may ask for texture coordinates.
     pub(super) keeps_uv: bool,
     /// Whether what is asked for is the insides of objects, which may be larger than their surfaces.

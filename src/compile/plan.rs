@@ -3,9 +3,11 @@
 
 use super::instance::Instance;
 use super::model::Model;
+use super::surface::Surface;
 use super::world::World;
 use crate::accel::Bvh;
 use crate::options::Plan;
+use crate::texture::PreparedTexture;
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
@@ -60,15 +62,9 @@ impl World {
         combinations: usize,
         primitives: &BTreeMap<&'static str, usize>,
     ) -> Vec<&'static str> {
-        let textures = || {
-            self.surfaces.iter().flat_map(|surface| {
-                let inside = surface.inside_texture().into_iter();
-                let others = inside.chain(surface.skins());
-                std::iter::once(&*surface.texture).chain(others.map(|texture| &**texture))
-            })
-        };
+        let mut textures = self.surfaces.iter().flat_map(Surface::textures);
         let has = |some: bool, what: &'static str| (!some).then_some(what);
-        let mirrors = textures().any(|texture| texture.has_reflection());
+        let mirrors = textures.any(PreparedTexture::has_reflection);
         let areas = (0..).take(self.lights.len());
         let areas = areas.filter(|&light| self.lights.get(light).area.is_some());
         [

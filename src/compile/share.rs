@@ -210,8 +210,12 @@ impl Flat {
         let keeps_uv = self.keeps_uv || object.uses_uv() || below.uses_uv();
         let key = (Arc::as_ptr(children).addr(), keeps_uv);
         let Some(mut shared) = self.shared.remove(&key).or_else(|| {
-            let copies = Arc::strong_count(children) as u64;
-            let is_worth = copies * u64::from(object.size().leaves) >= SHARED_FROM;
+            // Counted once: when copies that have been taken in are gone is up to another thread.
+            let copies = *self
+                .copies
+                .entry(key.0)
+                .or_insert(Arc::strong_count(children));
+            let is_worth = copies as u64 * u64::from(object.size().leaves) >= SHARED_FROM;
             is_worth.then(|| Box::new(self.share(children, keeps_uv)))
         }) else {
             return false;

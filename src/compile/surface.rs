@@ -155,6 +155,8 @@ pub(super) struct Overview {
     pub(super) has_fresnel: bool,
     /// Whether light that arrives from behind may matter to some.
     pub(super) minds_backs: bool,
+    /// Whether some finish has `crand`.
+    pub(super) is_grainy: bool,
 }
 
 impl Overview {
@@ -165,6 +167,7 @@ impl Overview {
             hides_some: false,
             has_fresnel: false,
             minds_backs: false,
+            is_grainy: false,
         };
         for surface in surfaces {
             all.opaque.push(surface.is_opaque());
@@ -172,6 +175,7 @@ impl Overview {
             all.hides_some |= surface.flags.hides_from_some();
             all.has_fresnel |= surface.has_fresnel();
             all.minds_backs |= surface.is_lit_from_behind() || surface.is_bumpy();
+            all.is_grainy |= surface.traits.is_grainy;
         }
         all
     }
@@ -185,6 +189,7 @@ struct Traits {
     has_fresnel: bool,
     is_plain: bool,
     is_bumpy: bool,
+    is_grainy: bool,
     uses_uv: bool,
     filters_evenly: bool,
 }
@@ -226,6 +231,7 @@ impl Surface {
             has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
             is_plain: textures().count() == 1 && texture.is_plain() && !uses_uv,
             is_bumpy: has(&|layer| layer.normal.is_some()),
+            is_grainy: has(&|layer| layer.finish.crand > 0.0),
             filters_evenly: textures().count() == 1 && texture.is_even(),
         };
         let is_rare = inside_texture.is_some() || !skins.is_empty();
@@ -265,6 +271,12 @@ impl Surface {
     #[must_use]
     pub fn skins(&self) -> &[Arc<PreparedTexture>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.skins)
+    }
+
+    /// All its textures.
+    pub(super) fn textures(&self) -> impl Iterator<Item = &PreparedTexture> {
+        let others = self.inside_texture().into_iter().chain(self.skins());
+        std::iter::once(&*self.texture).chain(others.map(|texture| &**texture))
     }
 
     /// What gives its texture coordinates, if that is not the leaf as it is.
