@@ -9,6 +9,7 @@
 //! leaves both halves with all that their own splits need.
 
 use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
+use rayon::prelude::*;
 
 /// How many places for a split are weighed on each axis.
 const BINS: usize = 16;
@@ -61,6 +62,12 @@ struct Bins {
     start: [f32; 4],
     per_length: [f32; 4],
     last: f32,
+}
+
+/// What lies in the bins on each axis: the box around it, and how much it is.
+struct Filled<const COUNT: usize> {
+    cells: [[Wide; COUNT]; 3],
+    counts: [[u32; COUNT]; 3],
 }
 
 /// Where to split: the first bin of the upper part on an axis, and the boxes of both parts.
@@ -119,7 +126,6 @@ fn part_by_part(mut entries: Vec<Entry>, nodes: &mut Vec<Node>) {
 
 /// Appends the node of a range and all below it.
 fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
-    use rayon::prelude::*;
     let root = nodes.len();
     nodes.push(Node::empty());
     if part.entries.len() <= WIDTH {
@@ -307,17 +313,14 @@ impl<'e> Part<'e> {
     /// The split with the least sum of surface times number; none if all middles are the same.
     fn cheapest<const COUNT: usize>(&self) -> Option<(Bins, Split)> {
         let bins = Bins::new::<COUNT>(&self.middles);
-        let mut cells = [[Wide::EMPTY; COUNT]; 3];
-        let mut counts = [[0_u32; COUNT]; 3];
-        for entry in self.entries.iter() {
-            let wide = Wide::of(&entry.cell);
-            let own = bins.of(entry);
-            for axis in 0..3 {
-                let bin = own[axis] as usize % COUNT;
-                cells[axis][bin].add(&wide);
-                counts[axis][bin] += 1;
-            }
-        }
+        let filled = if self.entries.len() > VERY_MANY {
+            let parts = self.entries.par_chunks(VERY_MANY / 2);
+            let parts = parts.map(|entries| Filled::<COUNT>::new(&bins, entries));
+            parts.reduce(Filled::empty, Filled::and)
+        } else {
+            Filled::new(&bins, self.entries)
+        };
+        let Filled { cells, counts } = &filled;
         let mut best: Option<Split> = None;
         for axis in (0..3).filter(|&axis| bins.per_length[axis] > 0.0) {
             let least = best.as_ref().map_or(f32::INFINITY, |best| best.cost);
@@ -357,6 +360,40 @@ impl<'e> Part<'e> {
                 middles: upper,
             },
         ]
+    }
+}
+
+impl<const COUNT: usize> Filled<COUNT> {
+    fn empty() -> Self {
+        Filled {
+            cells: [[Wide::EMPTY; COUNT]; 3],
+            counts: [[0; COUNT]; 3],
+        }
+    }
+
+    #[inline(always)]
+    fn new(bins: &Bins, entries: &[Entry]) -> Self {
+        let mut filled = Self::empty();
+        for entry in entries {
+            let wide = Wide::of(&entry.cell);
+            let own = bins.of(entry);
+            for axis in 0..3 {
+                let bin = own[axis] as usize % COUNT;
+                filled.cells[axis][bin].add(&wide);
+                filled.counts[axis][bin] += 1;
+            }
+        }
+        filled
+    }
+
+    fn and(mut self, other: Self) -> Self {
+        for axis in 0..3 {
+            for bin in 0..COUNT {
+                self.cells[axis][bin].add(&other.cells[axis][bin]);
+                self.counts[axis][bin] += other.counts[axis][bin];
+            }
+        }
+        self
     }
 }
 

@@ -52,7 +52,7 @@ struct Stack<T> {
     deeper: Vec<T>,
 }
 
-/// Items whose boxes are worked out at a time.
+/// Items whose cells are worked out at a time.
 const PIECE: usize = 1 << 14;
 
 /// Room for the pending places of a tree of eight levels and more.
@@ -130,19 +130,19 @@ impl Bvh {
     #[must_use]
     pub fn build_of(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
         assert!(count < (1 << 31) - 1, "items are counted in 31 bits");
-        let mut whole = Bounds::EMPTY;
-        each(count, &bounds, |_, bounds| {
-            if !bounds.is_empty() && bounds.is_finite() {
-                whole = whole.union(&bounds);
-            }
-        });
+        let whole = (0..count)
+            .into_par_iter()
+            .map(&bounds)
+            .filter(|bounds| !bounds.is_empty() && bounds.is_finite())
+            .reduce(|| Bounds::EMPTY, |all, one| all.union(&one));
         let frame = Frame::new(&whole);
+        let cell = |item| {
+            let bounds = bounds(item);
+            (!bounds.is_empty()).then(|| frame.cell(&bounds))
+        };
         let mut entries = Vec::with_capacity(count);
-        each(count, &bounds, |item, bounds| {
-            if !bounds.is_empty() {
-                let cell = frame.cell(&bounds);
-                entries.push(Entry { cell, item });
-            }
+        each(count, &cell, |item, cell| {
+            entries.extend(cell.map(|cell| Entry { cell, item }));
         });
         Bvh {
             nodes: build::build(entries),
@@ -169,13 +169,17 @@ impl Bvh {
         (tree, order)
     }
 
-    /// Takes in balls that hold items, by centre and radius, and whether the item is the ball, in the order in which the
-    /// tree knows them: that helps bundles of rays.
-    pub fn know_balls(&mut self, balls: impl Iterator<Item = Option<(DVec3, f64, bool)>> + Clone) {
-        if balls.clone().any(|ball| ball.is_some()) {
+    /// Takes in balls that hold items, by centre and radius, and whether the item is the ball: that helps bundles of rays.
+    /// `ball` gives that of each of the tree's items, of which there are `count`.
+    pub fn know_balls(
+        &mut self,
+        count: usize,
+        ball: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
+    ) {
+        if (0..count).any(|item| ball(item).is_some()) {
             let frame = &self.frame;
-            let known = |ball| Ball::new(frame, ball);
-            self.balls = balls.map(|ball| ball.map(known)).collect();
+            let known = |item| ball(item).map(|ball| Ball::new(frame, ball));
+            self.balls = (0..count).into_par_iter().map(known).collect();
         }
     }
 
@@ -311,22 +315,19 @@ impl Bvh {
     }
 }
 
-/// Calls `take` with each of so many items and its box. Boxes are worked out side by side, a piece of the items at a time.
+/// Calls `take` with each of so many items and its cell. Cells are worked out side by side, a piece of the items at a time.
 fn each(
     count: usize,
-    bounds: &(impl Fn(usize) -> Bounds + Sync),
-    mut take: impl FnMut(u32, Bounds),
+    cell: &(impl Fn(usize) -> Option<Cell> + Sync),
+    mut take: impl FnMut(u32, Option<Cell>),
 ) {
     let mut number = 0;
     let mut piece = Vec::new();
     for first in (0..count).step_by(PIECE) {
         let items = first..count.min(first + PIECE);
-        items
-            .into_par_iter()
-            .map(bounds)
-            .collect_into_vec(&mut piece);
-        for bounds in &piece {
-            take(number, *bounds);
+        items.into_par_iter().map(cell).collect_into_vec(&mut piece);
+        for cell in &piece {
+            take(number, *cell);
             number += 1;
         }
     }

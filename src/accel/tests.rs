@@ -270,10 +270,11 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
         let spheres = spheres(700, size, at);
         let bounds = bounds_of(&spheres);
         let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
-        tree.know_balls(order.iter().map(|&item| {
+        tree.know_balls(order.len(), |place| {
+            let item = order[place];
             let sphere = &spheres[item as usize];
             (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
-        }));
+        });
         let mut rng = Random::new(23);
         let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
         for round in 0..60 {
@@ -391,10 +392,11 @@ fn rays_find_by_their_cells_what_they_find_alone() {
         let spheres = spheres(700, size, at);
         let bounds = bounds_of(&spheres);
         let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
-        tree.know_balls(order.iter().map(|&item| {
+        tree.know_balls(order.len(), |place| {
+            let item = order[place];
             let sphere = &spheres[item as usize];
             (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
-        }));
+        });
         // A rod around some, too.
         let rod = |place: u32| {
             let sphere = &spheres[order[place as usize] as usize];
@@ -464,10 +466,10 @@ fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
     });
     let bounds = bounds_of(&spheres);
     let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
-    tree.know_balls(order.iter().map(|&item| {
-        let sphere = &spheres[item as usize];
+    tree.know_balls(order.len(), |place| {
+        let sphere = &spheres[order[place] as usize];
         Some((sphere.centre, sphere.radius, true))
-    }));
+    });
     let lamp = Vista::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
     for point in [DVec3::ZERO, 40.0 * DVec3::X, 60.0 * DVec3::Y] {
         assert!(lamp.between(point, |place| order[place as usize] == 100));

@@ -15,7 +15,7 @@ use crate::math::{Bounds, Step};
 use crate::pattern::Settings;
 use crate::scene::{Kind, Look, Object, Plain, Taken};
 use crate::shape::{Geometry, Shape};
-use crate::texture::{Layer, PreparedTexture, Texture};
+use crate::texture::{PreparedTexture, Texture};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -79,14 +79,6 @@ impl Flat {
     /// Takes in one object of the scene's top level; what is left of it is needed no more.
     pub(super) fn take(&mut self, object: Taken) -> Option<Arc<Object>> {
         match object {
-            // There may be millions of them; photons have to know where they stand.
-            Taken::Colored(shape, color, finish)
-                if shape.skins().is_empty() && self.targets.is_none() =>
-            {
-                let surface = self.surface_of_layer(Layer::colored(color, finish));
-                self.add_leaf(shape, (&[], Absorb::AllItCan), surface);
-                None
-            }
             Taken::Colored(shape, color, finish) => {
                 let look = Look::Color(color, finish);
                 self.add(&Plain { shape, look }.into());

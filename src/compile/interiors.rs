@@ -49,6 +49,13 @@ impl Interiors {
         InteriorId(UNNAMED + self.unnamed)
     }
 
+    /// The first of so many numbers for objects without one; the others follow it.
+    pub(super) fn unnamed_ones(&mut self, count: u32) -> InteriorId {
+        let first = self.unnamed();
+        self.unnamed += count - 1;
+        first
+    }
+
     /// The interior of an object that says `own` itself and would else have `above`; `finishes`, lowest layer first,
     /// may change it as old scenes do.
     pub(super) fn of_object<'a>(
@@ -57,9 +64,7 @@ impl Interiors {
         above: Option<InteriorId>,
         finishes: impl Iterator<Item = &'a Finish> + Clone,
     ) -> InteriorId {
-        let is_changed = finishes.clone().any(|finish| {
-            finish.ior.is_some() || finish.refraction.is_some() || finish.caustics.is_some()
-        });
+        let is_changed = finishes.clone().any(Finish::has_interior);
         match (own, above) {
             (None, Some(above)) if !is_changed => above,
             (None, None) if !is_changed => self.unnamed(),
@@ -112,6 +117,9 @@ impl Interiors {
         let (kind, number) = Self::place(id);
         let known = &mut self.hollow[kind];
         if known.len() <= number {
+            if !is_hollow {
+                return;
+            }
             known.resize(number + 1, false);
         }
         known[number] = is_hollow;

@@ -185,17 +185,6 @@ impl Flat {
         (self.number_of(surface), Absorb::AllItCan)
     }
 
-    /// The number of the surface of a shape of the scene's top level that has one layer and nothing else.
-    pub(super) fn surface_of_layer(&mut self, layer: Layer) -> u32 {
-        let finishes = std::iter::once(&*layer.finish);
-        let interior = self.interiors.of_object(None, None, finishes);
-        let lit = (LightList::default(), Flags::default());
-        self.interiors.set_hollow(interior, lit.1.hollow);
-        let texture = Kept::Own(Texture::from(layer).prepare(&[], &self.settings));
-        let surface = Surface::new(texture, None, Box::default(), interior, lit);
-        self.number_of(surface)
-    }
-
     /// The number of a surface. Neighbours in the file often share theirs.
     pub(super) fn number_of(&mut self, surface: Surface) -> u32 {
         if let Some(last) = self

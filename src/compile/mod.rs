@@ -26,6 +26,7 @@ mod plan;
 mod probe;
 mod query;
 mod rays;
+mod row;
 mod search;
 mod shadow;
 mod share;
@@ -80,11 +81,7 @@ pub fn compile_apart(
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
-    for object in std::mem::take(&mut scene.objects).taken_apart() {
-        if let Some(object) = flat.take(object) {
-            let_go(object);
-        }
-    }
+    flat.take_all(std::mem::take(&mut scene.objects), let_go);
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);
     world.look_around(options);

@@ -8,6 +8,7 @@ use super::leaf::Leaf;
 use super::model::{Item, Parts};
 use crate::accel::Bvh;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// An item with its number, which is its place in the file.
 #[derive(Clone, Copy, Debug)]
@@ -58,11 +59,12 @@ impl Finder {
             item: parts.items[number as usize],
         };
         let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
-        tree.know_balls(bounded.iter().map(|item| match item.item {
-            Item::Leaf(leaf) => parts.leaves[leaf as usize].ball_around(),
-            Item::Program(program) => parts.programs[program as usize].ball_around(&parts.leaves),
+        let (leaves, programs) = (&parts.leaves, &parts.programs);
+        tree.know_balls(bounded.len(), |place| match bounded[place].item {
+            Item::Leaf(leaf) => leaves[leaf as usize].ball_around(),
+            Item::Program(program) => programs[program as usize].ball_around(leaves),
             Item::Instance(_) => None,
-        }));
+        });
         Finder {
             tree,
             bounded,
@@ -141,9 +143,8 @@ fn sort_leaves<'n, 'p>(
         next += instance.model.len();
     }
     parts.instances = instances;
-    for program in &mut parts.programs {
-        program.move_leaves(&places);
-    }
+    let programs = parts.programs.par_iter_mut();
+    programs.for_each(|program| program.move_leaves(&places));
     projectors.for_each(|program| program.move_leaves(&places));
     for item in &mut parts.items {
         if let Item::Leaf(leaf) = item {
@@ -156,6 +157,12 @@ fn sort_leaves<'n, 'p>(
     }
     drop(places);
     let mut unsorted = std::mem::take(&mut parts.leaves);
-    let take = |&leaf: &u32| std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
-    parts.leaves = leaves_at.iter().map(take).collect();
+    // Where all are no more than numbers several threads fetch them: each comes from somewhere else.
+    parts.leaves = if unsorted.iter().all(|leaf| leaf.ball().is_some()) {
+        let fetch = |&leaf: &u32| unsorted[leaf as usize].clone();
+        leaves_at.par_iter().map(fetch).collect()
+    } else {
+        let take = |&leaf: &u32| std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
+        leaves_at.iter().map(take).collect()
+    };
 }

@@ -22,6 +22,7 @@ use crate::radiosity::Radiosity;
 use crate::scene::Scene;
 use crate::shape::{Shape, Shares};
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use smallvec::SmallVec;
 
 /// The settings of shading.
@@ -100,7 +101,7 @@ pub struct World {
 impl World {
     pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
-        let boxes = flat.parts.bounds.iter().map(SingleBox::new).collect();
+        let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
         let parts = std::mem::take(&mut flat.parts);
         let (model, items) = Model::new(parts, flat.lights.projectors_mut());
         let transparent = Color {

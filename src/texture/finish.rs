@@ -127,6 +127,11 @@ impl Finish {
         self.reflection.min != Rgb::BLACK || self.reflection.max != Rgb::BLACK
     }
 
+    /// Whether it says, as old scenes do, what belongs to the interior.
+    pub(crate) fn has_interior(&self) -> bool {
+        self.ior.is_some() || self.refraction.is_some() || self.caustics.is_some()
+    }
+
     /// What concerns light and highlights.
     fn read_light(&mut self, word: Word, args: &mut dyn Args, albedo: &mut Albedo) -> Parse<bool> {
         match word {

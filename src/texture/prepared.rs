@@ -97,6 +97,23 @@ impl PreparedTexture {
         }
     }
 
+    /// The form of a texture that is no more than a colour and how it answers to light.
+    #[must_use]
+    pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Self {
+        PreparedTexture {
+            is_opaque: !color.is_transparent(),
+            has_reflection: finish.has_reflection(),
+            layers: SmallVec::from_buf([PreparedLayer {
+                pigment: PreparedPigment::Plain(color),
+                quick_color: None,
+                finish,
+                normal: None,
+            }]),
+            choice: None,
+            uses_uv: false,
+        }
+    }
+
     /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
     #[must_use]
     pub fn layers(&self) -> &[PreparedLayer] {
