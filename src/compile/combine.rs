@@ -3,6 +3,7 @@
 use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
 use super::flatten::{Flat, index};
 use super::leaf::{Extent, Leaf};
+use super::limits::{Factors, limited};
 use super::looks::{Heritage, Place, joined};
 use super::model::Item;
 use crate::math::Bounds;
@@ -124,7 +125,16 @@ impl Flat {
         let node = push_node(program, Combine::Intersection, parent);
         let mut bounds =
             self.add_bare(object, below, program, (node, object.is_inverse), is_hidden);
+        let mut factors = Factors::new();
+        if matches!(object.kind, Kind::Shape(_)) {
+            let leaf = index(self.parts.leaves.len() - 1);
+            factors.push((leaf, object.is_inverse));
+        }
         for clip in object.clipped_by() {
+            if is_bare(&clip.what) {
+                let leaf = index(self.parts.leaves.len());
+                factors.push((leaf, clip.what.is_inverse));
+            }
             let around = Heritage {
                 steps: joined(&object.steps[clip.after..], &above.steps),
                 place: Place::Cut,
@@ -134,6 +144,8 @@ impl Flat {
             bounds.shown = bounds.shown.intersection(&held.solid);
             bounds.solid = bounds.solid.intersection(&held.solid);
         }
+        bounds.solid = limited(&self.parts.leaves, &factors, bounds.solid);
+        bounds.shown = bounds.shown.intersection(&bounds.solid);
         bounds
     }
 
@@ -225,7 +237,12 @@ impl Flat {
         } else {
             Around::EMPTY
         };
+        let mut factors = Factors::new();
         for (child, is_exchanged) in children.iter().zip(signs) {
+            if is_product && is_bare(child) {
+                let leaf = index(self.parts.leaves.len());
+                factors.push((leaf, child.is_inverse != is_exchanged));
+            }
             let child = if is_exchanged {
                 let mut cut = (**child).clone();
                 cut.is_inverse = !cut.is_inverse;
@@ -241,6 +258,10 @@ impl Flat {
                 sum.shown = sum.shown.union(&child.shown);
             }
         }
+        if is_product {
+            sum.solid = limited(&self.parts.leaves, &factors, sum.solid);
+            sum.shown = sum.solid;
+        }
         sum
     }
 }
@@ -249,6 +270,11 @@ impl Flat {
 pub(super) fn is_gated(object: &Object) -> bool {
     let needs_none = matches!(&object.kind, Kind::Shape(shape) if shape.bounds().is_finite());
     !object.bounded_by().is_empty() && !needs_none
+}
+
+/// Whether an object is a primitive and nothing else but what bounds it.
+fn is_bare(object: &Object) -> bool {
+    matches!(object.kind, Kind::Shape(_)) && object.clipped_by().is_empty()
 }
 
 fn push_node(program: &mut Program, combine: Combine, parent: u32) -> u32 {

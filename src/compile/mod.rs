@@ -16,6 +16,7 @@ mod instance;
 mod interiors;
 mod leaf;
 mod lights;
+mod limits;
 mod looks;
 mod lot;
 mod meshes;

@@ -14,7 +14,7 @@
 mod four;
 pub(crate) mod three;
 
-pub(crate) use four::{Four, FourKernel, four};
+pub(crate) use four::{Four, FourKernel, Row, four};
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// Which lanes the machine has. Work that is compiled for them knows the answer when it is compiled: so a kernel within

@@ -18,6 +18,15 @@ pub fn random(index: u32) -> f64 {
     TABLE[(index % SIZE) as usize]
 }
 
+/// The numbers of three indices that follow each other.
+#[must_use]
+pub fn three(first: u32) -> [f64; 3] {
+    match TABLE[(first % SIZE) as usize..].first_chunk() {
+        Some(numbers) => *numbers,
+        None => [0, 1, 2].map(|i| random(first + i)),
+    }
+}
+
 /// All numbers of the generator in turn, which go on behind the table.
 pub fn numbers() -> impl Iterator<Item = f64> {
     Twister::new()

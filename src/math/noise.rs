@@ -4,23 +4,16 @@
 //! gradient, and smooth weights blend the eight. The tables, the hash and the order of sums are POV-Ray's, so that
 //! values agree to the bit wherever the processor does.
 
+mod lattice;
 mod perlin;
 mod tables;
 
-use super::hash::{TABLE, wrapped};
+use super::lanes::{Lanes, four, with_widest};
 use glam::DVec3;
 pub use perlin::Perlin;
-use tables::RANDOM;
 
-/// What is missing to 1 where a negative coordinate is taken to the cell below, as in POV-Ray.
-const EPSILON: f64 = 1e-10;
-/// Moves cells about the origin into the positive; it also decides which entries they hash to.
-const ORIGIN: i64 = 10_000;
 /// Most octaves that are summed.
 const MOST_OCTAVES: u32 = 10;
-
-/// The order in which vector noise adds the corners: each is a neighbour of the one before.
-const ROUND_THE_CELL: [usize; 8] = [0, 1, 3, 2, 6, 7, 5, 4];
 
 /// `noise_generator`: which noise the patterns use.
 #[derive(Clone, Copy, Debug, Default)]
@@ -74,7 +67,7 @@ impl Octaves {
     }
 
     /// The size and frequency of each octave but the first, for which both are 1.
-    fn above_the_first(self) -> impl Iterator<Item = (f64, f64)> {
+    fn above_the_first(self) -> impl Iterator<Item = (f64, f64)> + Clone {
         let (omega, lambda) = (f64::from(self.omega), f64::from(self.lambda));
         let next = move |(size, frequency): &(f64, f64)| Some((size * omega, frequency * lambda));
         std::iter::successors(Some((omega, lambda)), next).take(self.count.max(1) as usize - 1)
@@ -97,9 +90,19 @@ impl NoiseGenerator {
     /// The noise at a point, 0 to 1.
     #[must_use]
     pub fn noise(self, point: DVec3) -> f64 {
+        with_widest(
+            #[inline(always)]
+            |lanes| self.noise_in(lanes, point),
+        )
+    }
+
+    /// [`NoiseGenerator::noise`] for work that is compiled for lanes already.
+    #[inline(always)]
+    pub(crate) fn noise_in(self, lanes: Lanes, point: DVec3) -> f64 {
+        let of_lattice = || four(lanes, &lattice::Scalar(point));
         let noise = match self {
-            NoiseGenerator::Original => lattice_noise(point) + 0.5,
-            NoiseGenerator::RangeCorrected => (lattice_noise(point) + 1.05242) * 0.489_855_82,
+            NoiseGenerator::Original => of_lattice() + 0.5,
+            NoiseGenerator::RangeCorrected => (of_lattice() + 1.05242) * 0.489_855_82,
             NoiseGenerator::Perlin(perlin) => 0.5 * (1.59 * perlin.noise(point) + 0.985),
         };
         noise.clamp(0.0, 1.0)
@@ -108,105 +111,46 @@ impl NoiseGenerator {
     /// Octaves of noise; the first is cut to 0 and 1, the sum is not.
     #[must_use]
     pub fn turbulence(self, point: DVec3, octaves: &Octaves) -> f64 {
-        let centred = |point: DVec3| match self {
-            NoiseGenerator::Original => self.noise(point),
-            _ => 2.0 * self.noise(point) - 0.5,
-        };
-        let mut value = centred(point).clamp(0.0, 1.0);
-        for (size, frequency) in octaves.above_the_first() {
-            value += size * centred(point * frequency);
-        }
-        value
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                let centred = |point: DVec3| match self {
+                    NoiseGenerator::Original => self.noise_in(lanes, point),
+                    _ => 2.0 * self.noise_in(lanes, point) - 0.5,
+                };
+                let mut value = centred(point).clamp(0.0, 1.0);
+                for (size, frequency) in octaves.above_the_first() {
+                    value += size * centred(point * frequency);
+                }
+                value
+            },
+        )
     }
 }
 
 /// Noise in three components, each about -0.5 to 0.5; the same for all generators.
 #[must_use]
 pub fn vector_noise(point: DVec3) -> DVec3 {
-    let lattice = Lattice::new(point);
-    let mut sum = DVec3::ZERO;
-    for corner in ROUND_THE_CELL {
-        let (first, weight, above) = lattice.corner(corner);
-        sum.x += weight * linear(first, above);
-        sum.y += weight * linear(first + 4, above);
-        sum.z += weight * linear(first + 8, above);
-    }
-    sum
+    with_widest(
+        #[inline(always)]
+        |lanes| four(lanes, &lattice::Vector(point)),
+    )
 }
 
 /// Octaves of vector noise.
 #[must_use]
 pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
-    let mut value = vector_noise(point);
-    for (size, frequency) in octaves.above_the_first() {
-        value += size * vector_noise(point * frequency);
-    }
-    value
+    with_widest(
+        #[inline(always)]
+        |lanes| four(lanes, &lattice::Octaves(point, octaves.above_the_first())),
+    )
 }
 
 /// `3t² - 2t³`, which leaves 0 and reaches 1 without a slope.
 #[must_use]
+#[inline]
 pub fn smooth(t: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
-}
-
-/// The sum over the corners of a cell.
-fn lattice_noise(point: DVec3) -> f64 {
-    let lattice = Lattice::new(point);
-    (0..8).fold(0.0, |sum, corner| {
-        let (first, weight, above) = lattice.corner(corner);
-        sum + weight * linear(first, above)
-    })
-}
-
-/// A linear function whose coefficients stand in the random table.
-fn linear(first: usize, above: DVec3) -> f64 {
-    let r = &RANDOM[first..first + 4];
-    r[0] * 0.5 + r[1] * above.x + r[2] * above.y + r[3] * above.z
-}
-
-/// A point within a cell of the lattice.
-struct Lattice {
-    cell: [usize; 3],
-    above: DVec3,
-    weight: DVec3,
-}
-
-impl Lattice {
-    fn new(point: DVec3) -> Self {
-        let (x, fx) = cell(point.x);
-        let (y, fy) = cell(point.y);
-        let (z, fz) = cell(point.z);
-        Lattice {
-            cell: [x, y, z],
-            above: DVec3::new(fx, fy, fz),
-            weight: DVec3::new(smooth(fx), smooth(fy), smooth(fz)),
-        }
-    }
-
-    /// The first coefficient of a corner, its weight, and the point relative to it. The bits of `corner` are x, y, z.
-    #[inline(always)]
-    fn corner(&self, corner: usize) -> (usize, f64, DVec3) {
-        let [dx, dy, dz] = [corner & 1, (corner >> 1) & 1, corner >> 2];
-        let [x, y, z] = self.cell;
-        let row = usize::from(TABLE[x + dx]) ^ (y + dy);
-        let first = usize::from(TABLE[usize::from(TABLE[row]) ^ (z + dz)]) & 255;
-        let share = |d: usize, weight: f64| if d == 1 { weight } else { 1.0 - weight };
-        let weight = share(dx, self.weight.x) * share(dy, self.weight.y) * share(dz, self.weight.z);
-        let corner = DVec3::new(dx as f64, dy as f64, dz as f64);
-        (first, weight, self.above - corner)
-    }
-}
-
-/// The cell of a coordinate, wrapped, and how far the coordinate lies above it.
-fn cell(t: f64) -> (usize, f64) {
-    let whole = if t >= 0.0 { t } else { t - (1.0 - EPSILON) }.trunc();
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "the cast saturates; so far out there is no pattern left"
-    )]
-    let cell = wrapped((whole as i64).saturating_add(ORIGIN));
-    (cell, t - whole)
 }
 
 #[cfg(test)]

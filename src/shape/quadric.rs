@@ -71,12 +71,46 @@ impl Quadric {
         Ok(Quadric::new(squares, mixed, linear, constant))
     }
 
+    /// The part of a box in which something lies inside, or outside where `is_inverse`, as far as that can be told axis by
+    /// axis.
+    #[must_use]
+    pub(crate) fn limited(&self, around: &Bounds, is_inverse: bool) -> Bounds {
+        let sign = if is_inverse { -1.0 } else { 1.0 };
+        let [a, b, c] = self.matrix.to_cols_array_2d();
+        let mixed = [a[1], a[2], b[2]];
+        if mixed != [0.0; 3] {
+            return *around;
+        }
+        let squares = [sign * a[0], sign * b[1], sign * c[2]];
+        let mut limited = *around;
+        for axis in 0..3 {
+            let part = |axis: usize| Part {
+                square: squares[axis],
+                linear: sign * self.linear[axis],
+            };
+            let least = |axis: usize| part(axis).least(limited.min[axis], limited.max[axis]);
+            let others = least((axis + 1) % 3) + least((axis + 2) % 3);
+            let (low, high) = part(axis).not_above(-sign * self.constant - others);
+            limited.min[axis] = limited.min[axis].max(low);
+            limited.max[axis] = limited.max[axis].min(high);
+        }
+        limited
+    }
+
     fn value(&self, p: DVec3) -> f64 {
-        p.dot(*self.matrix * p) + self.linear.dot(p) + self.constant
+        self.at(p).0
     }
 
     fn half_gradient(&self, p: DVec3) -> DVec3 {
         *self.matrix * p + 0.5 * self.linear
+    }
+
+    /// The value at a point, and half the gradient.
+    #[inline]
+    fn at(&self, p: DVec3) -> (f64, DVec3) {
+        let turned = *self.matrix * p;
+        let value = p.dot(turned) + self.linear.dot(p) + self.constant;
+        (value, turned + 0.5 * self.linear)
     }
 
     fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
@@ -90,7 +124,10 @@ impl Quadric {
             (0.0, ray.origin)
         };
         let a = dir.dot(*self.matrix * dir);
-        let along = |near: DVec3| (self.half_gradient(near).dot(dir), self.value(near));
+        let along = |near: DVec3| {
+            let (value, half_gradient) = self.at(near);
+            (half_gradient.dot(dir), value)
+        };
         let (mut ahead, (mut b, mut c)) = (ahead, along(near));
         let turn = ahead - b / a;
         let is_close = difference_of_products(b, b, a, c).abs() < CLOSE * b * b;
@@ -111,20 +148,66 @@ impl Quadric {
 
     /// A root with two of Newton's steps on the quadric in space, as far as they bring it nearer.
     fn refined(&self, ray: &Ray, mut t: f64) -> f64 {
-        let mut point = ray.at(t);
-        let mut value = self.value(point);
+        let (mut value, mut half_gradient) = self.at(ray.at(t));
         for _ in 0..2 {
-            let next = t - 0.5 * value / self.half_gradient(point).dot(ray.dir);
-            let there = ray.at(next);
-            let left = self.value(there);
+            let next = t - 0.5 * value / half_gradient.dot(ray.dir);
+            let (left, half_gradient_there) = self.at(ray.at(next));
             // Asked in the positive: what is no number is not nearer.
             let is_nearer = left.abs() < value.abs();
             if !is_nearer {
                 break;
             }
-            (t, point, value) = (next, there, left);
+            (t, value, half_gradient) = (next, left, half_gradient_there);
         }
         t
+    }
+}
+
+/// What one coordinate adds to the value: `square · t² + linear · t`.
+struct Part {
+    square: f64,
+    linear: f64,
+}
+
+impl Part {
+    /// The least value between two places, which may be endless.
+    fn least(&self, low: f64, high: f64) -> f64 {
+        let at = |t: f64| {
+            let times = |factor: f64| if factor == 0.0 { 0.0 } else { factor * t };
+            if self.square == 0.0 {
+                times(self.linear)
+            } else {
+                (times(self.square) + self.linear) * t
+            }
+        };
+        let turn = -0.5 * self.linear / self.square;
+        if self.square > 0.0 && low < turn && turn < high {
+            at(turn)
+        } else {
+            at(low).min(at(high))
+        }
+    }
+
+    /// Between which places the value can be no larger than this.
+    fn not_above(&self, most: f64) -> (f64, f64) {
+        let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+        if most.is_nan() {
+            return everywhere;
+        }
+        if self.square > 0.0 {
+            let turn = -0.5 * self.linear / self.square;
+            let reach = ((most / self.square) + turn * turn).max(0.0).sqrt();
+            (turn - reach, turn + reach)
+        } else if self.square == 0.0 && self.linear != 0.0 {
+            let end = most / self.linear;
+            if self.linear > 0.0 {
+                (f64::NEG_INFINITY, end)
+            } else {
+                (end, f64::INFINITY)
+            }
+        } else {
+            everywhere
+        }
     }
 }
 

@@ -38,10 +38,16 @@ pub(crate) trait Four: Copy {
     fn mask(bits: u32) -> Self::Mask;
 }
 
+/// Four numbers that may all be different.
+pub(crate) trait Row: Four {
+    /// Columns for rows.
+    fn turned(rows: [Self; 4]) -> [Self; 4];
+}
+
 /// Work on four numbers at once, written once for every machine.
 pub(crate) trait FourKernel {
     type Answer;
-    fn run<F: Four>(&self) -> Self::Answer;
+    fn run<F: Row>(&self) -> Self::Answer;
 }
 
 /// Runs a kernel in these lanes.
@@ -160,6 +166,13 @@ impl Four for [f64; 4] {
     }
 }
 
+impl Row for [f64; 4] {
+    #[inline(always)]
+    fn turned(rows: [Self; 4]) -> [Self; 4] {
+        std::array::from_fn(|column| rows.map(|row| row[column]))
+    }
+}
+
 /// A single number, as if it stood in all four places: what is written for four gives one ray the same bits.
 impl Four for f64 {
     type Mask = bool;
@@ -248,7 +261,7 @@ impl Four for f64 {
 /// Only for work that runs inside [`four_wide`].
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use super::Four;
+    use super::{Four, Row};
     use std::arch::x86_64::*;
 
     macro_rules! each {
@@ -349,6 +362,23 @@ mod wide {
         fn mask(bits: u32) -> __m256d {
             // Only the sign of a number of a mask is ever looked at, except by `both` and `either`, which keep it.
             Self::load(&SIGNS[bits as usize % 16])
+        }
+    }
+
+    impl Row for __m256d {
+        #[inline(always)]
+        fn turned([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+            // SAFETY: as in the others.
+            unsafe {
+                let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d));
+                let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
+                [
+                    _mm256_permute2f128_pd::<0x20>(ab, cd),
+                    _mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd),
+                    _mm256_permute2f128_pd::<0x31>(ab, cd),
+                    _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd),
+                ]
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The random table of POV-Ray's noise, made when the program is compiled.
 
 /// Entries of the random table, which is read up to twelve places behind the index that a hash gives.
-const RANDOMS: usize = 267;
+pub(super) const RANDOMS: usize = 267;
 /// Decimal digits to which the random table is rounded.
 const DIGITS: u32 = 6;
 
