@@ -4,9 +4,11 @@
 use super::{Pattern, Preparing, Spot, Value};
 use crate::args::{Args, Parse, Word};
 use crate::math::hash::hashed_cell;
+use crate::math::lanes::{Four, FourKernel, four, with_widest};
 use crate::math::mersenne;
 use crate::math::noise::NoiseGenerator;
 use glam::DVec3;
+use std::cell::RefCell;
 
 /// What is taken from coordinates before their cell is looked for.
 const NUDGE: f64 = 1e-10;
@@ -75,175 +77,281 @@ impl Value for Prepared {
             offset,
             is_solid,
         } = self.crackle;
-        let nearest = if metric == 2.0 {
-            let lift = offset * offset;
-            let length = |d: DVec3| d.length_squared() + lift;
-            nearest(point, length, length).with_distances(f64::sqrt)
+        let metric = if metric == 2.0 {
+            Metric::Squares(offset * offset)
         } else if metric == 1.0 {
-            let length = |d: DVec3| d.x.abs() + d.y.abs() + d.z.abs() + offset;
-            nearest(point, length, length)
+            Metric::Sizes(offset)
         } else {
-            let lift = offset.powf(metric);
-            let root = 1.0 / metric;
-            let length = |d| sum_of_powers(d, metric) + lift;
-            let least = |gap| least_sum(gap, metric) + lift;
-            nearest(point, length, least).with_distances(|sum| sum.powf(root))
+            Metric::Powers(metric, offset.powf(metric))
         };
         if is_solid {
-            return self.noise.noise(nearest.point);
+            return self.noise.noise(nearest_point(point, &metric));
         }
-        let [d1, d2, d3] = nearest.distances;
+        let [d1, d2, d3] = metric.distances(nearest(point, &metric));
         (form.x * d1 + form.y * d2 + form.z * d3).clamp(0.0, 1.0)
     }
 }
 
-/// The nearest point and the three least distances.
-struct Nearest {
-    distances: [f64; 3],
-    point: DVec3,
+/// How long a way is, by its parts along the axes, and before a root is taken.
+enum Metric {
+    /// The sum of their squares and of a number.
+    Squares(f64),
+    /// That of their sizes.
+    Sizes(f64),
+    /// That of their sizes to a power.
+    Powers(f64, f64),
+    /// Their sum.
+    Signed,
 }
 
-impl Nearest {
-    fn with_distances(self, change: impl Fn(f64) -> f64) -> Self {
-        Nearest {
-            distances: self.distances.map(change),
-            ..self
-        }
-    }
-}
-
-/// What is found of the points about a place.
-struct Looking<'l, L, G> {
-    point: DVec3,
-    home: [i64; 3],
-    /// By axis, how far the cells from two before to two behind are away at least.
-    gaps: [[f64; 5]; 3],
-    length: &'l L,
-    least: &'l G,
-    found: Nearest,
-}
-
-/// Steps to the cells within one step along each axis, the nearest first.
-const NEAR: [[i8; 3]; 27] = near();
-
-const fn near() -> [[i8; 3]; 27] {
-    let mut steps = [[0; 3]; 27];
-    let mut count = 0;
-    let mut far = 0;
-    while far <= 3 {
-        let mut number = 0;
-        while number < 27 {
-            let step = [number / 9 - 1, number / 3 % 3 - 1, number % 3 - 1];
-            if step[0] * step[0] + step[1] * step[1] + step[2] * step[2] == far {
-                steps[count] = step;
-                count += 1;
+impl Metric {
+    fn length(&self, d: DVec3) -> f64 {
+        match self {
+            Metric::Squares(lift) => d.length_squared() + lift,
+            Metric::Sizes(lift) => d.x.abs() + d.y.abs() + d.z.abs() + lift,
+            Metric::Powers(exponent, lift) => {
+                let d = d.abs();
+                d.x.powf(*exponent) + d.y.powf(*exponent) + d.z.powf(*exponent) + lift
             }
-            number += 1;
+            Metric::Signed => d.x + d.y + d.z,
         }
-        far += 1;
     }
-    steps
+
+    /// How long a way is at least whose parts have at least these sizes; nothing is known of it where they need not count.
+    fn least(&self, gap: DVec3) -> f64 {
+        match self {
+            Metric::Squares(_) | Metric::Sizes(_) => self.length(gap),
+            Metric::Powers(exponent, _) if *exponent > 0.0 => self.length(gap),
+            Metric::Powers(..) | Metric::Signed => f64::NEG_INFINITY,
+        }
+    }
+
+    /// The distances for such lengths.
+    fn distances(&self, lengths: [f64; 3]) -> [f64; 3] {
+        match self {
+            Metric::Squares(_) => lengths.map(f64::sqrt),
+            Metric::Sizes(_) | Metric::Signed => lengths,
+            Metric::Powers(exponent, _) => lengths.map(|sum| sum.powf(1.0 / exponent)),
+        }
+    }
 }
 
-/// Looks through the cells about a point: all within one step along each axis, and those of the next layer along one
-/// axis. `least` says how long a way is at least whose parts along the axes are no shorter than these, so that cells too
-/// far away need not be looked into.
-fn nearest(point: DVec3, length: impl Fn(DVec3) -> f64, least: impl Fn(DVec3) -> f64) -> Nearest {
-    let home = super::cell(point - NUDGE);
-    let gaps = [0, 1, 2].map(|axis: usize| {
-        [-2, -1, 0, 1, 2].map(|step| {
-            let low = home[axis].saturating_add(step) as f64;
-            (low - point[axis]).max(point[axis] - (low + 1.0)).max(0.0)
-        })
-    });
-    let mut looking = Looking {
-        point,
-        home,
-        gaps,
-        length: &length,
-        least: &least,
-        found: Nearest {
-            distances: [f64::INFINITY; 3],
-            point: DVec3::ZERO,
-        },
+/// The cells within one step along each axis.
+const CELLS: usize = 27;
+/// For so many cells a thread keeps the points about them: neighbouring places are asked about one after the other.
+const KEPT: usize = 64;
+
+/// The points about a cell, the last of them nowhere.
+#[derive(Clone, Copy)]
+struct About {
+    home: [i64; 3],
+    points: [[f64; CELLS + 1]; 3],
+}
+
+thread_local! {
+    static ABOUT: RefCell<Vec<About>> = const { RefCell::new(Vec::new()) };
+}
+
+impl About {
+    /// No cell that is asked for: it has no points.
+    const NOTHING: About = About {
+        home: [i64::MIN; 3],
+        points: [[f64::INFINITY; CELLS + 1]; 3],
     };
-    for step in NEAR {
-        looking.look(step);
+
+    fn new(home: [i64; 3]) -> About {
+        let mut about = About {
+            home,
+            ..About::NOTHING
+        };
+        for number in 0..CELLS {
+            let step = [number / 9, number / 3 % 3, number % 3].map(|step| step as i64 - 1);
+            let point = point_of(stepped(home, step));
+            for axis in 0..3 {
+                about.points[axis][number] = point[axis];
+            }
+        }
+        about
     }
+
+    fn point(&self, number: usize) -> DVec3 {
+        DVec3::from(self.points.map(|coordinates| coordinates[number]))
+    }
+
+    /// The one about this cell.
+    fn with<R>(home: [i64; 3], ask: impl FnOnce(&About) -> R) -> R {
+        ABOUT.with_borrow_mut(|kept| {
+            kept.resize(KEPT, About::NOTHING);
+            let about = &mut kept[hashed_cell(home) as usize % KEPT];
+            if about.home != home || home == About::NOTHING.home {
+                *about = About::new(home);
+            }
+            ask(about)
+        })
+    }
+}
+
+/// The three least lengths to points about a cell, four points at a time.
+struct Least<'a> {
+    about: &'a About,
+    point: DVec3,
+    metric: &'a Metric,
+}
+
+impl FourKernel for Least<'_> {
+    type Answer = [f64; 3];
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> [f64; 3] {
+        let [x, y, z] = self.about.points.each_ref().map(|axis| axis.as_chunks().0);
+        let DVec3 {
+            x: px,
+            y: py,
+            z: pz,
+        } = self.point;
+        let (px, py, pz) = (F::all(px), F::all(py), F::all(pz));
+        let mut least = [F::all(f64::INFINITY); 3];
+        for four in 0..x.len() {
+            let dx = F::load(&x[four]).minus(px);
+            let dy = F::load(&y[four]).minus(py);
+            let dz = F::load(&z[four]).minus(pz);
+            let length = match self.metric {
+                Metric::Sizes(lift) => {
+                    let sum = dx.size().plus(dy.size()).plus(dz.size());
+                    sum.plus(F::all(*lift))
+                }
+                Metric::Squares(lift) => {
+                    let sum = dx.times(dx).plus(dy.times(dy)).plus(dz.times(dz));
+                    sum.plus(F::all(*lift))
+                }
+                Metric::Powers(..) | Metric::Signed => F::all(f64::INFINITY),
+            };
+            let second = length.larger(least[0]);
+            least[0] = length.smaller(least[0]);
+            let third = second.larger(least[1]);
+            least[1] = second.smaller(least[1]);
+            least[2] = third.smaller(least[2]);
+        }
+        let mut found = [f64::INFINITY; 3];
+        for lanes in [least[0].store(), least[1].store(), least[2].store()] {
+            for length in lanes {
+                insert(&mut found, length);
+            }
+        }
+        found
+    }
+}
+
+/// Takes in a length if it is among the three least.
+#[inline(always)]
+fn insert(found: &mut [f64; 3], length: f64) {
+    let [d1, d2, d3] = *found;
+    if length < d1 {
+        *found = [length, d1, d2];
+    } else if length < d2 {
+        *found = [d1, length, d2];
+    } else if length < d3 {
+        found[2] = length;
+    }
+}
+
+/// The three least lengths from a point to those scattered over the cells about it: all within one step along each axis,
+/// and those of the next layer along one axis.
+fn nearest(point: DVec3, metric: &Metric) -> [f64; 3] {
+    let home = super::cell(point - NUDGE);
+    let mut found = About::with(home, |about| match metric {
+        Metric::Squares(_) | Metric::Sizes(_) => with_widest(
+            #[inline(always)]
+            |lanes| {
+                four(
+                    lanes,
+                    &Least {
+                        about,
+                        point,
+                        metric,
+                    },
+                )
+            },
+        ),
+        Metric::Powers(..) | Metric::Signed => {
+            let mut found = [f64::INFINITY; 3];
+            for number in 0..CELLS {
+                insert(&mut found, metric.length(about.point(number) - point));
+            }
+            found
+        }
+    });
+    let is_near = |gap, found: &[f64; 3]| metric.least(gap) < found[2];
+    next_layer((home, point), &mut found, is_near, |found, candidate| {
+        insert(found, metric.length(candidate - point));
+    });
+    found
+}
+
+/// The nearest of them.
+fn nearest_point(point: DVec3, metric: &Metric) -> DVec3 {
+    let home = super::cell(point - NUDGE);
+    let mut found = (f64::INFINITY, DVec3::ZERO);
+    let offer = |found: &mut (f64, DVec3), candidate: DVec3| {
+        let length = metric.length(candidate - point);
+        if length < found.0 {
+            *found = (length, candidate);
+        }
+    };
+    About::with(home, |about| {
+        (0..CELLS).for_each(|number| offer(&mut found, about.point(number)));
+    });
+    let is_near = |gap, found: &(f64, DVec3)| metric.least(gap) < found.0;
+    next_layer((home, point), &mut found, is_near, offer);
+    found.1
+}
+
+/// Offers the points of the next layer of cells along each axis, unless it is so far away that none of them counts.
+fn next_layer<T>(
+    (home, point): ([i64; 3], DVec3),
+    found: &mut T,
+    is_near: impl Fn(DVec3, &T) -> bool,
+    offer: impl Fn(&mut T, DVec3),
+) {
     for axis in 0..3 {
         for far in [-2, 2] {
-            let mut step = [0; 3];
-            step[axis] = far;
-            if looking.is_too_far(step) {
+            let low = home[axis].saturating_add(far) as f64;
+            let mut gap = DVec3::ZERO;
+            gap[axis] = (low - point[axis]).max(point[axis] - (low + 1.0)).max(0.0);
+            if !is_near(gap, found) {
                 continue;
             }
+            let mut step = [0; 3];
+            step[axis] = far;
             for number in 0..9 {
                 step[(axis + 1) % 3] = number / 3 - 1;
                 step[(axis + 2) % 3] = number % 3 - 1;
-                looking.look(step);
+                offer(found, point_of(stepped(home, step)));
             }
         }
     }
-    looking.found
 }
 
-impl<L: Fn(DVec3) -> f64, G: Fn(DVec3) -> f64> Looking<'_, L, G> {
-    /// Whether no point of a cell is among the three nearest.
-    #[inline(always)]
-    fn is_too_far(&self, step: [i8; 3]) -> bool {
-        let gap = |axis: usize| self.gaps[axis][(step[axis] + 2).clamp(0, 4) as usize];
-        (self.least)(DVec3::new(gap(0), gap(1), gap(2))) >= self.found.distances[2]
-    }
-
-    #[inline(always)]
-    fn look(&mut self, step: [i8; 3]) {
-        if self.is_too_far(step) {
-            return;
-        }
-        let cell = [0, 1, 2].map(|axis| self.home[axis].saturating_add(i64::from(step[axis])));
-        let candidate = point_of(cell);
-        let distance = (self.length)(candidate - self.point);
-        let [d1, d2, d3] = self.found.distances;
-        if distance < d1 {
-            self.found.distances = [distance, d1, d2];
-            self.found.point = candidate;
-        } else if distance < d2 {
-            self.found.distances = [d1, distance, d2];
-        } else if distance < d3 {
-            self.found.distances[2] = distance;
-        }
-    }
-}
-
-/// The sum of the sizes of the parts to this power.
-fn sum_of_powers(d: DVec3, exponent: f64) -> f64 {
-    let d = d.abs();
-    d.x.powf(exponent) + d.y.powf(exponent) + d.z.powf(exponent)
-}
-
-/// What such a sum is at least; nothing is known of it where small parts count most.
-fn least_sum(gap: DVec3, exponent: f64) -> f64 {
-    if exponent > 0.0 {
-        sum_of_powers(gap, exponent)
-    } else {
-        f64::NEG_INFINITY
-    }
+fn stepped(cell: [i64; 3], step: [i64; 3]) -> [i64; 3] {
+    let [x, y, z] = cell;
+    [
+        x.saturating_add(step[0]),
+        y.saturating_add(step[1]),
+        z.saturating_add(step[2]),
+    ]
 }
 
 /// The nearest of the points scattered over the cells, by the distance of this metric: 2 is Euclid's; 1 is the sum of
 /// the coordinates with their signs, as `facets` has it in POV-Ray.
 #[must_use]
 pub fn nearest_feature(point: DVec3, metric: f64) -> DVec3 {
-    let found = if metric == 2.0 {
-        nearest(point, DVec3::length_squared, DVec3::length_squared)
+    if metric == 2.0 {
+        nearest_point(point, &Metric::Squares(0.0))
     } else if metric == 1.0 {
-        let signed = |d: DVec3| d.x + d.y + d.z;
-        nearest(point, signed, |_| f64::NEG_INFINITY)
+        nearest_point(point, &Metric::Signed)
     } else {
-        let length = |d| sum_of_powers(d, metric);
-        nearest(point, length, |gap| least_sum(gap, metric))
-    };
-    found.point
+        nearest_point(point, &Metric::Powers(metric, 0.0))
+    }
 }
 
 /// The point of a cell.

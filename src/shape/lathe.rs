@@ -26,6 +26,9 @@ use smallvec::SmallVec;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// More roundings than it takes to find how far a point of the curve lies from a line.
+const ROUNDINGS: f64 = 16.0;
+
 /// A surface of revolution. It is one piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lathe(Arc<Profile>);
@@ -48,6 +51,8 @@ struct Bow {
     segment: usize,
     from: f64,
     to: f64,
+    /// The points at which it begins and ends.
+    ends: [DVec2; 2],
 }
 
 /// A ray about the axis.
@@ -166,6 +171,7 @@ fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
         segment: number,
         from: pair[0],
         to: pair[1],
+        ends: [segment.at(pair[0]), segment.at(pair[1])],
     }));
 }
 
@@ -193,6 +199,21 @@ impl Climb {
         ((radius - self.aside) * (radius + self.aside))
             .max(0.0)
             .sqrt()
+    }
+
+    /// For both sides of `h`, whether the line surely passes an arc with these ends by: by more than any rounding its
+    /// points lie above or below it.
+    fn passes_by(&self, [a, b]: [DVec2; 2]) -> [bool; 2] {
+        let (low, high) = (a.y.min(b.y), a.y.max(b.y));
+        let (near, far) = (self.reach(a.x), self.reach(b.x));
+        let rise = [low, high].map(|y| self.cosine * (y - self.height));
+        let size = self.cosine * (low.abs().max(high.abs()) + self.height.abs())
+            + self.sine.abs() * (near.max(far) + self.ahead.abs());
+        let care = ROUNDINGS * f64::EPSILON * size;
+        [1.0, -1.0].map(|side| {
+            let way = [near, far].map(|reach| self.sine * (side * reach - self.ahead));
+            rise[0] - way[0].max(way[1]) > care || rise[1] - way[0].min(way[1]) < -care
+        })
     }
 
     fn excess(&self, point: DVec2, side: f64) -> f64 {
@@ -306,20 +327,29 @@ impl Profile {
 
     /// Visits the lengths at which the line meets an arc.
     fn meet(&self, arc: &Bow, climb: &Climb, mut visit: impl FnMut(f64)) {
+        let [starts_out, ends_out] = arc.ends.map(|end| end.x.abs() >= climb.aside);
+        if !(starts_out || ends_out) {
+            return;
+        }
+        let passes_by = climb.passes_by(arc.ends);
+        if passes_by == [true; 2] {
+            return;
+        }
         let segment = &self.segments[arc.segment];
         let (mut from, mut to) = (arc.from, arc.to);
         let radius = |x: f64| segment.at(x).x.abs();
-        let (starts_out, ends_out) = (radius(from) >= climb.aside, radius(to) >= climb.aside);
         match (starts_out, ends_out) {
-            (false, false) => return,
-            (true, true) => {}
+            (false, false) | (true, true) => {}
             (false, true) => from = bisect(&radius, climb.aside, from, to),
             (true, false) => to = bisect(&radius, climb.aside, to, from),
         }
         if radius(from) == 0.0 && radius(to) == 0.0 {
             return;
         }
-        for side in [1.0, -1.0] {
+        for (side, passes_by) in [1.0, -1.0].into_iter().zip(passes_by) {
+            if passes_by {
+                continue;
+            }
             let half = Half {
                 climb,
                 segment,
