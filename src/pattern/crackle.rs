@@ -126,6 +126,16 @@ impl Metric {
         }
     }
 
+    /// A way of this length has no longer part; endless if nothing is known of it.
+    fn longest(&self, length: f64) -> f64 {
+        match self {
+            Metric::Powers(exponent, lift) if *exponent > 0.0 => {
+                (length - lift).powf(1.0 / exponent) * (1.0 + CARE)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
     /// The distances for such lengths.
     fn distances(&self, lengths: [f64; 3]) -> [f64; 3] {
         match self {
@@ -136,6 +146,8 @@ impl Metric {
     }
 }
 
+/// More than the roundings of a power, as a share.
+const CARE: f64 = 1e-12;
 /// The cells within one step along each axis.
 const CELLS: usize = 27;
 /// For so many cells a thread keeps the points about them: neighbouring places are asked about one after the other.
@@ -275,8 +287,18 @@ fn nearest(point: DVec3, metric: &Metric) -> [f64; 3] {
         ),
         Metric::Powers(..) | Metric::Signed => {
             let mut found = [f64::INFINITY; 3];
-            for number in 0..CELLS {
-                insert(&mut found, metric.length(about.point(number) - point));
+            // No part of a way that counts is longer.
+            let mut longest = f64::INFINITY;
+            for number in (CELLS / 2..CELLS).chain(0..CELLS / 2) {
+                let way = about.point(number) - point;
+                if way.abs().max_element() > longest {
+                    continue;
+                }
+                let before = found[2];
+                insert(&mut found, metric.length(way));
+                if found[2] < before {
+                    longest = metric.longest(found[2]);
+                }
             }
             found
         }

@@ -17,6 +17,8 @@ const SAME: f64 = 1e-6;
 const BEHIND: f64 = 0.05;
 /// Samples of less weight do not count.
 const LEAST_WEIGHT: f64 = 0.001;
+/// More roundings than two squares differ by whose roots are the same.
+const ROUNDINGS: f64 = 8.0;
 /// The level of the smallest cells: those of less than a rounding error of the places counted.
 const LEAST_LEVEL: i32 = -38;
 /// The level of the one cell that holds everything.
@@ -103,8 +105,14 @@ impl Sample {
     #[must_use]
     pub fn weight_at(&self, look: &Look, unit: f64) -> f64 {
         let way = look.point - self.point;
-        let distance = way.length();
-        if distance >= self.radius * look.error {
+        let farthest = self.radius * look.error;
+        let distance_sq = way.length_squared();
+        // Most are that far away, and need no root.
+        if distance_sq > farthest * farthest * (1.0 + ROUNDINGS * f64::EPSILON) {
+            return 0.0;
+        }
+        let distance = distance_sq.sqrt();
+        if distance >= farthest {
             return 0.0;
         }
         let (mut radius, mut front) = (self.radius, 1.0);

@@ -289,7 +289,10 @@ impl Fractal {
                 };
             }
             for i in [0, 1] {
-                along[i] = function.slope(z[i]) * along[i];
+                // The way matters to steps of squares alone.
+                if function == Function::Square {
+                    along[i] = function.slope(z[i]) * along[i];
+                }
                 z[i] = function.value(z[i]) + c[i];
             }
         }

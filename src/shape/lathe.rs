@@ -202,10 +202,10 @@ impl Climb {
     }
 
     /// For both sides of `h`, whether the line surely passes an arc with these ends by: by more than any rounding its
-    /// points lie above or below it.
-    fn passes_by(&self, [a, b]: [DVec2; 2]) -> [bool; 2] {
+    /// points lie above or below it. `near` and `far` are how far from the place nearest to the axis the line reaches
+    /// their radius.
+    fn passes_by(&self, [a, b]: [DVec2; 2], [near, far]: [f64; 2]) -> [bool; 2] {
         let (low, high) = (a.y.min(b.y), a.y.max(b.y));
-        let (near, far) = (self.reach(a.x), self.reach(b.x));
         let rise = [low, high].map(|y| self.cosine * (y - self.height));
         let size = self.cosine * (low.abs().max(high.abs()) + self.height.abs())
             + self.sine.abs() * (near.max(far) + self.ahead.abs());
@@ -295,9 +295,21 @@ impl Profile {
         let speed = dir.length();
         let climb = Climb::new(&near);
         let mut found: SmallVec<[(f64, bool); 8]> = SmallVec::new();
+        if climb.aside > self.bounds.max.x {
+            return Crossings::new();
+        }
+        // Arcs begin where others end.
+        let mut end = (DVec2::NAN, 0.0);
         for arc in &self.arcs {
             let is_seen = arc.segment < self.seen;
-            self.meet(arc, &climb, |length| {
+            let reach = |point: DVec2| (point, climb.reach(point.x));
+            let (_, near) = if end.0 == arc.ends[0] {
+                end
+            } else {
+                reach(arc.ends[0])
+            };
+            end = reach(arc.ends[1]);
+            self.meet(arc, [near, end.1], &climb, |length| {
                 found.push(((start + length / speed) / dir_size, is_seen));
             });
         }
@@ -325,13 +337,13 @@ impl Profile {
         roots
     }
 
-    /// Visits the lengths at which the line meets an arc.
-    fn meet(&self, arc: &Bow, climb: &Climb, mut visit: impl FnMut(f64)) {
+    /// Visits the lengths at which the line meets an arc, at whose ends it is so far from the place nearest to the axis.
+    fn meet(&self, arc: &Bow, reaches: [f64; 2], climb: &Climb, mut visit: impl FnMut(f64)) {
         let [starts_out, ends_out] = arc.ends.map(|end| end.x.abs() >= climb.aside);
         if !(starts_out || ends_out) {
             return;
         }
-        let passes_by = climb.passes_by(arc.ends);
+        let passes_by = climb.passes_by(arc.ends, reaches);
         if passes_by == [true; 2] {
             return;
         }

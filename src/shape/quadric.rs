@@ -24,6 +24,9 @@ const LONGEST: f64 = 1e5;
 /// Roots are close to each other if the discriminant is less than this share of the square it comes from.
 const CLOSE: f64 = 1.0 / 1024.0;
 
+/// A root needs no better place where the value is within so many roundings of its terms: no more than it is known to.
+const NEAR_ENOUGH: f64 = 2.0;
+
 /// A surface of second order. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
@@ -98,19 +101,23 @@ impl Quadric {
     }
 
     fn value(&self, p: DVec3) -> f64 {
-        self.at(p).0
+        self.at(p).value
     }
 
     fn half_gradient(&self, p: DVec3) -> DVec3 {
         *self.matrix * p + 0.5 * self.linear
     }
 
-    /// The value at a point, and half the gradient.
+    /// What holds at a point.
     #[inline]
-    fn at(&self, p: DVec3) -> (f64, DVec3) {
+    fn at(&self, p: DVec3) -> At {
         let turned = *self.matrix * p;
-        let value = p.dot(turned) + self.linear.dot(p) + self.constant;
-        (value, turned + 0.5 * self.linear)
+        let (square, linear) = (p.dot(turned), self.linear.dot(p));
+        At {
+            value: square + linear + self.constant,
+            half_gradient: turned + 0.5 * self.linear,
+            size: square.abs() + linear.abs() + self.constant.abs(),
+        }
     }
 
     fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
@@ -125,8 +132,8 @@ impl Quadric {
         };
         let a = dir.dot(*self.matrix * dir);
         let along = |near: DVec3| {
-            let (value, half_gradient) = self.at(near);
-            (half_gradient.dot(dir), value)
+            let at = self.at(near);
+            (at.half_gradient.dot(dir), at.value)
         };
         let (mut ahead, (mut b, mut c)) = (ahead, along(near));
         let turn = ahead - b / a;
@@ -146,21 +153,32 @@ impl Quadric {
         alternate(start, places.iter().map(|t| t / dir_size))
     }
 
-    /// A root with two of Newton's steps on the quadric in space, as far as they bring it nearer.
+    /// A root with two of Newton's steps on the quadric in space, as far as they are needed and bring it nearer.
     fn refined(&self, ray: &Ray, mut t: f64) -> f64 {
-        let (mut value, mut half_gradient) = self.at(ray.at(t));
+        let mut at = self.at(ray.at(t));
         for _ in 0..2 {
-            let next = t - 0.5 * value / half_gradient.dot(ray.dir);
-            let (left, half_gradient_there) = self.at(ray.at(next));
+            if at.value.abs() <= NEAR_ENOUGH * f64::EPSILON * at.size {
+                break;
+            }
+            let next = t - 0.5 * at.value / at.half_gradient.dot(ray.dir);
+            let there = self.at(ray.at(next));
             // Asked in the positive: what is no number is not nearer.
-            let is_nearer = left.abs() < value.abs();
+            let is_nearer = there.value.abs() < at.value.abs();
             if !is_nearer {
                 break;
             }
-            (t, value, half_gradient) = (next, left, half_gradient_there);
+            (t, at) = (next, there);
         }
         t
     }
+}
+
+/// What holds at a point.
+struct At {
+    value: f64,
+    half_gradient: DVec3,
+    /// No more than the sum of the sizes of the terms of the value.
+    size: f64,
 }
 
 /// What one coordinate adds to the value: `square · t² + linear · t`.
