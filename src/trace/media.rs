@@ -353,6 +353,7 @@ impl Tracer<'_> {
             departure,
             path: stretch.path,
             known: &[],
+            arrived: None,
             is_double_illuminated: false,
             lights: &[],
             collects: self.has_caustics(),
