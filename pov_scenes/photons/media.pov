@@ -1,5 +1,4 @@
 // Photons in scattering media: a beam behind a ball.
-// compare: channel<=1 pixels<=0.6% because "POV-Ray draws random numbers for media on the way to the target in an order that is not known"
 #version 3.7;
 global_settings { assumed_gamma 1 photons { radius .3,1,.25 spacing 0.08 media 40, 1 } }
 camera { location <0,4,-6> look_at <0,0.4,0> }

@@ -147,8 +147,10 @@ pub struct Sampled {
     pub width: usize,
     /// Rows, at least 1. The first row is that of `y = 0`.
     pub height: usize,
-    /// The colours row by row; the values of a function of numbers are grey.
+    /// The colours row by row, each channel one of 65536 steps from 0 to 1.
     pub colors: Vec<Color>,
+    /// Whether they are the values of a function of numbers, which are kept as one channel.
+    pub is_grey: bool,
 }
 
 /// The value of the next token, if that is an identifier declared as a `T`.

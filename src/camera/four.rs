@@ -2,7 +2,7 @@
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
-use crate::math::lanes::three::{dot, over, plus, same, scaled, sizes, store};
+use crate::math::lanes::three::{dot, plus, same, scaled, sizes, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
 
 /// Four points of a picture: columns and rows.
@@ -46,7 +46,10 @@ impl FourKernel for FourPoints<'_> {
             F::all(f64::MIN_POSITIVE).not_above(length),
             length.below(F::all(f64::INFINITY)),
         );
-        (store(over(dir, length)), F::bits(is_normal))
+        (
+            store(scaled(dir, F::all(1.0).over(length))),
+            F::bits(is_normal),
+        )
     }
 }
 

@@ -362,11 +362,12 @@ fn turn(x: f64, y: f64) -> f64 {
     if x < 0.0 { PI - rise } else { rise }
 }
 
-/// The ray from a point in a direction of any length but none.
+/// The ray from a point in a direction of any length but none, which is multiplied by one over that: rounded so it
+/// is POV-Ray's to the bit, which a quotient is not (measured by how often intervals of media fall short).
 fn ray(origin: DVec3, dir: DVec3) -> Option<Ray> {
     let length = dir.length();
     if length.is_normal() {
-        return Some(Ray::new(origin, dir / length));
+        return Some(Ray::new(origin, dir * length.recip()));
     }
     // Squares that cannot be held say nothing about a direction.
     unit(dir).map(|dir| Ray::new(origin, dir))

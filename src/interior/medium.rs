@@ -72,6 +72,13 @@ impl PreparedMedia {
         densities.all(|density| matches!(density, PreparedPigment::Plain(_)))
     }
 
+    /// Whether it takes light away anywhere.
+    #[must_use]
+    pub fn takes_light(&self) -> bool {
+        let scattered = self.scattering.color * self.scattering.extinction;
+        self.absorption != Rgb::BLACK || scattered != Rgb::BLACK
+    }
+
     /// Adds what it does at a point.
     pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
         let spot = Spot::at(point);
@@ -124,6 +131,16 @@ mod tests {
         assert_eq!(effect.emission, Rgb::splat(0.5));
         assert_eq!(effect.scattering, Rgb::splat(0.0625));
         assert!(media.has_density() && !media.is_even());
+    }
+
+    #[test]
+    fn what_only_gives_or_scatters_without_extinction_takes_no_light() {
+        for text in ["{ emission 1 }", "{ scattering { 1, 1 extinction 0 } }"] {
+            assert!(!prepare(text).takes_light(), "{text}");
+        }
+        for text in ["{ absorption 1 }", "{ scattering { 1, 1 } }"] {
+            assert!(prepare(text).takes_light(), "{text}");
+        }
     }
 
     #[test]

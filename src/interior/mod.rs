@@ -24,7 +24,7 @@ const EXPONENTIAL_POWER: f64 = 1000.0;
 pub struct Interior {
     /// The index of refraction.
     pub ior: f32,
-    /// Whether the scene says so. Otherwise it is that of the atmosphere, and so is the dispersion (measured).
+    /// Whether the scene says so, and not that it is 0. Otherwise it is that of the atmosphere, and so is the dispersion (measured).
     pub has_ior: bool,
     /// The distance over which light fades to the mean of full light and `fade_color`; 0 for no fading.
     pub fade_distance: f32,
@@ -99,8 +99,8 @@ impl Interior {
         };
         match word {
             Word::Ior => {
-                self.ior = number(word, args)?;
-                self.has_ior = true;
+                let ior = number(word, args)?;
+                self.say_ior(ior);
             }
             Word::FadeDistance => self.fade_distance = number(word, args)?,
             Word::FadePower => self.fade_power = number(word, args)?,
@@ -164,11 +164,18 @@ impl Interior {
     /// Takes over `ior`, `refraction` and `caustics` from the finishes of the object's texture, where old scenes have them.
     pub fn take_from_finishes<'a>(&mut self, finishes: impl IntoIterator<Item = &'a Finish>) {
         for finish in finishes {
-            self.ior = finish.ior.unwrap_or(self.ior);
-            self.has_ior |= finish.ior.is_some();
+            if let Some(ior) = finish.ior {
+                self.say_ior(ior);
+            }
             self.refraction = finish.refraction.unwrap_or(self.refraction);
             self.caustics = finish.caustics.unwrap_or(self.caustics);
         }
+    }
+
+    /// Takes an index of refraction; 0 is as if the scene said none.
+    fn say_ior(&mut self, ior: f32) {
+        self.has_ior = ior != 0.0;
+        self.ior = if self.has_ior { ior } else { 1.0 };
     }
 
     /// How much more bluer light bends, without regard to what an interior without `ior` says.
@@ -232,6 +239,21 @@ mod tests {
             (interior.ior, interior.fade_distance, interior.fade_power),
             (1.5, 2.0, 1.0)
         );
+    }
+
+    #[test]
+    fn an_ior_of_0_is_as_none() {
+        // POV-Ray 3.7 draws the same picture without it, also where a finish says so.
+        let mut args = TextArgs::new("{ I ior 0 }").with("I", read("{ ior 1.5 }").unwrap());
+        let named = Interior::read(&mut args).unwrap();
+        let mut finished = read("{ ior 1.5 }").unwrap();
+        finished.take_from_finishes([&Finish {
+            ior: Some(0.0),
+            ..Finish::default()
+        }]);
+        for interior in [read("{ ior 0 }").unwrap(), named, finished] {
+            assert_eq!((interior.ior, interior.has_ior), (1.0, false));
+        }
     }
 
     #[test]

@@ -33,23 +33,24 @@ impl Reader<'_> {
             let message = "the function of a picture takes x, y and z";
             return Err(self.with_trace(Diagnostic::error(place, message)));
         }
+        let is_grey = function.is_scalar();
         let mut colors = Vec::with_capacity(width * height);
         for row in 0..height {
             for column in 0..width {
                 let point = [share(column, width), share(row, height), 0.0];
-                let channels = if function.is_scalar() {
+                colors.push(if is_grey {
                     let grey = stored_number(function.eval(&point));
-                    [grey, grey, grey, 0.0, 0.0]
+                    Color::from_components([grey, grey, grey, 0.0, 0.0])
                 } else {
-                    function.eval_vector(&point)
-                };
-                colors.push(Color::from_components(channels));
+                    stored_color(Color::from_components(function.eval_vector(&point)))
+                });
             }
         }
         Ok(Sampled {
             width,
             height,
             colors,
+            is_grey,
         })
     }
 }
@@ -66,4 +67,31 @@ fn share(at: usize, count: usize) -> f64 {
 /// A number as POV-Ray keeps it in the picture: sixteen bits, of which the higher ones are lost.
 fn stored_number(value: f64) -> f64 {
     (value * 65535.0).trunc().rem_euclid(65536.0) / 65535.0
+}
+
+/// A colour as POV-Ray keeps it in the picture: each channel so, and how opaque it is; what passes tinted is lost.
+fn stored_color(color: Color) -> Color {
+    let stored = |channel: f32| (channel * 65535.0).trunc().rem_euclid(65536.0) / 65535.0;
+    Color {
+        rgb: color.rgb.map(stored),
+        filter: 0.0,
+        transmit: 1.0 - stored(1.0 - color.transmit),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_channel_keeps_sixteen_bits_and_loses_what_is_above() {
+        let color = Color::from_components([0.5, -0.3, 1.9, 0.4, 0.811]);
+        let stored = stored_color(color);
+        let steps = |channel: f32| f64::from(channel) * 65535.0;
+        assert_eq!(steps(stored.rgb.r).round(), 32767.0);
+        assert_eq!(steps(stored.rgb.g).round(), 45876.0);
+        assert_eq!(steps(stored.rgb.b).round(), 58980.0);
+        assert_eq!(stored.filter, 0.0);
+        assert_eq!(steps(stored.transmit).round(), 53149.0);
+    }
 }

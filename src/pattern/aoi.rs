@@ -22,4 +22,8 @@ impl Value for AngleOfIncidence {
     fn value(&self, _point: DVec3, spot: &Spot) -> f64 {
         spot.normal.dot(spot.dir).clamp(-1.0, 1.0).acos() / PI
     }
+
+    fn minds_normal(&self) -> bool {
+        true
+    }
 }

@@ -178,6 +178,11 @@ pub trait Value: Debug + Send + Sync {
     fn tilt(&self, _point: DVec3) -> Option<DVec3> {
         None
     }
+
+    /// Whether the value hangs on the normal of the surface.
+    fn minds_normal(&self) -> bool {
+        false
+    }
 }
 
 /// The place that is coloured, for the patterns that ask for more than a point of their own space.

@@ -36,6 +36,12 @@ impl PreparedPattern {
         self.value.tilt(moved)
     }
 
+    /// Whether the value hangs on the normal of the surface.
+    #[must_use]
+    pub fn minds_normal(&self) -> bool {
+        self.value.minds_normal()
+    }
+
     /// How normals turn on their way to the pattern and back.
     #[must_use]
     pub fn turns(&self) -> Turns {

@@ -104,4 +104,8 @@ impl Value for Slope {
             value % 1.0
         }
     }
+
+    fn minds_normal(&self) -> bool {
+        true
+    }
 }

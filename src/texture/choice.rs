@@ -21,6 +21,40 @@ pub struct Look<'t> {
 /// The textures that are seen at a point.
 pub type Looks<'t> = SmallVec<[Look<'t>; 1]>;
 
+/// The textures that are seen at a place as they are chosen one after the other, in the order in which they are drawn.
+#[derive(Clone, Debug)]
+pub struct Choosing<'t> {
+    /// The textures so far.
+    pub looks: Looks<'t>,
+    /// The place, with the normal that choices see.
+    pub(super) spot: Spot,
+    /// The place itself, where the bumps of what is chosen are seen by choices after it.
+    pub(super) flat: Option<Spot>,
+}
+
+impl Choosing<'_> {
+    /// Nothing is chosen yet.
+    #[must_use]
+    pub fn at(spot: Spot) -> Self {
+        Choosing {
+            looks: Looks::new(),
+            spot,
+            flat: None,
+        }
+    }
+
+    /// The same where the textures are drawn as they are chosen. Then `slope` and `aoi` see the normal that bumps have made
+    /// last, if those of an earlier texture have made one, as in POV-Ray: it draws the upper entry of a map before it
+    /// chooses within the lower one.
+    #[must_use]
+    pub fn drawn_at(spot: Spot) -> Self {
+        Choosing {
+            flat: Some(spot),
+            ..Choosing::at(spot)
+        }
+    }
+}
+
 /// A choice among textures, ready for rays.
 #[derive(Debug)]
 pub(super) enum Choice {
@@ -90,21 +124,27 @@ impl Choice {
         matches!(self, Choice::Uv(_)) || self.textures().any(PreparedTexture::uses_uv)
     }
 
+    /// Whether normals decide what is chosen, here or further on.
+    pub(super) fn minds_normal(&self) -> bool {
+        matches!(self, Choice::Map(pattern, _) if pattern.minds_normal())
+            || self.textures().any(PreparedTexture::minds_normal)
+    }
+
     /// Adds what is seen at a point.
-    pub(super) fn look<'t>(&'t self, point: DVec3, spot: &Spot, weight: f32, to: &mut Looks<'t>) {
+    pub(super) fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
         match self {
             Choice::Map(pattern, map) => {
                 let moved = pattern.moved(point);
-                match map.between(pattern.value(moved, spot)) {
-                    Between::One(entry) => entry.look(moved, spot, weight, to),
+                match map.between(pattern.value(moved, &to.spot)) {
+                    Between::One(entry) => entry.look(moved, weight, to),
                     Between::Two(first, second, share) => {
                         #[allow(
                             clippy::cast_possible_truncation,
                             reason = "shares are single precision, like colours"
                         )]
                         let share = share as f32;
-                        second.look(moved, spot, weight * share, to);
-                        first.look(moved, spot, weight * (1.0 - share), to);
+                        second.look(moved, weight * share, to);
+                        first.look(moved, weight * (1.0 - share), to);
                     }
                 }
             }
@@ -112,19 +152,19 @@ impl Choice {
                 let moved = chain.moved(point);
                 let total: f32 = map.entries().iter().map(|entry| entry.0).sum();
                 for (own, entry) in map.entries() {
-                    entry.look(moved, spot, weight * own / total, to);
+                    entry.look(moved, weight * own / total, to);
                 }
             }
             Choice::Tiles(chain, two) => {
                 let moved = chain.moved(point);
-                two[tile(moved)].look(moved, spot, weight, to);
+                two[tile(moved)].look(moved, weight, to);
             }
-            Choice::Uv(mapped) => mapped.look(spot.on_the_map(), spot, weight, to),
+            Choice::Uv(mapped) => mapped.look(to.spot.on_the_map(), weight, to),
             Choice::Material(chain, source, textures) => {
                 let moved = chain.moved(point);
                 if let Some(texture) = textures.get(source.material(moved) % textures.len().max(1))
                 {
-                    texture.look(moved, spot, weight, to);
+                    texture.look(moved, weight, to);
                 }
             }
         }
@@ -150,9 +190,9 @@ mod tests {
         let texture = Texture::read(&mut args, &Layer::default()).unwrap();
         let texture = texture.prepare(&[], &Settings::default());
         let point = DVec3::new(x, 0.5, 0.5);
-        let mut looks = Looks::new();
-        texture.look(point, &Spot::at(point), 1.0, &mut looks);
-        looks.iter().map(|look| look.weight).collect()
+        let mut chosen = Choosing::at(Spot::at(point));
+        texture.look(point, 1.0, &mut chosen);
+        chosen.looks.iter().map(|look| look.weight).collect()
     }
 
     #[test]
@@ -164,6 +204,30 @@ mod tests {
         assert_eq!(weights(mean, 0.0), [0.25, 0.75]);
         let nested = "{ average texture_map { [T] [average texture_map { [T] [T] }] } }";
         assert_eq!(weights(nested, 0.0), [0.5, 0.25, 0.25]);
+    }
+
+    /// The number of textures that are seen of a bumpy one beside one that shows two where the surface is level.
+    fn seen_beside_bumps(begin: fn(Spot) -> Choosing<'static>) -> usize {
+        let known = Texture::from(Layer::default());
+        let text = "{ average texture_map { [normal { bumps 2 }] \
+                    [slope <0,1,0> texture_map { [0.99 T] [0.99 average texture_map { [T] [T] }] }] } }";
+        let mut args = TextArgs::new(text).with("T", known);
+        let texture = Texture::read(&mut args, &Layer::default()).unwrap();
+        let texture = Box::leak(Box::new(texture.prepare(&[], &Settings::default())));
+        assert!(texture.minds_normal());
+        let point = DVec3::new(0.3, 0.5, 0.4);
+        let mut chosen = begin(Spot {
+            normal: DVec3::Y,
+            ..Spot::at(point)
+        });
+        texture.look(point, 1.0, &mut chosen);
+        chosen.looks.len()
+    }
+
+    #[test]
+    fn slope_sees_the_bumps_of_a_texture_drawn_before() {
+        assert_eq!(seen_beside_bumps(Choosing::at), 3);
+        assert_eq!(seen_beside_bumps(Choosing::drawn_at), 2);
     }
 
     #[test]

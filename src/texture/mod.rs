@@ -15,7 +15,7 @@ mod rare;
 mod reflection;
 mod tilt;
 
-pub use choice::{Look, Looks};
+pub use choice::{Choosing, Look, Looks};
 pub use film::{Irid, Subsurface};
 pub use finish::Finish;
 pub use layers::{Layer, Texture};

@@ -1,7 +1,7 @@
 //! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
 
-use super::choice::Choice;
-use super::{Finish, Layer, Look, Looks, Pigment, PigmentKind, PreparedNormal, Texture};
+use super::choice::{Choice, Choosing};
+use super::{Finish, Layer, Look, Pigment, PigmentKind, PreparedNormal, Texture};
 use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
@@ -22,6 +22,7 @@ pub struct PreparedTexture {
     is_opaque: bool,
     has_reflection: bool,
     uses_uv: bool,
+    minds_normal: bool,
 }
 
 /// A layer ready for rays.
@@ -88,12 +89,14 @@ impl PreparedTexture {
             None => layers.iter().any(PreparedLayer::uses_uv),
             Some(choice) => choice.uses_uv(),
         };
+        let minds_normal = choice.as_ref().is_some_and(Choice::minds_normal);
         PreparedTexture {
             layers,
             choice: choice.map(Box::new),
             is_opaque,
             has_reflection,
             uses_uv,
+            minds_normal,
         }
     }
 
@@ -134,16 +137,38 @@ impl PreparedTexture {
         }
     }
 
-    /// Adds the textures that are seen of it at a place, whose patterns are asked at `point`.
-    pub fn look<'t>(&'t self, point: DVec3, spot: &Spot, weight: f32, to: &mut Looks<'t>) {
-        match &self.choice {
-            None => to.push(Look {
-                weight,
-                texture: self,
-                point,
-            }),
-            Some(choice) => choice.look(point, spot, weight, to),
+    /// Adds the textures that are seen of it, whose patterns are asked at `point`.
+    pub fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
+        if let Some(choice) = &self.choice {
+            return choice.look(point, weight, to);
         }
+        to.looks.push(Look {
+            weight,
+            texture: self,
+            point,
+        });
+        if let Some(flat) = &to.flat
+            && let Some(normal) = self.normal_left(point, flat)
+        {
+            to.spot.normal = normal;
+        }
+    }
+
+    /// The normal that the bumps of its layers have made last once all that can be seen of them are drawn, as slope patterns
+    /// see it.
+    fn normal_left(&self, point: DVec3, flat: &Spot) -> Option<DVec3> {
+        let mut layers = self.layers.iter();
+        let lowest = layers.position(|layer| !layer.pigment.can_be_transparent());
+        let seen = lowest.map_or(self.layers.len(), |lowest| lowest + 1);
+        let mut bumps = self.layers[..seen].iter().rev();
+        let bumps = bumps.find_map(|layer| layer.normal.as_ref())?;
+        Some(bumps.tilted_and_seen(point, flat.normal, flat).1)
+    }
+
+    /// Whether normals decide which textures are seen of it.
+    #[must_use]
+    pub fn minds_normal(&self) -> bool {
+        self.minds_normal
     }
 
     /// Whether something in it asks for the texture coordinates of the surface.

@@ -1,6 +1,7 @@
 //! Light at a point of a surface: diffuse light, highlights, and what stands in the way of them.
 
 use super::area::Lamps;
+use super::arrived::Arrived;
 use super::surface::facing_normal;
 use super::{Inside, Path, Tracer, passage};
 use crate::color::Rgb;
@@ -50,6 +51,8 @@ pub(super) struct Lit<'p> {
     pub(super) path: &'p Path,
     /// By light, what of it is known.
     pub(super) known: &'p [Known],
+    /// What shadows have left for layers and textures drawn before, where there is more than one.
+    pub(super) arrived: Option<&'p Arrived>,
     pub(super) is_double_illuminated: bool,
     /// The numbers of the lights that shine on it.
     pub(super) lights: &'p [u32],
@@ -208,7 +211,14 @@ impl Tracer<'_> {
             return Rgb::BLACK;
         }
         if self.quality.has_shadows {
-            arriving = self.after_shadows(arriving, number, lit, &arrival, scratch);
+            let known = lit.arrived.and_then(|arrived| arrived.of(number));
+            arriving = known.unwrap_or_else(|| {
+                let left = self.after_shadows(arriving, number, lit, &arrival, scratch);
+                if let Some(arrived) = lit.arrived {
+                    arrived.keep(number, left);
+                }
+                left
+            });
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }

@@ -152,12 +152,12 @@ impl Tracer<'_> {
     }
 
     /// The lights that media scatter, and where their beams cross a ray. Those of light groups are not among them, whatever
-    /// the ray meets behind (checked with POV-Ray).
+    /// the ray meets behind, and neither are shadowless ones (checked with POV-Ray).
     pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
         let lights = self.world.lights.outside_groups(lights).iter();
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
-            if !light.media_interaction {
+            if !light.media_interaction || light.is_shadowless() {
                 return None;
             }
             let (from, to) = light.crossed_by(ray)?;
@@ -353,6 +353,7 @@ impl Tracer<'_> {
             departure,
             path: stretch.path,
             known: &[],
+            arrived: None,
             is_double_illuminated: false,
             lights: &[],
             collects: self.has_caustics(),
@@ -365,7 +366,8 @@ impl Tracer<'_> {
         arriving * (phases.sum::<f64>() / stretch.media.len() as f64)
     }
 
-    /// The share of light that passes media along a ray.
+    /// The share of light that passes media along a ray. Where they take none they are not asked, as in POV-Ray: that takes
+    /// no random numbers.
     fn extinction(
         &self,
         media: &[&PreparedMedia],
@@ -373,6 +375,9 @@ impl Tracer<'_> {
         length: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
+        if !media.iter().any(|media| media.takes_light()) {
+            return Rgb::WHITE;
+        }
         let Some(sampling) = common_sampling(media) else {
             return Rgb::WHITE;
         };
@@ -386,10 +391,13 @@ impl Tracer<'_> {
         let has_density = media.iter().any(|media| media.has_density());
         let is_even = media.iter().all(|media| media.is_even());
         let intervals = if has_density { sampling.intervals } else { 1 };
-        let long = length / f64::from(intervals);
+        let each = length / f64::from(intervals);
+        // As in `divided`.
+        let end = f64::from(intervals) * each;
+        let rest = (end < length).then_some((end, length - end));
         let mut swallowed = Rgb::BLACK;
-        for interval in 0..intervals {
-            let from = f64::from(interval) * long;
+        let all = (0..intervals).map(|interval| (f64::from(interval) * each, each));
+        for (from, long) in all.chain(rest) {
             let mean = if is_even {
                 scratch.media_stream.next_number();
                 taken(from)
@@ -480,7 +488,8 @@ pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
     parts
 }
 
-/// The intervals of some parts: lit ones have their share of them.
+/// The intervals of some parts: lit ones have their share of them. Where all intervals together fall short of the way by
+/// rounding, the rest of it is one more, as in POV-Ray: it takes random numbers like any other.
 pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
     let wanted = sampling.intervals as usize;
     let all = wanted.max(parts.len());
@@ -515,6 +524,16 @@ pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
             to: part.from + (place + 1) as f64 * length,
             is_lit: part.is_lit,
         }));
+    }
+    if let (Some(end), Some(last)) = (parts.last().map(|part| part.to), intervals.last())
+        && last.to < end
+    {
+        let from = last.to;
+        intervals.push(Part {
+            from,
+            to: end,
+            is_lit: false,
+        });
     }
     intervals
 }
@@ -592,9 +611,8 @@ mod tests {
         assert_eq!(parts_of(&[], 2.0), [part(0.0, 2.0, false)]);
     }
 
-    #[test]
-    fn intervals_fill_the_stretch_without_gaps() {
-        let sampling = Sampling {
+    fn sampling_of_seven() -> Sampling {
+        Sampling {
             method: 3,
             intervals: 7,
             samples: [1, 1],
@@ -604,7 +622,12 @@ mod tests {
             jitter: 0.0,
             aa_level: 3,
             aa_threshold: 0.1,
-        };
+        }
+    }
+
+    #[test]
+    fn intervals_fill_the_stretch_without_gaps() {
+        let sampling = sampling_of_seven();
         let parts = parts_of(&[beam(1.0, 3.0), beam(6.0, 7.0)], 9.0);
         let intervals = divided(&parts, &sampling);
         assert!(
@@ -618,5 +641,17 @@ mod tests {
         );
         let lit = intervals.iter().filter(|interval| interval.is_lit).count();
         assert!(2 * lit > intervals.len(), "{lit} of {}", intervals.len());
+    }
+
+    #[test]
+    fn what_rounding_leaves_of_the_way_is_an_interval_more() {
+        let sampling = Sampling {
+            intervals: 3,
+            ..sampling_of_seven()
+        };
+        // The lengths are among those measured with POV-Ray.
+        for (length, count) in [(1.728_715, 4), (0.920_754, 4), (1.0, 3), (1.5, 3)] {
+            assert_eq!(divided(&parts_of(&[], length), &sampling).len(), count);
+        }
     }
 }

@@ -6,6 +6,7 @@
 
 mod air;
 mod area;
+mod arrived;
 mod block;
 mod caustics;
 mod cloud;

@@ -2,7 +2,7 @@
 
 use super::light::{Lit, Viewed};
 use super::passage::{Bend, bend};
-use super::surface::{Mirror, facing_normal, mirrored_off};
+use super::surface::{Mirror, Sight, facing_normal, mirrored_off};
 use super::{Inside, Path, Tracer, spectrum};
 use crate::color::Rgb;
 use crate::compile::{Departure, Hit, Query, Scratch};
@@ -145,7 +145,7 @@ impl<'w> Tracer<'w> {
             if flight.path.inside.contains(&surface.interior) {
                 flight.light *= self.interior_of(&hit).fade(hit.t);
             }
-            let looks = self.looks(surface, &hit, flight.path.ray.dir);
+            let looks = self.looks(surface, &hit, flight.path.ray.dir, Sight::Passed);
             for look in &looks {
                 let of_look = flight.light * f64::from(look.weight);
                 if was_met && !role.keeps_none {
@@ -174,6 +174,7 @@ impl<'w> Tracer<'w> {
             departure: Some(&departure),
             path,
             known: &[],
+            arrived: None,
             is_double_illuminated: false,
             lights: &[],
             collects: false,

@@ -1,5 +1,6 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
+use super::arrived::Arrived;
 use super::light::{Coat, Known, Lit, Viewed, metallic, mirrored};
 use super::radiosity::{Gathered, Gathering};
 use super::through::StraightOn;
@@ -10,7 +11,7 @@ use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
 use crate::shape::Shares;
-use crate::texture::{Finish, Look, Looks, PreparedLayer, PreparedTexture};
+use crate::texture::{Choosing, Finish, Look, Looks, PreparedLayer, PreparedTexture};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -65,6 +66,15 @@ pub(super) fn single(weight: f64) -> f32 {
     weight as f32
 }
 
+/// What textures are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// They are drawn.
+    Drawn,
+    /// They only filter light.
+    Passed,
+}
+
 /// A mirror image to be traced.
 pub(super) struct Mirror<'f> {
     pub(super) reflectivity: Rgb,
@@ -85,15 +95,21 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
-        match self.looks(surface, hit, path.ray.dir).as_slice() {
+        match self
+            .looks(surface, hit, path.ray.dir, Sight::Drawn)
+            .as_slice()
+        {
             [only] if only.weight == 1.0 => {
-                self.shade_texture(path, hit, (only, &mut None), known, scratch)
+                let arrived = (only.texture.layers().len() > 1).then(Arrived::default);
+                let one = (only, &mut None, arrived.as_ref());
+                self.shade_texture(path, hit, one, known, scratch)
             }
             several => {
                 let mut sum = View::NOTHING;
                 let mut tilted = None;
+                let arrived = Arrived::default();
                 for look in several {
-                    let one = (look, &mut tilted);
+                    let one = (look, &mut tilted, Some(&arrived));
                     let view = self.shade_texture(path, hit, one, known, scratch);
                     sum.add(look.weight, view);
                 }
@@ -104,10 +120,16 @@ impl Tracer<'_> {
 
     /// The textures that a ray sees at a hit, with the share of each. Shares below the bailout are not drawn. The normals
     /// of a smooth triangle decide which side is seen, not the order of its corners.
-    pub(super) fn looks<'s>(&self, surface: &'s Surface, hit: &Hit, dir: DVec3) -> Looks<'s> {
+    pub(super) fn looks<'s>(
+        &self,
+        surface: &'s Surface,
+        hit: &Hit,
+        dir: DVec3,
+        sight: Sight,
+    ) -> Looks<'s> {
         let outside = match surface.inside_texture() {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
-                return self.look_of(inside, hit, dir);
+                return self.look_of(inside, hit, dir, sight);
             }
             _ => &*surface.texture,
         };
@@ -117,28 +139,57 @@ impl Tracer<'_> {
             self.world.shares(hit)
         };
         if shares.is_empty() {
-            return self.look_of(outside, hit, dir);
+            return self.look_of(outside, hit, dir, sight);
         }
         let least = self.world.globals.adc_bailout;
         let drawn = shares.iter().filter(|share| share.weight >= least);
-        let mut looks = Looks::new();
-        let (point, spot) = self.place(hit, dir);
+        let texture_of = |number: u32| {
+            surface
+                .skins()
+                .get(number as usize)
+                .map_or(outside, |skin| skin)
+        };
+        let minds_normal = shares
+            .iter()
+            .any(|share| texture_of(share.skin).minds_normal());
+        let (point, mut chosen) = self.choosing(hit, dir, sight, minds_normal);
         for share in drawn {
-            let skin = surface.skins().get(share.skin as usize);
-            let texture = skin.map_or(outside, |skin| skin);
-            texture.look(point, &spot, single(share.weight), &mut looks);
+            texture_of(share.skin).look(point, single(share.weight), &mut chosen);
         }
-        looks
+        chosen.looks
+    }
+
+    /// The point at which the patterns of a hit are asked, and the begin of a choice of textures there.
+    fn choosing<'t>(
+        &self,
+        hit: &Hit,
+        dir: DVec3,
+        sight: Sight,
+        minds_normal: bool,
+    ) -> (DVec3, Choosing<'t>) {
+        let (point, spot) = self.place(hit, dir);
+        let follows = minds_normal && sight == Sight::Drawn && self.quality.has_normals;
+        let chosen = if follows {
+            Choosing::drawn_at(spot)
+        } else {
+            Choosing::at(spot)
+        };
+        (point, chosen)
     }
 
     /// What a ray sees of a texture that covers a hit alone.
     #[inline]
-    fn look_of<'t>(&self, texture: &'t PreparedTexture, hit: &Hit, dir: DVec3) -> Looks<'t> {
+    fn look_of<'t>(
+        &self,
+        texture: &'t PreparedTexture,
+        hit: &Hit,
+        dir: DVec3,
+        sight: Sight,
+    ) -> Looks<'t> {
         if texture.is_patterned() {
-            let (point, spot) = self.place(hit, dir);
-            let mut looks = Looks::new();
-            texture.look(point, &spot, 1.0, &mut looks);
-            return looks;
+            let (point, mut chosen) = self.choosing(hit, dir, sight, texture.minds_normal());
+            texture.look(point, 1.0, &mut chosen);
+            return chosen.looks;
         }
         let is_mapped = self.world.surfaces[hit.surface as usize].flags.uv_mapping;
         Looks::from_buf([Look {
@@ -171,12 +222,13 @@ impl Tracer<'_> {
     }
 
     /// What a ray sees of one texture at a hit. `tilted` is the normal that bumps have made last at this hit: as in POV-Ray
-    /// that is the one whose slope patterns see, also those of layers and textures that have no bumps.
+    /// that is the one whose slope patterns see, also those of layers and textures that have no bumps. `arrived` is what is
+    /// known of light from textures before.
     fn shade_texture(
         &self,
         path: &Path,
         hit: &Hit,
-        (look, tilted): (&Look, &mut Option<DVec3>),
+        (look, tilted, arrived): (&Look, &mut Option<DVec3>, Option<&Arrived>),
         known: &[Known],
         scratch: &mut Scratch,
     ) -> View {
@@ -195,6 +247,7 @@ impl Tracer<'_> {
             departure: Some(&hit.departure),
             path,
             known,
+            arrived,
             is_double_illuminated: surface.flags.double_illuminate,
             lights: self.world.lights.of(surface.lights),
             collects: self.has_caustics() && !surface.flags.photons.keeps_none,
@@ -352,7 +405,7 @@ impl Tracer<'_> {
     /// The share of shadow light that passes the surface of a hit.
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let looks = self.looks(surface, hit, ray.dir);
+        let looks = self.looks(surface, hit, ray.dir, Sight::Passed);
         let caustics = f64::from(self.interior_of(hit).caustics);
         let (_, spot) = self.place(hit, ray.dir);
         looks.iter().fold(Rgb::BLACK, |sum, look| {

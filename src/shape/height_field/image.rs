@@ -87,15 +87,24 @@ pub(super) struct Heights {
 }
 
 impl Heights {
-    /// The heights of a picture that a function has made: 16 bits of its grey.
+    /// The heights of a picture that a function has made: 16 bits of its grey. The grey of colours is cut, so that white
+    /// of n steps is n or n - 1 steps high; numbers are as high as they are kept.
     pub(super) fn of_function(picture: &Sampled) -> Self {
+        let shares = [0.297, 0.589, 0.114];
         let height = |color: &Color| {
+            let channels = [color.rgb.r, color.rgb.g, color.rgb.b].map(f64::from);
+            let steps = if picture.is_grey {
+                (channels[0] * 65535.0).round()
+            } else {
+                let [r, g, b] = [0, 1, 2].map(|channel| shares[channel] * channels[channel]);
+                (r + g + b) * 65535.0
+            };
             #[allow(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
-                reason = "the cast saturates"
+                reason = "cut, and the cast saturates"
             )]
-            let height = (f64::from(color.rgb.grey()) * 65535.0).round() as u16;
+            let height = steps as u16;
             height
         };
         Heights {
