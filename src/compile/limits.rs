@@ -88,3 +88,80 @@ fn half_space(plane: &Plane, is_inverse: bool, world_from_object: &DAffine3) -> 
         max: known(bounds.max, f64::INFINITY),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compile::{Extent, leaf::Absorb};
+    use crate::math::random::Random;
+    use crate::math::{Step, Transform};
+    use crate::shape::Geometry;
+
+    fn leaf(shape: Shape, steps: &[Step]) -> Leaf {
+        Leaf::new(shape, (steps, Absorb::AllItCan), 0, Extent::Solid).0
+    }
+
+    fn plane(normal: DVec3, distance: f64, steps: &[Step]) -> Leaf {
+        leaf(Shape::Plane(Plane { normal, distance }), steps)
+    }
+
+    fn quadric(squares: DVec3, linear: DVec3, constant: f64, steps: &[Step]) -> Leaf {
+        let quadric = Quadric::new(squares, DVec3::ZERO, linear, constant);
+        leaf(Shape::Quadric(quadric), steps)
+    }
+
+    #[test]
+    fn what_planes_leave_of_a_quadric_has_a_box_wherever_it_stands() {
+        let turned = [
+            Step::Scale(DVec3::new(0.5, 3.0, 2.0)),
+            Step::Rotate(DVec3::new(20.0, -50.0, 130.0)),
+            Step::Translate(DVec3::new(7.0, -3.0, 1e3)),
+        ];
+        let mut rng = Random::new(11);
+        for steps in [&[][..], &turned] {
+            for (squares, linear, constant) in [
+                (DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO, -1.0),
+                (DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, -0.2),
+                (DVec3::new(1.0, 0.0, 2.0), DVec3::new(0.5, -1.0, 0.0), 0.0),
+            ] {
+                let leaves = [
+                    plane(DVec3::Y, 2.0, steps),
+                    plane(DVec3::Y, -1.0, steps),
+                    quadric(squares, linear, constant, steps),
+                ];
+                let factors = Factors::from_slice(&[(0, false), (1, true), (2, false)]);
+                let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+                assert!(around.is_finite(), "{squares}");
+                let to_world = Transform::from_steps(steps).world_from_object;
+                let mut inside = 0;
+                for _ in 0..20_000 {
+                    let point = to_world.transform_point3(rng.vector(4.0));
+                    let holds = |leaf: &Leaf| leaf.contains(point);
+                    if holds(&leaves[0]) && !holds(&leaves[1]) && holds(&leaves[2]) {
+                        inside += 1;
+                        assert!((around.min.cmple(point) & point.cmple(around.max)).all());
+                    }
+                }
+                assert!(inside > 20, "{inside}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_planes_close_has_none() {
+        let cylinder = quadric(DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO, -1.0, &[]);
+        let leaves = [plane(DVec3::Y, 2.0, &[]), cylinder];
+        let factors = Factors::from_slice(&[(0, false), (1, false)]);
+        let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+        assert!(!around.is_finite());
+        // The outside of a cylinder between planes has none either.
+        let leaves = [
+            plane(DVec3::Y, 2.0, &[]),
+            plane(DVec3::Y, -1.0, &[]),
+            quadric(DVec3::new(1.0, 0.0, 1.0), DVec3::ZERO, -1.0, &[]),
+        ];
+        let factors = Factors::from_slice(&[(0, false), (1, true), (2, true)]);
+        let around = limited(&leaves, &factors, Bounds::EVERYTHING);
+        assert!(!around.is_finite() && !leaves[2].shape.bounds().is_finite());
+    }
+}

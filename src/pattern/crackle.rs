@@ -382,3 +382,50 @@ fn point_of(cell: [i64; 3]) -> DVec3 {
     let corner = DVec3::from(cell.map(|c| c as f64));
     corner + DVec3::from(mersenne::three(hashed_cell(cell)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+
+    /// The lengths to the points of all cells, by looking into each.
+    fn all_lengths(point: DVec3, metric: &Metric) -> [f64; 3] {
+        let home = crate::pattern::cell(point - NUDGE);
+        let mut found = [f64::INFINITY; 3];
+        for number in 0..125 {
+            let step = [number / 25 - 2, number / 5 % 5 - 2, number % 5 - 2];
+            if step.iter().filter(|step: &&i64| step.abs() == 2).count() < 2 {
+                insert(
+                    &mut found,
+                    metric.length(point_of(stepped(home, step)) - point),
+                );
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn no_cell_that_counts_is_passed_over() {
+        let mut rng = Random::new(3);
+        for round in 0..4000 {
+            let point = rng.vector(if round % 2 == 0 { 5.0 } else { 1e5 });
+            for metric in [
+                Metric::Squares(0.0),
+                Metric::Squares(0.3),
+                Metric::Sizes(0.2),
+                Metric::Powers(3.0, 0.1),
+                Metric::Powers(0.5, 0.0),
+                Metric::Powers(-1.0, 0.0),
+            ] {
+                assert_eq!(
+                    nearest(point, &metric),
+                    all_lengths(point, &metric),
+                    "{point}"
+                );
+            }
+            let nearest = nearest_point(point, &Metric::Squares(0.0));
+            let [least, ..] = all_lengths(point, &Metric::Squares(0.0));
+            assert_eq!((nearest - point).length_squared(), least);
+        }
+    }
+}

@@ -114,6 +114,7 @@ impl PreparedTexture {
             }]),
             choice: None,
             uses_uv: false,
+            minds_normal: false,
         }
     }
 

@@ -229,3 +229,23 @@ fn vector<F: Four>(lanes: F) -> DVec3 {
     let [x, y, z, _] = lanes.store();
     DVec3::new(x, y, z)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::lanes::{Lanes, four};
+    use crate::math::random::Random;
+
+    #[test]
+    fn all_lanes_give_the_same_bits() {
+        let mut rng = Random::new(7);
+        let (narrow, widest) = (Lanes::NARROW, Lanes::widest());
+        for round in 0..10_000 {
+            let point = rng.vector(if round % 8 == 0 { 1e12 } else { 50.0 });
+            let scalar = |lanes| four(lanes, &Scalar(point)).to_bits();
+            let vector = |lanes| four(lanes, &Vector(point)).to_array().map(f64::to_bits);
+            assert_eq!(scalar(narrow), scalar(widest), "{point}");
+            assert_eq!(vector(narrow), vector(widest), "{point}");
+        }
+    }
+}
