@@ -79,16 +79,21 @@ impl Superellipsoid {
         norm(norm(p.x, p.y, self.across), p.z, self.along)
     }
 
-    /// The derivatives of `N` by each coordinate, for a point without negative ones.
-    fn gradient(&self, p: DVec3) -> DVec3 {
+    /// `N` and its derivatives by each coordinate, for a point without negative ones.
+    fn size_and_gradient(&self, p: DVec3) -> (f64, DVec3) {
         let ring = norm(p.x, p.y, self.across);
         let size = norm(ring, p.z, self.along);
         let by_ring = share(ring, size, self.along);
-        DVec3::new(
+        let gradient = DVec3::new(
             by_ring * share(p.x, ring, self.across),
             by_ring * share(p.y, ring, self.across),
             share(p.z, size, self.along),
-        )
+        );
+        (size, gradient)
+    }
+
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        self.size_and_gradient(p).1
     }
 
     fn crossings(&self, ray: &Ray) -> Crossings {
@@ -127,8 +132,8 @@ impl Superellipsoid {
     fn convex_crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
         let excess = |t: f64| {
             let p = ray.at(t);
-            let slope = self.gradient(p.abs()).dot(p.signum() * ray.dir);
-            (self.size(p.abs()) - 1.0, slope)
+            let (size, gradient) = self.size_and_gradient(p.abs());
+            (size - 1.0, gradient.dot(p.signum() * ray.dir))
         };
         let mut roots = Crossings::new();
         if let Some(enter) = first_below_zero(excess, from, to)

@@ -200,7 +200,8 @@ impl Line {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        self.letters.iter().any(|letter| {
+        self.tree.around(point, |letter| {
+            let letter = &self.letters[letter as usize];
             let at = point - letter.at;
             let is_between = self.depth[0] <= at.z && at.z <= self.depth[1];
             is_between && letter.outline.contains(at.truncate())

@@ -19,6 +19,8 @@ pub const BLOCK: u32 = 32;
 const SEARCHED: u32 = 16;
 /// So many are searched for, lit and coloured together where it is known what lies around camera and lamps.
 const AROUND: usize = 64;
+/// The same where there are more lights than this.
+const MANY_LIGHTS: usize = 64;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
 
@@ -165,17 +167,17 @@ impl Tracer<'_> {
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<&FourHits>),
     ) {
-        // Where no walk is shared fewer at a time stay nearer at hand.
-        let is_known = self.world.knows_all_around();
+        // Where no walk is shared fewer at a time stay nearer at hand, and the ways to many lights would take much room.
+        let are_few = self.world.knows_all_around() || self.world.lights.len() > MANY_LIGHTS;
         let parts = std::mem::take(&mut scratch.parts);
-        let at_once = if is_known {
+        let at_once = if are_few {
             AROUND
         } else {
             places.len().max(1)
         };
         for (piece, places) in places.chunks(at_once).enumerate() {
             let whole = [places.len()];
-            let parts = if is_known { &whole } else { &parts[..] };
+            let parts = if are_few { &whole } else { &parts[..] };
             self.seen_together((places, parts), size, scratch, |number, sample, hits| {
                 take(at_once * piece + number, sample, hits);
             });

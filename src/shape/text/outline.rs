@@ -76,8 +76,8 @@ impl Outline {
 
     /// Whether a place lies inside.
     pub(super) fn contains(&self, place: DVec2) -> bool {
-        let crossings = self.crossings(place, DVec2::X);
-        crossings.iter().filter(|(t, _)| *t > 0.0).count() % 2 == 1
+        let crossings = self.pieces.iter().map(|piece| piece.crossings_beside(place));
+        crossings.sum::<usize>() % 2 == 1
     }
 
     /// The outward normal of a piece at a place on it.
@@ -93,6 +93,23 @@ impl Piece {
         let [a, b, c] = self.points;
         let r = 1.0 - s;
         r * r * a + 2.0 * r * s * b + s * s * c
+    }
+
+    /// How often the way from a place along x crosses the piece, give or take two.
+    fn crossings_beside(&self, place: DVec2) -> usize {
+        let away = self.points.map(|point| point - place);
+        let side = away.map(|point| point.y);
+        let [first, middle, last] = side.map(|side| side < 0.0);
+        // The piece lies between its points.
+        let is_beyond = |point: &DVec2| point.x > 0.0;
+        if first == middle && middle == last || away.iter().all(|point| point.x < 0.0) {
+            0
+        } else if away.iter().all(is_beyond) {
+            usize::from(first != last)
+        } else {
+            let places = sign_changes(side).into_iter();
+            places.filter(|s| self.at(*s).x > place.x).count()
+        }
     }
 
     fn slope(&self, s: f64) -> DVec2 {
