@@ -22,11 +22,13 @@ pub(super) const HIDDEN: f64 = 0.0625;
 const MOST_SAMPLES: usize = 1 << 14;
 /// With more samples a pixel is not taken for one that an edge divides: it has failed to be so too often.
 const MOST_AT_EDGES: usize = 64;
-/// First samples so far around a pixel tell how an edge goes on and how colours slope, in pixels: those within half a
-/// pixel let three times as many be fooled.
-const RING: f64 = 0.75;
+/// The side of a pixel in the parts that places are counted in.
+const SIDE: i32 = 1 << 16;
+/// First samples so far around a pixel tell how an edge goes on and how colours slope: those within half a pixel let three
+/// times as many be fooled.
+const RING: i32 = SIDE / 4 * 3;
 /// The same where pixels have more samples.
-const CLOSE: f64 = 0.25;
+const CLOSE: i32 = SIDE / 4;
 /// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
 /// samples together, since halving their error costs little.
 const EVEN: f64 = 0.25;
@@ -415,25 +417,32 @@ pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
 fn gather<'a>(
     band: &'a Band<'_>,
     ((x, y), own): ((u32, u32), &[Look]),
-    width: f64,
+    width: i32,
     looks_of: impl Fn(usize) -> &'a [Look],
     placed: &mut Vec<Placed>,
 ) {
     placed.clear();
     placed.extend(own.iter().map(|look| (look.share(), *look)));
     for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
-        let from = [
-            f64::from(other_x) - f64::from(x),
-            f64::from(other_y) - f64::from(y),
+        let away = [
+            other_x.cast_signed() - x.cast_signed(),
+            other_y.cast_signed() - y.cast_signed(),
         ];
+        let [across, down] = away.map(|away| near(away, width));
+        let from = away.map(f64::from);
         for look in looks_of(band.at(other_x, other_y)) {
-            let share = look.share();
-            let place = [from[0] + share[0], from[1] + share[1]];
-            if place.iter().all(|v| (-width..=1.0 + width).contains(v)) {
-                placed.push((place, *look));
+            if across.contains(&look.place.0.into()) && down.contains(&look.place.1.into()) {
+                let share = look.share();
+                placed.push(([from[0] + share[0], from[1] + share[1]], *look));
             }
         }
     }
+}
+
+/// Which places of a pixel so many columns or rows away, at most one, lie within `width` of the one that it is seen from.
+fn near(away: i32, width: i32) -> Range<i32> {
+    let from = away * SIDE;
+    (-width - from).clamp(0, SIDE)..(SIDE + width - from).clamp(0, SIDE)
 }
 
 fn count_of(looks: &[Look]) -> u32 {
