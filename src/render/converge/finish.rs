@@ -32,9 +32,6 @@ const CLOSE: i32 = SIDE / 4;
 /// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
 /// samples together, since halving their error costs little.
 const EVEN: f64 = 0.25;
-/// The same of pixels of which their first samples tell that straight lines divide them, but of parts that are not of one
-/// colour each.
-const UNEVEN: f64 = 0.5;
 
 /// What is wanted of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -340,11 +337,7 @@ impl Case {
         let target = band.target.error;
         let aim = Aim {
             best: target * EVEN,
-            most: if self.settles {
-                target * UNEVEN
-            } else {
-                target
-            },
+            most: if self.settles { target * EVEN } else { target },
         };
         self.step = Step::Divided;
         match self.dividing.next(band.eye.channels, aim) {
@@ -384,7 +377,12 @@ impl Case {
     }
 
     fn estimate(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
-        estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid)
+        let found = estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid);
+        let times = count_of(&self.looks) / band.target.first;
+        Estimate {
+            error: found.error * caution(times),
+            ..found
+        }
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]
@@ -411,6 +409,18 @@ pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
         return contrast <= target;
     }
     found.error <= target * EVEN
+}
+
+/// What the estimated error of a pixel is multiplied with that has so many times its first samples. Of pixels with few
+/// samples those stop whose estimate happens to be low: over all that stopped with 16 it was from 0.9 to 1.9 times the true
+/// error, with 32 from 1.5 to 2.1, with 64 and more up to 2.6. So the same error of the picture takes up to an eighth of
+/// the samples less.
+fn caution(times: u32) -> f64 {
+    match times {
+        4..8 => 2.0,
+        8..16 => 1.25,
+        _ => 1.0,
+    }
 }
 
 /// Gathers the samples of a pixel and just around it.
