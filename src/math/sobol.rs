@@ -26,22 +26,19 @@ impl Sobol {
     pub(crate) fn point(&self, number: u32) -> (u32, u32) {
         // Reversing the bits of the number gives the first dimension, and scrambling wants them the other way round.
         let x = scrambled(number, self.seed_x).reverse_bits();
-        let y = scrambled(second(number).reverse_bits(), self.seed_y).reverse_bits();
+        let y = scrambled(second(number), self.seed_y).reverse_bits();
         (x, y)
     }
 }
 
-/// The second dimension, whose matrix is Pascal's triangle modulo 2.
+/// The second dimension, its bits reversed. Its matrix is Pascal's triangle modulo 2: with the bits of the number as a
+/// polynomial `p(x)` modulo 2 it gives `p(1 + x)`, half by half since `(1 + x)^16 = 1 + x^16`.
 fn second(mut number: u32) -> u32 {
-    let (mut direction, mut y) = (1u32 << 31, 0);
-    while number != 0 {
-        if number & 1 == 1 {
-            y ^= direction;
-        }
-        number >>= 1;
-        direction ^= direction >> 1;
-    }
-    y
+    number ^= number >> 16;
+    number ^= number >> 8 & 0x00ff_00ff;
+    number ^= number >> 4 & 0x0f0f_0f0f;
+    number ^= number >> 2 & 0x3333_3333;
+    number ^ number >> 1 & 0x5555_5555
 }
 
 /// Each bit is turned or not as those below it decide.

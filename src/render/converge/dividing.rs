@@ -170,13 +170,19 @@ impl Dividing {
         }
         for line in 0..self.count_of_lines() {
             let (before, behind) = self.groups.split_at(line + 1);
-            let Some(wedge) = Wedge::between(before, behind) else {
+            let line = &mut self.lines[line];
+            let fill = |line: &mut Vec<[f64; 2]>, groups: &[Vec<[f64; 2]>]| {
+                line.clear();
+                for group in groups {
+                    line.extend_from_slice(group);
+                }
+            };
+            fill(&mut line.before, before);
+            fill(&mut line.behind, behind);
+            let Some(wedge) = Wedge::between(&mut line.before, &mut line.behind) else {
                 return false;
             };
-            let line = &mut self.lines[line];
             line.wedge = wedge;
-            wedge.front(before.iter().flatten(), false, &mut line.before);
-            wedge.front(behind.iter().flatten(), true, &mut line.behind);
         }
         true
     }
@@ -288,7 +294,7 @@ impl Dividing {
                 true => (&mut line.behind, &line.before),
                 false => (&mut line.before, &line.behind),
             };
-            if !line.wedge.take(place, is_behind, others.iter()) {
+            if !line.wedge.take(place, is_behind, others) {
                 return false;
             }
             own.push(place);

@@ -96,32 +96,35 @@ pub(super) struct Wedge {
 }
 
 impl Wedge {
-    /// Around the directions from some groups of places to others; `None` if no line separates them.
-    pub(super) fn between(dark: &[Vec<[f64; 2]>], bright: &[Vec<[f64; 2]>]) -> Option<Wedge> {
-        let (from, to) = (
-            dark.iter().flatten().next()?,
-            bright.iter().flatten().next()?,
-        );
+    /// Around the directions from some places to others; `None` if no line separates them. Of both only those stay that
+    /// will ever matter.
+    pub(super) fn between(dark: &mut Vec<[f64; 2]>, bright: &mut Vec<[f64; 2]>) -> Option<Wedge> {
+        let (&from, &to) = (dark.first()?, bright.first()?);
         let one = [to[0] - from[0], to[1] - from[1]];
         let mut wedge = Wedge {
             left: one,
             right: one,
         };
-        let mut places = bright.iter().flatten();
-        places
-            .all(|&place| wedge.take(place, true, dark.iter().flatten()))
-            .then_some(wedge)
+        // Already one of each kind leaves so few directions that few of the others matter.
+        let are_apart = wedge.take(to, true, dark) && wedge.take(from, false, bright);
+        if !are_apart {
+            return None;
+        }
+        wedge.keep_front(dark, false);
+        wedge.keep_front(bright, true);
+        let are_apart = bright.iter().all(|&place| wedge.take(place, true, dark));
+        if !are_apart {
+            return None;
+        }
+        wedge.keep_front(dark, false);
+        wedge.keep_front(bright, true);
+        Some(wedge)
     }
 
     /// Takes in one place more, bright or not, of which `others` are those of the other kind; false if then no line
     /// separates them.
     #[inline]
-    pub(super) fn take<'a>(
-        &mut self,
-        place: [f64; 2],
-        is_bright: bool,
-        others: impl Iterator<Item = &'a [f64; 2]>,
-    ) -> bool {
+    pub(super) fn take(&mut self, place: [f64; 2], is_bright: bool, others: &[[f64; 2]]) -> bool {
         let sign = if is_bright { 1.0 } else { -1.0 };
         for other in others {
             let way = [sign * (place[0] - other[0]), sign * (place[1] - other[1])];
@@ -144,33 +147,36 @@ impl Wedge {
         true
     }
 
-    /// Those of some places, bright or not, that lie next to the other kind in some direction that separates. The others
-    /// will never matter again, for the directions become fewer with every place.
-    pub(super) fn front<'a>(
-        &self,
-        places: impl Iterator<Item = &'a [f64; 2]>,
-        is_bright: bool,
-        front: &mut Vec<[f64; 2]>,
-    ) {
+    /// Keeps those of some places, bright or not, that lie next to the other kind in some direction that separates. The
+    /// others will never matter again, for the directions become fewer with every place.
+    fn keep_front(&self, places: &mut Vec<[f64; 2]>, is_bright: bool) {
         let sign = if is_bright { -1.0 } else { 1.0 };
         let first = [sign * self.left[1], -sign * self.left[0]];
         let last = [-sign * self.right[1], sign * self.right[0]];
         let far = |[x, y]: [f64; 2]| [x * first[0] + y * first[1], x * last[0] + y * last[1]];
-        front.clear();
-        for &place in places {
+        let mut count = 0;
+        for i in 0..places.len() {
+            let place = places[i];
             let here = far(place);
-            let is_hidden = front.iter().any(|&other| {
+            let is_hidden = places[..count].iter().any(|&other| {
                 let other = far(other);
                 other[0] >= here[0] && other[1] >= here[1]
             });
-            if !is_hidden {
-                front.retain(|&other| {
-                    let other = far(other);
-                    other[0] > here[0] || other[1] > here[1]
-                });
-                front.push(place);
+            if is_hidden {
+                continue;
             }
+            let before = std::mem::take(&mut count);
+            for k in 0..before {
+                let other = far(places[k]);
+                if other[0] > here[0] || other[1] > here[1] {
+                    places[count] = places[k];
+                    count += 1;
+                }
+            }
+            places[count] = place;
+            count += 1;
         }
+        places.truncate(count);
     }
 
     /// The first and the last angle of the directions that separate.
@@ -327,13 +333,10 @@ mod tests {
         for &(place, is_bright) in told {
             groups[usize::from(is_bright)].push(place);
         }
-        let (dark, bright) = groups.split_at(1);
-        let wedge = Wedge::between(dark, bright)?;
+        let [mut dark, mut bright] = groups.clone();
+        let wedge = Wedge::between(&mut dark, &mut bright)?;
         let whole = Division::of(wedge, &groups[0], &groups[1])?;
-        let mut fronts = [Vec::new(), Vec::new()];
-        wedge.front(groups[0].iter(), false, &mut fronts[0]);
-        wedge.front(groups[1].iter(), true, &mut fronts[1]);
-        let by_fronts = Division::of(wedge, &fronts[0], &fronts[1])?;
+        let by_fronts = Division::of(wedge, &dark, &bright)?;
         assert!((by_fronts.dark - whole.dark).abs() < 1e-12);
         assert!((by_fronts.error - whole.error).abs() < 1e-12);
         Some(whole)

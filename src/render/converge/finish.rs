@@ -22,17 +22,16 @@ pub(super) const HIDDEN: f64 = 0.0625;
 const MOST_SAMPLES: usize = 1 << 14;
 /// With more samples a pixel is not taken for one that an edge divides: it has failed to be so too often.
 const MOST_AT_EDGES: usize = 64;
-/// First samples so far around a pixel tell how an edge goes on and how colours slope, in pixels: those within half a
-/// pixel let three times as many be fooled.
-const RING: f64 = 0.75;
+/// The side of a pixel in the parts that places are counted in.
+const SIDE: i32 = 1 << 16;
+/// First samples so far around a pixel tell how an edge goes on and how colours slope: those within half a pixel let three
+/// times as many be fooled.
+const RING: i32 = SIDE / 4 * 3;
 /// The same where pixels have more samples.
-const CLOSE: f64 = 0.25;
+const CLOSE: i32 = SIDE / 4;
 /// The share of the error asked for that pixels may have which need few samples for it: so a picture is best for all its
 /// samples together, since halving their error costs little.
 const EVEN: f64 = 0.25;
-/// The same of pixels of which their first samples tell that straight lines divide them, but of parts that are not of one
-/// colour each.
-const UNEVEN: f64 = 0.5;
 
 /// What is wanted of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -338,11 +337,7 @@ impl Case {
         let target = band.target.error;
         let aim = Aim {
             best: target * EVEN,
-            most: if self.settles {
-                target * UNEVEN
-            } else {
-                target
-            },
+            most: if self.settles { target * EVEN } else { target },
         };
         self.step = Step::Divided;
         match self.dividing.next(band.eye.channels, aim) {
@@ -382,7 +377,12 @@ impl Case {
     }
 
     fn estimate(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
-        estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid)
+        let found = estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid);
+        let times = count_of(&self.looks) / band.target.first;
+        Estimate {
+            error: found.error * caution(times),
+            ..found
+        }
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]
@@ -411,29 +411,48 @@ pub(super) fn is_calm(band: &Band<'_>, (x, y): (u32, u32)) -> bool {
     found.error <= target * EVEN
 }
 
+/// What the estimated error of a pixel is multiplied with that has so many times its first samples. Of pixels with few
+/// samples those stop whose estimate happens to be low: over all that stopped with 16 it was from 0.9 to 1.9 times the true
+/// error, with 32 from 1.5 to 2.1, with 64 and more up to 2.6. So the same error of the picture takes up to an eighth of
+/// the samples less.
+fn caution(times: u32) -> f64 {
+    match times {
+        4..8 => 2.0,
+        8..16 => 1.25,
+        _ => 1.0,
+    }
+}
+
 /// Gathers the samples of a pixel and just around it.
 fn gather<'a>(
     band: &'a Band<'_>,
     ((x, y), own): ((u32, u32), &[Look]),
-    width: f64,
+    width: i32,
     looks_of: impl Fn(usize) -> &'a [Look],
     placed: &mut Vec<Placed>,
 ) {
     placed.clear();
     placed.extend(own.iter().map(|look| (look.share(), *look)));
     for (other_x, other_y) in band.around(x, y).filter(|&other| other != (x, y)) {
-        let from = [
-            f64::from(other_x) - f64::from(x),
-            f64::from(other_y) - f64::from(y),
+        let away = [
+            other_x.cast_signed() - x.cast_signed(),
+            other_y.cast_signed() - y.cast_signed(),
         ];
+        let [across, down] = away.map(|away| near(away, width));
+        let from = away.map(f64::from);
         for look in looks_of(band.at(other_x, other_y)) {
-            let share = look.share();
-            let place = [from[0] + share[0], from[1] + share[1]];
-            if place.iter().all(|v| (-width..=1.0 + width).contains(v)) {
-                placed.push((place, *look));
+            if across.contains(&look.place.0.into()) && down.contains(&look.place.1.into()) {
+                let share = look.share();
+                placed.push(([from[0] + share[0], from[1] + share[1]], *look));
             }
         }
     }
+}
+
+/// Which places of a pixel so many columns or rows away, at most one, lie within `width` of the one that it is seen from.
+fn near(away: i32, width: i32) -> Range<i32> {
+    let from = away * SIDE;
+    (-width - from).clamp(0, SIDE)..(SIDE + width - from).clamp(0, SIDE)
 }
 
 fn count_of(looks: &[Look]) -> u32 {

@@ -41,8 +41,8 @@ impl Look {
         if self.leaf != other.leaf || self.leaf == NO_SURFACE {
             return self.leaf == other.leaf;
         }
-        let [a, b] = [self, other].map(|look| look.normal);
-        a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>() >= SAME_SIDE
+        let (a, b) = (self.normal, other.normal);
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2] >= SAME_SIDE
     }
 
     /// Where in the pixel it lies, as shares of its side.

@@ -42,8 +42,8 @@ pub(super) struct Sums {
     /// `xx`, `xy`, `yy`.
     squares: [f64; 3],
     value: [f64; 4],
-    /// Place times value, by channel.
-    mixed: [[f64; 2]; 4],
+    /// Place times value: across by channel, and down.
+    mixed: [[f64; 4]; 2],
     value_squares: [f64; 4],
 }
 
@@ -65,10 +65,11 @@ impl Sums {
         self.place = [self.place[0] + x, self.place[1] + y];
         let [xx, xy, yy] = self.squares;
         self.squares = [xx + x * x, xy + x * y, yy + y * y];
-        for (c, &value) in channels.iter().enumerate() {
-            let value = f64::from(value);
+        let values = channels.map(f64::from);
+        for (c, value) in values.into_iter().enumerate() {
             self.value[c] += value;
-            self.mixed[c] = [self.mixed[c][0] + x * value, self.mixed[c][1] + y * value];
+            self.mixed[0][c] += x * value;
+            self.mixed[1][c] += y * value;
             self.value_squares[c] += value * value;
         }
     }
@@ -95,8 +96,8 @@ impl Sums {
             let mut rest = self.value_squares[c] - n * mean * mean;
             if slopes_too {
                 let [xv, yv] = [
-                    self.mixed[c][0] - n * x * mean,
-                    self.mixed[c][1] - n * y * mean,
+                    self.mixed[0][c] - n * x * mean,
+                    self.mixed[1][c] - n * y * mean,
                 ];
                 let slope = [
                     (xv * yy - yv * xy) / determinant,

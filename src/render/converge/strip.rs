@@ -1,9 +1,13 @@
 //! Pixels that a strip crosses: a wire, a gap, what two straight lines bound.
 
 use super::edge::Told;
+use crate::math::lanes::with_widest;
+use std::f64::consts::PI;
 
 /// Directions in which a strip is looked for.
-const STRIP_DIRECTIONS: u32 = 16;
+const DIRECTIONS: usize = 16;
+/// The angle from one to the next.
+const STEP: f64 = PI / 16.0;
 
 /// A strip of one kind between others.
 #[derive(Clone, Copy, Debug)]
@@ -18,16 +22,13 @@ impl Strip {
     /// A strip of one kind of samples between the others, the widest apart from these; `None` if there is no direction in
     /// which the samples follow each other like that.
     pub(super) fn between(dark: &[[f64; 2]], bright: &[[f64; 2]]) -> Option<Strip> {
+        let directions = directions();
+        let (of_dark, of_bright) =
+            with_widest(|_| (reaches(dark, &directions), reaches(bright, &directions)));
         let mut best: Option<(f64, Strip)> = None;
-        let (sin_step, cos_step) = (std::f64::consts::PI / f64::from(STRIP_DIRECTIONS)).sin_cos();
-        let (mut sin, mut cos) = (0.0, 1.0);
-        for _ in 0..STRIP_DIRECTIONS {
-            let direction = [cos, sin];
-            (sin, cos) = (
-                sin * cos_step + cos * sin_step,
-                cos * cos_step - sin * sin_step,
-            );
-            let (of_dark, of_bright) = (reach(dark, direction), reach(bright, direction));
+        for number in 0..DIRECTIONS {
+            let direction = directions.map(|part| part[number]);
+            let (of_dark, of_bright) = (of_dark.of(number), of_bright.of(number));
             let is_within = |a: (f64, f64), b: (f64, f64)| a.0 > b.0 && a.1 < b.1;
             let is_bright = is_within(of_bright, of_dark);
             if !is_bright && !is_within(of_dark, of_bright) {
@@ -74,16 +75,52 @@ impl Strip {
     }
 }
 
-/// The least and the most of how far places lie in a direction.
-fn reach(places: &[[f64; 2]], direction: [f64; 2]) -> (f64, f64) {
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-    for place in places {
-        let along = place[0] * direction[0] + place[1] * direction[1];
-        // What `min` does about numbers that are none takes longer than all the rest.
-        least = if along < least { along } else { least };
-        most = if along > most { along } else { most };
+/// The directions: half a turn, of each its cosine and its sine.
+fn directions() -> [[f64; DIRECTIONS]; 2] {
+    let mut directions = [[0.0; DIRECTIONS]; 2];
+    let (sin_step, cos_step) = STEP.sin_cos();
+    let (mut sin, mut cos) = (0.0, 1.0);
+    let [cosines, sines] = &mut directions;
+    for direction in cosines.iter_mut().zip(sines) {
+        (*direction.0, *direction.1) = (cos, sin);
+        (sin, cos) = (
+            sin * cos_step + cos * sin_step,
+            cos * cos_step - sin * sin_step,
+        );
     }
-    (least, most)
+    directions
+}
+
+/// The least and the most of how far places lie in each direction.
+struct Reaches {
+    least: [f64; DIRECTIONS],
+    most: [f64; DIRECTIONS],
+}
+
+impl Reaches {
+    /// Those in one direction.
+    fn of(&self, number: usize) -> (f64, f64) {
+        (self.least[number], self.most[number])
+    }
+}
+
+#[inline(always)]
+fn reaches(places: &[[f64; 2]], directions: &[[f64; DIRECTIONS]; 2]) -> Reaches {
+    let [cos, sin] = directions;
+    let mut all = Reaches {
+        least: [f64::INFINITY; DIRECTIONS],
+        most: [f64::NEG_INFINITY; DIRECTIONS],
+    };
+    for place in places {
+        for number in 0..DIRECTIONS {
+            let along = place[0] * cos[number] + place[1] * sin[number];
+            let (least, most) = (all.least[number], all.most[number]);
+            // What `min` does about numbers that are none takes longer than all the rest.
+            all.least[number] = if along < least { along } else { least };
+            all.most[number] = if along > most { along } else { most };
+        }
+    }
+    all
 }
 
 #[cfg(test)]
