@@ -376,9 +376,9 @@ impl<const COUNT: usize> Filled<COUNT> {
         let mut filled = Self::empty();
         for entry in entries {
             let wide = Wide::of(&entry.cell);
-            let own = bins.of(entry);
-            for axis in 0..3 {
-                let bin = own[axis] as usize % COUNT;
+            let [x, y, z, _] = bins.of(entry);
+            for (axis, bin) in [x, y, z].into_iter().enumerate() {
+                let bin = bin as usize % COUNT;
                 filled.cells[axis][bin].add(&wide);
                 filled.counts[axis][bin] += 1;
             }

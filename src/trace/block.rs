@@ -170,11 +170,7 @@ impl Tracer<'_> {
         // Where no walk is shared fewer at a time stay nearer at hand, and the ways to many lights would take much room.
         let are_few = self.world.knows_all_around() || self.world.lights.len() > MANY_LIGHTS;
         let parts = std::mem::take(&mut scratch.parts);
-        let at_once = if are_few {
-            AROUND
-        } else {
-            places.len().max(1)
-        };
+        let at_once = if are_few { AROUND } else { places.len().max(1) };
         for (piece, places) in places.chunks(at_once).enumerate() {
             let whole = [places.len()];
             let parts = if are_few { &whole } else { &parts[..] };

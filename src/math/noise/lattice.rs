@@ -79,11 +79,11 @@ impl Place {
     /// The terms of the linear function of a corner; `ends` are the constant and the place above the low and the high
     /// corner.
     #[inline(always)]
-    fn products<F: Four, const CORNER: usize>(&self, [low, high]: [F; 2]) -> F {
-        let first = self.first[CORNER];
+    fn products<F: Four, const CORNER: u32>(&self, [low, high]: [F; 2]) -> F {
+        let first = self.first[CORNER as usize];
         let coefficients = RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]);
         // By lane: the constant, x, y, z.
-        let is_high = F::mask(const { (CORNER as u32) << 1 });
+        let is_high = F::mask(const { CORNER << 1 });
         F::load(coefficients).times(F::pick(is_high, high, low))
     }
 

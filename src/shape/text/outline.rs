@@ -76,7 +76,10 @@ impl Outline {
 
     /// Whether a place lies inside.
     pub(super) fn contains(&self, place: DVec2) -> bool {
-        let crossings = self.pieces.iter().map(|piece| piece.crossings_beside(place));
+        let crossings = self
+            .pieces
+            .iter()
+            .map(|piece| piece.crossings_beside(place));
         crossings.sum::<usize>() % 2 == 1
     }
 
