@@ -2,6 +2,7 @@
 
 use super::csg::Found;
 use super::find::{Search, Start, Wants};
+use super::hits::FourHits;
 use super::order::Numbered;
 use super::query::{Best, Departure, Hit, Query, Scratch, Seen};
 use super::world::World;
@@ -45,6 +46,26 @@ impl World {
             |lanes| self.nearest_found(lanes, query, scratch),
         );
         best.map(|best| self.hit(&query.ray, &best.found))
+    }
+
+    /// The same for up to four rays.
+    pub fn nearest_of_four(&self, queries: &[Query], hits: &mut FourHits, scratch: &mut Scratch) {
+        let mut bests = [None; 4];
+        let mut origin = [[0.0; 4]; 3];
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (lane, query) in queries.iter().enumerate().take(4) {
+                    scratch.rays.count(query);
+                    bests[lane] = self.nearest_found(lanes, query, scratch);
+                    hits.aim(lane, query.ray.dir);
+                    for (axis, origin) in origin.iter_mut().enumerate() {
+                        origin[lane] = query.ray.origin[axis];
+                    }
+                }
+                self.note_hits(lanes, &origin, &bests, hits);
+            },
+        );
     }
 
     #[inline(always)]

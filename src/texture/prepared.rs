@@ -188,12 +188,25 @@ impl PreparedTexture {
     /// grain.
     #[must_use]
     pub fn is_plain(&self) -> bool {
+        !self.has_reflection && self.is_plain_but_for_mirrors()
+    }
+
+    /// Whether it is that but for a mirror image, which takes the same share of the same light in whatever the ray is.
+    #[must_use]
+    pub fn is_plain_mirror(&self) -> bool {
+        let is_simple = |layer: &PreparedLayer| {
+            let reflection = &layer.finish.reflection;
+            !reflection.is_fresnel && reflection.exponent == 1.0
+        };
+        self.has_reflection && self.is_plain_but_for_mirrors() && self.layers.iter().all(is_simple)
+    }
+
+    fn is_plain_but_for_mirrors(&self) -> bool {
         match self.layers.as_slice() {
             [layer] if self.choice.is_none() => {
                 let finish = &layer.finish;
                 self.is_opaque
                     && layer.normal.is_none()
-                    && !self.has_reflection
                     && finish.crand <= 0.0
                     && finish.irid.amount <= 0.0
             }

@@ -1,16 +1,16 @@
 //! A block of pixels at once: what the camera sees at all of them is searched for together, then, for each light, what
 //! stands between it and all the points seen ([`super::shadows`]), and plain places are coloured four at a time
-//! ([`super::plain_four`]). Everything else goes one pixel at a time, as for a single one.
+//! ([`super::plain_four`]). What plain mirrors show is looked for together again ([`super::mirrors`]). Everything else goes
+//! one pixel at a time, as for a single one.
 
-use super::light::Known;
-use super::shadows::LightOrder;
+use super::mirrors::Mirrored;
+use super::shadows::Together;
 use super::{Sample, Tracer, begin_sample};
 use crate::camera::Camera;
-use crate::compile::{FourHits, FourWays, Rays, Scratch};
+use crate::compile::{FourHits, Rays, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::{Lanes, with_widest};
 use glam::DVec3;
-use smallvec::SmallVec;
 use std::ops::Range;
 
 /// The side of a block in pixels.
@@ -34,11 +34,9 @@ pub struct BlockScratch {
     /// Where each part of the places that are searched together ends.
     parts: Vec<usize>,
     parts_of_block: Vec<usize>,
-    /// What the camera sees at the places, four by four.
-    pub(super) hits: Vec<FourHits>,
-    /// The ways from there to the lights, light by light.
-    pub(super) ways: Vec<FourWays>,
-    pub(super) order: LightOrder,
+    /// What the camera sees at the places.
+    all: Together,
+    mirrored: Mirrored,
 }
 
 /// What is met first at a place.
@@ -99,13 +97,6 @@ impl BlockScratch {
     /// How many rays were followed with it since this was last asked.
     pub fn take_rays(&mut self) -> Rays {
         std::mem::take(&mut self.single.rays)
-    }
-
-    /// What is known of the lights at a place.
-    fn known(&self, place: usize) -> SmallVec<[Known; 4]> {
-        let of_light = self.ways.chunks(self.hits.len());
-        let at = of_light.map(|ways| Known::of(&ways[place / 4], place % 4));
-        at.collect()
     }
 }
 
@@ -196,28 +187,44 @@ impl Tracer<'_> {
             }
             return;
         }
-        self.light_all(places.len(), scratch);
+        self.light_all(places.len(), &mut scratch.all, &mut scratch.single);
         with_widest(
             #[inline(always)]
             |_| {
                 for (four, places) in places.chunks(4).enumerate() {
-                    let seen = self.plain_four(four, places.len(), scratch);
+                    let seen = self.plain_four(Seen::Image, four, places.len(), &scratch.all);
                     for (lane, &place) in places.iter().enumerate() {
-                        let sample = seen.sample(lane);
-                        let sample = sample
-                            .unwrap_or_else(|| self.seen_singly(4 * four + lane, place, scratch));
-                        take(4 * four + lane, sample, scratch.hits.get(four));
+                        let number = 4 * four + lane;
+                        let sample = match (seen.sample(lane), seen.mirror(lane)) {
+                            (Some(sample), _) => sample,
+                            (None, Some(mirror)) => {
+                                let hits = &scratch.all.hits[four];
+                                scratch.mirrored.begin(number, (hits, lane), mirror);
+                                continue;
+                            }
+                            (None, None) => self.seen_singly(number, place, scratch),
+                        };
+                        take(number, sample, scratch.all.hits.get(four));
                     }
                 }
             },
         );
+        let BlockScratch {
+            single,
+            all,
+            mirrored,
+            ..
+        } = scratch;
+        self.look_into(mirrored, places, single, |number, sample| {
+            take(number, sample, all.hits.get(number / 4));
+        });
     }
 
     /// What the camera sees at the place of this number, of which all that can be found out together is known.
     #[inline(never)]
     fn seen_singly(&self, number: usize, (x, y): (f64, f64), scratch: &mut BlockScratch) -> Sample {
-        let known = scratch.known(number);
-        let hits = &scratch.hits[number / 4];
+        let known = scratch.all.known(number);
+        let hits = &scratch.all.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
         let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
         let single = &mut scratch.single;
@@ -241,7 +248,7 @@ impl Tracer<'_> {
         if !camera.has_one_origin() || self.world.lens.is_some() {
             return false;
         }
-        let hits = &mut scratch.hits;
+        let hits = &mut scratch.all.hits;
         hits.resize(places.len().div_ceil(4), FourHits::NOTHING);
         let are_aimed = with_widest(
             #[inline(always)]
@@ -258,7 +265,7 @@ impl Tracer<'_> {
         let mut first = 0;
         for &end in parts {
             let origin = camera.location();
-            let hits = &mut scratch.hits[first / 4..end.div_ceil(4)];
+            let hits = &mut scratch.all.hits[first / 4..end.div_ceil(4)];
             self.world
                 .see(origin, end - first, hits, &mut scratch.single);
             first = end;

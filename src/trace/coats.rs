@@ -20,6 +20,8 @@ pub(super) struct PlainCoat<'w> {
     pub(super) finish: &'w Finish,
     /// Whether it has highlights.
     pub(super) is_shiny: bool,
+    /// Whether it has a mirror image.
+    pub(super) is_mirror: bool,
     /// The lights that shine on it.
     pub(super) lights: LightList,
 }
@@ -40,8 +42,8 @@ impl<'w> Tracer<'w> {
         self
     }
 
-    /// How a surface takes light where its pigment has the colour that `color` tells; `None` if it is not plain, or
-    /// scatters light in another way.
+    /// How a surface takes light where its pigment has the colour that `color` tells; `None` if it is not plain but for
+    /// mirror images, or scatters light in another way.
     #[inline(always)]
     pub(super) fn plain_coat(
         &self,
@@ -50,7 +52,8 @@ impl<'w> Tracer<'w> {
     ) -> Option<PlainCoat<'w>> {
         let layer = surface.texture.layers().first()?;
         let finish = &*layer.finish;
-        if !surface.is_plain() || finish.diffuse == 0.0 || finish.brilliance != 1.0 {
+        let is_mirror = surface.is_plain_mirror();
+        if !(surface.is_plain() || is_mirror) || finish.brilliance != 1.0 {
             return None;
         }
         let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color(&layer.pigment));
@@ -60,6 +63,7 @@ impl<'w> Tracer<'w> {
             diffuse: f64::from(finish.diffuse) * opacity,
             finish,
             is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
+            is_mirror,
             lights: surface.lights,
         })
     }

@@ -16,6 +16,7 @@ mod gather;
 mod lens;
 mod light;
 mod media;
+mod mirrors;
 mod passage;
 mod photon;
 mod plain;
@@ -290,7 +291,9 @@ impl<'w> Tracer<'w> {
     ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
         let end = loop {
-            if !self.is_worth(&path) || passed.len() == MOST_PASSED {
+            if !self.is_worth((path.level, path.weight), path.gathered)
+                || passed.len() == MOST_PASSED
+            {
                 break Sample::BLACK;
             }
             let (hit, known) = first.take().unwrap_or_else(|| {
@@ -348,24 +351,30 @@ impl<'w> Tracer<'w> {
         })
     }
 
-    fn is_worth(&self, path: &Path) -> bool {
-        let globals = &self.world.globals;
-        path.level < globals.max_trace_level
-            && path.weight >= self.bailout(path)
+    /// Whether a ray of this weight behind so many bends and mirrors, on which light was gathered so often, is followed.
+    fn is_worth(&self, (level, weight): (u32, f64), gathered: usize) -> bool {
+        level < self.world.globals.max_trace_level
+            && weight >= self.bailout(gathered)
             && !self.stop.is_asked()
     }
 
     /// What a ray sees that meets nothing.
     fn behind_everything(&self, dir: DVec3, seen: Seen) -> Sample {
-        let background = match seen {
+        let background = self.background_of(seen);
+        match &self.world.sky {
+            None => background.seen,
+            Some(sky) => background.behind(sky.seen(dir)),
+        }
+    }
+
+    /// The background as these rays see it.
+    #[inline]
+    fn background_of(&self, seen: Seen) -> &Background {
+        match seen {
             Seen::Reflection | Seen::Gathering | Seen::GatheringReflection => {
                 &self.reflected_background
             }
             Seen::Image | Seen::Shadow => &self.background,
-        };
-        match &self.world.sky {
-            None => background.seen,
-            Some(sky) => background.behind(sky.seen(dir)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::light::{Lit, Viewed};
 use super::passage::{Bend, bend};
-use super::surface::{Mirror, Sight, facing_normal, mirrored_off};
+use super::surface::{Mirror, Sight, facing_normal, mirror, mirrored_off};
 use super::{Inside, Path, Tracer, spectrum};
 use crate::color::Rgb;
 use crate::compile::{Departure, Hit, Query, Scratch};
@@ -189,7 +189,8 @@ impl<'w> Tracer<'w> {
             top.get_or_insert(lit.at.normal);
             let color = self.color(layer, look.point, &spot);
             if reflects && layer.finish.has_reflection() {
-                let mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                let coat = (&*layer.finish, color.rgb);
+                let mirror = mirror(&lit.at, flat, coat, || self.relative_ior(path, hit));
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }

@@ -1,9 +1,9 @@
-//! The short way to a colour ([`super::plain`]) for four places of a block at once. A place that needs more than diffuse
-//! light and highlights is left to the way for single ones.
+//! The short way to a colour ([`super::plain`]) for four places of a block at once, and for what a mirror shows itself. A
+//! place that needs more than diffuse light and highlights is left to the way for single ones.
 
-use super::block::BlockScratch;
 use super::coats::PlainCoat;
 use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::shadows::Together;
 use super::{Sample, Tracer};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, LightList, Seen, Way};
@@ -13,27 +13,36 @@ use crate::texture::Finish;
 use glam::DVec2;
 
 /// What is seen at four places.
-pub(super) struct FourSeen {
+pub(super) struct FourSeen<'w> {
     rgb: [[f32; 4]; 3],
     transmit: [f32; 4],
     /// At which of them it is known, one bit each.
     known: u32,
+    /// At which of them it is known but for a mirror image.
+    mirrors: u32,
+    /// The colours of pigments and the finishes of these.
+    pigment: [[f32; 4]; 3],
+    finishes: [Option<&'w Finish>; 4],
 }
 
-impl FourSeen {
-    const NOTHING: FourSeen = FourSeen {
+impl<'w> FourSeen<'w> {
+    const NOTHING: FourSeen<'static> = FourSeen {
         rgb: [[0.0; 4]; 3],
         transmit: [0.0; 4],
         known: 0,
+        mirrors: 0,
+        pigment: [[0.0; 4]; 3],
+        finishes: [None; 4],
     };
 
     /// The same at all of these.
     #[inline(always)]
-    fn alike(Sample { rgb, transmit }: Sample, known: u32) -> FourSeen {
+    fn alike(Sample { rgb, transmit }: Sample, known: u32) -> FourSeen<'w> {
         FourSeen {
             rgb: [[rgb.r; 4], [rgb.g; 4], [rgb.b; 4]],
             transmit: [transmit; 4],
             known,
+            ..FourSeen::NOTHING
         }
     }
 
@@ -44,6 +53,14 @@ impl FourSeen {
             rgb: one_of(&self.rgb, lane),
             transmit: self.transmit[lane],
         })
+    }
+
+    /// What is seen of a mirror at one of them without its image, if there is one and that is known, the finish and the
+    /// colour of the pigment.
+    #[inline(always)]
+    pub(super) fn mirror(&self, lane: usize) -> Option<(Rgb, &'w Finish, Rgb)> {
+        let finish = self.finishes[lane].filter(|_| self.mirrors >> lane & 1 == 1)?;
+        Some((one_of(&self.rgb, lane), finish, one_of(&self.pigment, lane)))
     }
 }
 
@@ -57,6 +74,8 @@ struct FourCoats<'w> {
     finishes: [Option<&'w Finish>; 4],
     /// Which of them have highlights, one bit each.
     shiny: u32,
+    /// Which of them have mirror images.
+    mirrors: u32,
     /// The lights that shine on all of them.
     lights: LightList,
 }
@@ -82,21 +101,27 @@ fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
     }
 }
 
-impl Tracer<'_> {
-    /// What the camera sees at the first `count` of these four places of a block, where that is plain.
+impl<'w> Tracer<'w> {
+    /// What such rays see at the first `count` of these four places of a block, where that is plain.
     #[inline(always)]
-    pub(super) fn plain_four(&self, four: usize, count: usize, scratch: &BlockScratch) -> FourSeen {
+    pub(super) fn plain_four(
+        &self,
+        kind: Seen,
+        four: usize,
+        count: usize,
+        together: &Together,
+    ) -> FourSeen<'w> {
         let mut seen = FourSeen::NOTHING;
         if !self.takes_plain || self.stop.is_asked() {
             return seen;
         }
-        let hits = &scratch.hits[four];
+        let hits = &together.hits[four];
         let there = 0b1111 >> (4 - count.min(4));
         if there & hits.met == 0 && self.world.sky.is_none() {
-            return FourSeen::alike(self.background.seen, there);
+            return FourSeen::alike(self.background_of(kind).seen, there);
         }
         each_lane(there & !hits.met, |lane| {
-            let behind = self.behind_everything(hits.dir(lane), Seen::Image);
+            let behind = self.behind_everything(hits.dir(lane), kind);
             put(&mut seen.rgb, lane, behind.rgb);
             seen.transmit[lane] = behind.transmit;
             seen.known |= 1 << lane;
@@ -107,7 +132,7 @@ impl Tracer<'_> {
         let (coats, mut lit) = self.coats(hits, there & hits.met);
         let mut sum = [[0.0; 4]; 3];
         for &number in self.world.lights.of(coats.lights) {
-            let ways = &scratch.ways[number as usize * scratch.hits.len() + four];
+            let ways = &together.ways[number as usize * together.hits.len() + four];
             let mut free = 0;
             for (lane, way) in ways.ways.iter().enumerate() {
                 let is_lit_from_behind = || self.minds_backs && ways.cosine[lane] < NOTHING;
@@ -126,13 +151,18 @@ impl Tracer<'_> {
             let rgb = Rgb::BLACK + (one_of(&coats.own, lane) + one_of(&sum, lane));
             put(&mut seen.rgb, lane, rgb);
         });
-        seen.known |= lit;
+        seen.known |= lit & !coats.mirrors;
+        seen.mirrors = lit & coats.mirrors;
+        if seen.mirrors != 0 {
+            seen.pigment = coats.rgb;
+            seen.finishes = coats.finishes;
+        }
         seen
     }
 
     /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.
     #[inline(always)]
-    fn coats(&self, hits: &FourHits, asked: u32) -> (FourCoats<'_>, u32) {
+    fn coats(&self, hits: &FourHits, asked: u32) -> (FourCoats<'w>, u32) {
         let first = hits.surface[asked.trailing_zeros() as usize % 4];
         let mut coats = FourCoats {
             own: [[0.0; 4]; 3],
@@ -140,6 +170,7 @@ impl Tracer<'_> {
             diffuse: [0.0; 4],
             finishes: [None; 4],
             shiny: 0,
+            mirrors: 0,
             lights: self.world.surfaces[first as usize].lights,
         };
         let mut plain = 0;
@@ -158,6 +189,7 @@ impl Tracer<'_> {
                 coats.diffuse[lane] = coat.diffuse;
                 coats.finishes[lane] = Some(coat.finish);
                 coats.shiny |= u32::from(coat.is_shiny) << lane;
+                coats.mirrors |= u32::from(coat.is_mirror) << lane;
                 plain |= 1 << lane;
             },
         );
@@ -166,7 +198,7 @@ impl Tracer<'_> {
 
     /// The layer at one of four hits, if it is plain.
     #[inline(never)]
-    fn coat_at(&self, hits: &FourHits, lane: usize) -> Option<PlainCoat<'_>> {
+    fn coat_at(&self, hits: &FourHits, lane: usize) -> Option<PlainCoat<'w>> {
         let surface = &self.world.surfaces[hits.surface[lane] as usize];
         self.plain_coat(surface, |pigment| {
             pigment.color(&Spot {
@@ -213,7 +245,12 @@ fn add_light(
     for channel in 0..3 {
         for lane in 0..4 {
             let tinted = coats.rgb[channel][lane] * arriving[channel][lane];
-            given[channel][lane] = (f64::from(tinted) * strength[lane]) as f32;
+            let scattered = (f64::from(tinted) * strength[lane]) as f32;
+            given[channel][lane] = if coats.diffuse[lane] != 0.0 {
+                scattered
+            } else {
+                0.0
+            };
         }
     }
     each_lane(lit & coats.shiny, |lane| {

@@ -47,12 +47,8 @@ impl<'r> Gathering<'r> {
 }
 
 impl Tracer<'_> {
-    /// The weight below which a ray is not followed.
-    pub(super) fn bailout(&self, path: &Path) -> f64 {
-        self.bailout_at(path.gathered)
-    }
-
-    fn bailout_at(&self, depth: usize) -> f64 {
+    /// The weight below which a ray is not followed on which light was gathered so often.
+    pub(super) fn bailout(&self, depth: usize) -> f64 {
         match &self.world.radiosity {
             Some(radiosity) if depth > 0 => radiosity.settings.adc_bailout,
             _ => self.world.globals.adc_bailout,
@@ -119,7 +115,7 @@ impl Tracer<'_> {
             let weight = f64::from((filter * coat.rgb).grey()) * share;
             let light = match *known {
                 Some(light) => light,
-                None if weight > self.bailout_at(gathering.depth) => {
+                None if weight > self.bailout(gathering.depth) => {
                     let weight = gathering.weight * weight;
                     *known.insert(self.light_around(gathering, side, weight, scratch))
                 }

@@ -2,14 +2,14 @@
 //! at a time, the ways to the lamp in an order in which neighbours have much in common.
 
 use super::Tracer;
-use super::block::BlockScratch;
-use super::light::{MOST_TILTED, NOTHING};
+use super::light::{Known, MOST_TILTED, NOTHING};
 use crate::compile::{FourHits, FourWays, Scratch, Way};
 use crate::light::{Arrival, Light};
 use crate::math::lanes::three::{Three, dot, load, minus, over, plus, same, scaled, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four, with_widest};
 use crate::math::rounding::nearest;
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// So many points are lit together.
 const LIT_TOGETHER: usize = 64;
@@ -24,9 +24,28 @@ const LAST_CELL: f32 = 31.0;
 /// One in so many points tells how far all of them reach.
 const SOME: usize = 7;
 
+/// What is met by many rays, and how light comes there.
+#[derive(Debug, Default)]
+pub(super) struct Together {
+    /// What they meet, four by four.
+    pub(super) hits: Vec<FourHits>,
+    /// The ways from there to the lights, light by light.
+    pub(super) ways: Vec<FourWays>,
+    order: LightOrder,
+}
+
+impl Together {
+    /// What is known of the lights at a place.
+    pub(super) fn known(&self, place: usize) -> SmallVec<[Known; 4]> {
+        let of_light = self.ways.chunks(self.hits.len());
+        let at = of_light.map(|ways| Known::of(&ways[place / 4], place % 4));
+        at.collect()
+    }
+}
+
 /// The order in which a light is asked about the points of a block.
 #[derive(Debug, Default)]
-pub(super) struct LightOrder {
+struct LightOrder {
     /// The places that it may light, in the order of the block.
     asked: Vec<u16>,
     /// Where the light sees each of all places, to the right and upwards: four by four.
@@ -90,36 +109,36 @@ impl FourKernel for Arriving<'_> {
 }
 
 impl Tracer<'_> {
-    /// Finds out for the first `count` places of a block what light arrives from each lamp of one point, and what is in
-    /// its way.
-    pub(super) fn light_all(&self, count: usize, scratch: &mut BlockScratch) {
+    /// Finds out for the first `count` of these hits what light arrives from each lamp of one point, and what is in its
+    /// way.
+    pub(super) fn light_all(&self, count: usize, all: &mut Together, scratch: &mut Scratch) {
         let lights = &self.world.lights;
         if !self.quality.has_shadows || !self.quality.has_light {
-            scratch.ways.clear();
+            all.ways.clear();
             return;
         }
-        let fours = scratch.hits.len();
-        scratch.ways.resize(lights.len() * fours, FourWays::NOTHING);
-        for ways in &mut scratch.ways {
+        let fours = all.hits.len();
+        all.ways.resize(lights.len() * fours, FourWays::NOTHING);
+        for ways in &mut all.ways {
             ways.ways = [None; 4];
         }
         for number in (0u32..).take(lights.len()) {
             let light = lights.get(number);
             let is_one_point = light.area.is_none() && !light.is_parallel;
             if is_one_point && !light.is_shadowless() && !lights.is_projected(number) {
-                self.light_up_block(number, light, count, scratch);
+                self.light_up_block((number, light), count, all, scratch);
             }
         }
     }
 
-    fn light_up_block(&self, number: u32, light: &Light, count: usize, scratch: &mut BlockScratch) {
-        let BlockScratch {
-            single,
-            hits,
-            ways,
-            order,
-            ..
-        } = scratch;
+    fn light_up_block(
+        &self,
+        (number, light): (u32, &Light),
+        count: usize,
+        all: &mut Together,
+        single: &mut Scratch,
+    ) {
+        let Together { hits, ways, order } = all;
         let ways = &mut ways[number as usize * hits.len()..][..hits.len()];
         if self.world.knows_around(number) {
             let lit = (&**hits, ways, count);

@@ -283,7 +283,9 @@ impl Tracer<'_> {
             }
             view.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
-                let mut mirror = self.mirror(&lit, (hit, flat), &layer.finish, color.rgb);
+                let coat = (&*layer.finish, color.rgb);
+                let ior = || self.relative_ior(path, hit);
+                let mut mirror = mirror(&lit.at, flat, coat, ior);
                 // Though the layers above take nothing from it.
                 mirror.weight *= f64::from(filter.grey());
                 if layer.finish.conserve_energy {
@@ -339,42 +341,6 @@ impl Tracer<'_> {
         let own = color.rgb * finish.ambient * self.world.globals.ambient_light
             + color.rgb * finish.emission;
         (own * coat.opacity, coat)
-    }
-
-    /// How much of its surroundings a layer reflects at this angle.
-    pub(super) fn mirror<'f>(
-        &self,
-        lit: &Lit,
-        (hit, flat): (&Hit, DVec3),
-        finish: &'f Finish,
-        pigment: Rgb,
-    ) -> Mirror<'f> {
-        let reflection = &finish.reflection;
-        let cosine = -lit.at.view.dot(lit.at.normal);
-        let mut reflectivity = if reflection.min == reflection.max {
-            reflection.min
-        } else {
-            let share = if reflection.is_fresnel {
-                fresnel(cosine, self.relative_ior(lit.path, hit))
-            } else {
-                (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
-            };
-            reflection.max * share + reflection.min * (1.0 - share)
-        };
-        if reflection.metallic != 0.0 {
-            reflectivity *= metallic(reflection.metallic, pigment, cosine);
-        }
-        let weight = if reflection.is_fresnel {
-            reflectivity.max()
-        } else {
-            reflection.min.max().max(reflection.max.max())
-        };
-        Mirror {
-            reflectivity,
-            weight: f64::from(weight),
-            finish,
-            dir: mirrored_off(lit.at.view, lit.at.normal, flat),
-        }
     }
 
     /// The mirror image of one layer.
@@ -447,7 +413,7 @@ impl Tracer<'_> {
 
     /// Whether too little passes to be looked at; colours that take light away count as much as those that give it.
     fn is_opaque(&self, path: &Path, filter: Rgb) -> bool {
-        f64::from(filter.map(f32::abs).grey()) <= self.bailout(path)
+        f64::from(filter.map(f32::abs).grey()) <= self.bailout(path.gathered)
     }
 }
 
@@ -469,6 +435,42 @@ pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
         -hit.shading_normal
     } else {
         hit.shading_normal
+    }
+}
+
+/// How much of its surroundings a layer with a pigment of this colour reflects at this angle; `ior` is that of what is
+/// behind relative to that before it, `flat` the normal without bumps.
+pub(super) fn mirror<'f>(
+    at: &Viewed,
+    flat: DVec3,
+    (finish, pigment): (&'f Finish, Rgb),
+    ior: impl FnOnce() -> f64,
+) -> Mirror<'f> {
+    let reflection = &finish.reflection;
+    let cosine = -at.view.dot(at.normal);
+    let mut reflectivity = if reflection.min == reflection.max {
+        reflection.min
+    } else {
+        let share = if reflection.is_fresnel {
+            fresnel(cosine, ior())
+        } else {
+            (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
+        };
+        reflection.max * share + reflection.min * (1.0 - share)
+    };
+    if reflection.metallic != 0.0 {
+        reflectivity *= metallic(reflection.metallic, pigment, cosine);
+    }
+    let weight = if reflection.is_fresnel {
+        reflectivity.max()
+    } else {
+        reflection.min.max().max(reflection.max.max())
+    };
+    Mirror {
+        reflectivity,
+        weight: f64::from(weight),
+        finish,
+        dir: mirrored_off(at.view, at.normal, flat),
     }
 }
 
