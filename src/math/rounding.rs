@@ -1,4 +1,4 @@
-//! Single precision bounds of double precision numbers.
+//! Single precision bounds of double precision numbers, and parts of them.
 
 /// The largest single precision number that is not above `x`; NaN for NaN.
 #[inline]
@@ -50,6 +50,42 @@ pub(crate) fn nearest(x: f64) -> f32 {
     x as f32
 }
 
+/// Numbers from here on have no parts.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
+/// The largest whole number that is not above `x`: `x.floor()`, but for the sign of nothing, in a few instructions on any
+/// machine.
+#[inline]
+pub(crate) fn floor(x: f64) -> f64 {
+    if x.abs() < WHOLE {
+        // Adding as much leaves no room for parts: what is left is the nearest whole number.
+        let near = (x + WHOLE.copysign(x)) - WHOLE.copysign(x);
+        if near > x { near - 1.0 } else { near }
+    } else {
+        x
+    }
+}
+
+/// What is left of `x` after whole multiples of a whole number `m` up to 1,024: `x.rem_euclid(m)`, but for the sign of
+/// nothing, without a loop over bits.
+#[inline]
+pub(crate) fn remainder(x: f64, m: f64) -> f64 {
+    /// Multiples of `m` up to here are exact.
+    const MOST: f64 = 1e12;
+    if x.abs() >= MOST || x.is_nan() {
+        return x.rem_euclid(m);
+    }
+    let size = x.abs();
+    let left = size - floor(size / m) * m;
+    // Rounding may have made one multiple too many of it, never one too few.
+    let left = if left < 0.0 { left + m } else { left };
+    if x < 0.0 && left > 0.0 {
+        m - left
+    } else {
+        left
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,5 +111,38 @@ mod tests {
         assert_eq!(f32_below(1e300), f32::MAX);
         assert_eq!(f32_above(1e300), f32::INFINITY);
         assert_eq!(f32_below(f64::NEG_INFINITY), f32::NEG_INFINITY);
+    }
+
+    /// Numbers of all sizes and signs, whole ones and their neighbours among them.
+    fn numbers() -> impl Iterator<Item = f64> {
+        let near = |x: f64| [x, x.next_up(), x.next_down(), x + 0.5, x * 1.3, x * 0.7];
+        let sizes = (-60..60)
+            .map(|e| 2f64.powi(e))
+            .chain((0..200).map(f64::from));
+        let all = sizes
+            .flat_map(near)
+            .chain([1e300, f64::INFINITY, f64::MIN_POSITIVE]);
+        all.flat_map(|x| [x, -x]).chain([f64::NAN])
+    }
+
+    fn is_same(a: f64, b: f64) -> bool {
+        a == b || a.is_nan() && b.is_nan()
+    }
+
+    #[test]
+    fn floors_are_those_of_the_standard_library() {
+        for x in numbers() {
+            assert!(is_same(floor(x), x.floor()), "{x}: {}", floor(x));
+        }
+    }
+
+    #[test]
+    fn remainders_are_those_of_the_standard_library() {
+        for x in numbers() {
+            for m in [1.0, 2.0, 3.0, 6.0, 1000.0] {
+                let (own, known) = (remainder(x, m), x.rem_euclid(m));
+                assert!(is_same(own, known), "{x} by {m}: {own}, not {known}");
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@ use super::formula::Formula;
 use super::{NUDGE, Pattern, Stop};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
+use crate::math::rounding::{floor, remainder};
 use glam::DVec3;
 
 /// The colours that POV-Ray gives where the scene does not.
@@ -18,8 +19,8 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 
 /// 0 where the sum of the whole parts of the coordinates is even, otherwise 1.
 fn value(point: DVec3) -> f64 {
-    let cell = (point + NUDGE).floor();
-    (cell.x + cell.y + cell.z).rem_euclid(2.0)
+    let [x, y, z] = (point + NUDGE).to_array().map(floor);
+    remainder(x + y + z, 2.0)
 }
 
 #[cfg(test)]

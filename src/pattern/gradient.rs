@@ -2,6 +2,7 @@
 
 use super::{Pattern, Preparing, Spot, Value};
 use crate::args::{Args, Parse};
+use crate::math::rounding::floor;
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,10 @@ impl Value for Gradient {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
         let along = point.dot(self.dir);
         // The wave takes the remainder again, of a little more than 1; below zero it alone does.
-        if along > 1.0 { along % 1.0 } else { along }
+        if along > 1.0 {
+            along - floor(along)
+        } else {
+            along
+        }
     }
 }

@@ -7,6 +7,7 @@ use super::formula::Formula;
 use super::{Pattern, Stop};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
+use crate::math::rounding::{floor, remainder};
 use glam::DVec3;
 
 /// Three times the height of a hexagon of side 1; the plane `z < 0` is unfolded by it. The digits are POV-Ray's.
@@ -34,8 +35,8 @@ fn value(point: DVec3) -> f64 {
     } else {
         UNFOLD - point.z.abs()
     };
-    let column = (x / 0.5).rem_euclid(6.0);
-    let row = (z / HALF_HEIGHT).rem_euclid(6.0);
+    let column = remainder(x / 0.5, 6.0);
+    let row = remainder(z / HALF_HEIGHT, 6.0);
     let (b, g) = (cell(row), fraction(row));
     match cell(column) {
         0 | 5 => [0.0, 1.0, 1.0, 2.0, 2.0, 0.0][b],
@@ -65,7 +66,7 @@ fn cell(position: f64) -> usize {
 
 /// The part of a position above its cell.
 fn fraction(position: f64) -> f64 {
-    position - position.floor()
+    position - floor(position)
 }
 
 #[cfg(test)]

@@ -64,6 +64,7 @@ pub use wave::{Shape, Wave};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use crate::math::noise::{NoiseGenerator, Octaves};
+use crate::math::rounding::floor;
 use crate::syntax::Class;
 use glam::{DVec2, DVec3};
 use std::any::Any;
@@ -303,11 +304,11 @@ pub fn is_pattern(word: Word) -> bool {
 
 /// The part of `x` above the next lower integer, in `[0, 1)`.
 fn fraction(x: f64) -> f64 {
-    x - x.floor()
+    x - floor(x)
 }
 
 /// The unit cube that a point lies in; the numbers saturate far out.
 #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
 fn cell(point: DVec3) -> [i64; 3] {
-    point.floor().to_array().map(|coordinate| coordinate as i64)
+    point.to_array().map(|coordinate| floor(coordinate) as i64)
 }

@@ -3,6 +3,7 @@
 use super::Pattern;
 use super::formula::Formula;
 use crate::args::{Args, Parse};
+use crate::math::rounding::remainder;
 use glam::DVec3;
 
 pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
@@ -10,5 +11,5 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(p: DVec3) -> f64 {
-    (p.x * p.x + p.y * p.y + p.z * p.z).sqrt() % 1.0
+    remainder((p.x * p.x + p.y * p.y + p.z * p.z).sqrt(), 1.0)
 }

@@ -2,6 +2,7 @@
 
 use super::{Pattern, Preparing, Spot, Value, Wave};
 use crate::args::{Args, Parse, Word};
+use crate::math::rounding::floor;
 use glam::DVec3;
 
 /// `2 / sqrt 3`, which takes the corner of a cube to 1.
@@ -51,7 +52,7 @@ impl Value for Quilted {
 impl Quilted {
     /// The way from the middle of the cube, longer the steeper the cushion is there.
     fn cushion(&self, point: DVec3) -> DVec3 {
-        let from_centre = point - point.floor() - 0.5;
+        let from_centre = point - point.map(floor) - 0.5;
         let t = from_centre.length();
         let [c0, c1] = self.controls.map(f64::from);
         let s = 1.0 - t;

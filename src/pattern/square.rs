@@ -4,6 +4,7 @@ use super::formula::Formula;
 use super::{Pattern, Stop};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
+use crate::math::rounding::{floor, remainder};
 use glam::DVec3;
 
 /// The colours that POV-Ray gives where the scene does not.
@@ -19,7 +20,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(p: DVec3) -> f64 {
-    let is_odd = |x: f64| x.floor().rem_euclid(2.0) == 1.0;
+    let is_odd = |x: f64| remainder(floor(x), 2.0) == 1.0;
     match (is_odd(p.x), is_odd(p.z)) {
         (false, false) => 0.0,
         (false, true) => 1.0,

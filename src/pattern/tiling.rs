@@ -7,6 +7,7 @@
 
 use super::{Pattern, Preparing, Spot, Value};
 use crate::args::{Args, Parse};
+use crate::math::rounding::floor;
 use crate::source::{Code, Diagnostic};
 use glam::{DMat2, DVec2, DVec3};
 use std::sync::Arc;
@@ -166,7 +167,7 @@ impl Value for Prepared {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
         let tiling = &*self.0;
         let in_cell = tiling.cell_from_plane * DVec2::new(point.x, point.z);
-        let point = tiling.plane_from_cell * (in_cell - in_cell.floor());
+        let point = tiling.plane_from_cell * (in_cell - in_cell.map(floor));
         // Rounding may leave a point in no tile, or in two.
         let mut best: Option<(f64, &Tile)> = None;
         for tile in &tiling.tiles {

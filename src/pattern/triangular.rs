@@ -4,6 +4,7 @@ use super::formula::Formula;
 use super::{Pattern, Stop};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
+use crate::math::rounding::{floor, remainder};
 use glam::DVec3;
 
 /// The square root of 3.
@@ -24,9 +25,9 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(p: DVec3) -> f64 {
-    let x = p.x.rem_euclid(3.0);
+    let x = remainder(p.x, 3.0);
     let z = p.z.rem_euclid(SQRT_3);
-    let column = x.floor();
+    let column = floor(x);
     let x = x - column;
     let is_upper = z >= 0.5 * SQRT_3;
     let z = if is_upper { SQRT_3 - z } else { z };
@@ -41,10 +42,10 @@ fn value(p: DVec3) -> f64 {
             (false, false) => 1.0,
         }
     };
-    let turned = if value % 2.0 == 1.0 {
-        (value + 2.0 * column).rem_euclid(6.0)
+    let turned = if remainder(value, 2.0) == 1.0 {
+        remainder(value + 2.0 * column, 6.0)
     } else {
-        (6.0 + value - 2.0 * column).rem_euclid(6.0)
+        remainder(6.0 + value - 2.0 * column, 6.0)
     };
     if is_upper { 5.0 - turned } else { turned }
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{Args, Parse, Word};
 use crate::math::noise::smooth;
+use crate::math::rounding::floor;
 use std::f64::consts::TAU;
 
 /// Values wrap here rather than at 1, so that 1 itself stays what it is.
@@ -65,7 +66,7 @@ impl Wave {
     pub fn of(&self, value: f64) -> f64 {
         let mut value = value;
         if self.frequency != 0.0 {
-            value = (value * f64::from(self.frequency) + f64::from(self.phase)) % WRAP;
+            value = wrapped(value * f64::from(self.frequency) + f64::from(self.phase));
             if value < 0.0 {
                 value -= value.floor();
             }
@@ -113,13 +114,33 @@ impl Wave {
     }
 }
 
+/// What is left after whole multiples of [`WRAP`], with the sign of `value`.
+fn wrapped(value: f64) -> f64 {
+    /// Most values are below this: `%` takes a loop over bits.
+    const FEW: f64 = 16.0 * WRAP;
+    let mut left = value.abs();
+    if left < WRAP {
+        return value;
+    }
+    if left.is_nan() || left >= FEW {
+        return value % WRAP;
+    }
+    // Each of these is exact: nothing is taken from numbers of twice its size.
+    for multiple in [8.0 * WRAP, 4.0 * WRAP, 2.0 * WRAP, WRAP] {
+        if left >= multiple {
+            left -= multiple;
+        }
+    }
+    left.copysign(value)
+}
+
 /// The sine of a number of turns, exactly odd.
 #[must_use]
 pub(super) fn cycloidal(turns: f64) -> f64 {
     if turns >= 0.0 {
-        ((turns - turns.floor()) * TAU).sin()
+        ((turns - floor(turns)) * TAU).sin()
     } else {
-        -((-turns - (-turns).floor()) * TAU).sin()
+        -((-turns - floor(-turns)) * TAU).sin()
     }
 }
 
@@ -127,9 +148,9 @@ pub(super) fn cycloidal(turns: f64) -> f64 {
 #[must_use]
 pub(super) fn triangle(value: f64) -> f64 {
     let above = if value >= 0.0 {
-        value - value.floor()
+        value - floor(value)
     } else {
-        value + 1.0 + value.abs().floor()
+        value + 1.0 + floor(value.abs())
     };
     if above >= 0.5 {
         2.0 * (1.0 - above)
@@ -150,6 +171,17 @@ mod tests {
             assert!(wave.read(word, &mut args).unwrap(), "{word}");
         }
         wave
+    }
+
+    #[test]
+    fn values_wrap_as_the_remainder_of_the_language_does() {
+        for number in -40_000..40_000 {
+            let value = f64::from(number) * 0.001_234_5;
+            for value in [value, value.next_up(), f64::from(number) * WRAP] {
+                assert_eq!(wrapped(value), value % WRAP, "{value}");
+            }
+        }
+        assert!(wrapped(f64::NAN).is_nan() && wrapped(f64::INFINITY).is_nan());
     }
 
     #[test]

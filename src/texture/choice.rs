@@ -3,6 +3,7 @@
 use super::{Patterned, PatternedKind, PreparedTexture, Texture};
 use crate::bitmap;
 use crate::math::Step;
+use crate::math::rounding::{floor, remainder};
 use crate::pattern::{Between, Map, NUDGE, PreparedChain, PreparedPattern, Settings, Spot, Turns};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -173,8 +174,8 @@ impl Choice {
 
 /// The number of the tile that a point lies in: 0 where the sum of the whole parts of its coordinates is odd, otherwise 1.
 fn tile(point: DVec3) -> usize {
-    let sum = (point + NUDGE).floor().element_sum();
-    usize::from(sum.rem_euclid(2.0) == 0.0)
+    let cell = (point + NUDGE).map(floor);
+    usize::from(remainder(cell.element_sum(), 2.0) == 0.0)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::{Warp, Warping};
 use crate::args::{Args, Parse, Word};
+use crate::math::rounding::{floor, remainder};
 use crate::pattern::Settings;
 use glam::DVec3;
 
@@ -55,9 +56,9 @@ impl Warp for Repeat {
 impl Warping for Repeat {
     fn moved(&self, point: DVec3) -> DVec3 {
         let mut moved = point;
-        let block = (point[self.axis] / self.width).floor();
+        let block = floor(point[self.axis] / self.width);
         moved[self.axis] -= block * self.width;
-        if block.rem_euclid(2.0) == 1.0 {
+        if remainder(block, 2.0) == 1.0 {
             moved *= self.flip;
             if self.flip[self.axis] < 0.0 {
                 moved[self.axis] += self.width;
