@@ -112,6 +112,13 @@ impl Interiors {
         !self.media.is_empty()
     }
 
+    /// Whether some of them split white light.
+    #[must_use]
+    pub fn split_light(&self) -> bool {
+        let mut written = self.written.iter();
+        written.any(|interior| interior.effective_dispersion() != 1.0)
+    }
+
     /// Says whether the object of an interior is hollow.
     pub(super) fn set_hollow(&mut self, id: InteriorId, is_hollow: bool) {
         let (kind, number) = Self::place(id);

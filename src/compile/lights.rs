@@ -9,6 +9,11 @@ use crate::light::Light;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LightList(u32);
 
+impl LightList {
+    /// Those on what lies outside of all groups.
+    pub const OUTSIDE: LightList = LightList(0);
+}
+
 /// What a `light_group`, or what lies outside of all groups, is lit by.
 #[derive(Debug)]
 struct Listed {

@@ -18,37 +18,6 @@ pub(super) type Items = SmallVec<[Numbered; 8]>;
 pub type Passed = SmallVec<[(f64, u32); 8]>;
 
 impl World {
-    /// Finds all that a ray meets, for [`World::nearest_among`].
-    pub fn gather(&self, query: &Query, scratch: &mut Scratch) {
-        let mut among = std::mem::take(&mut scratch.among);
-        among.clear();
-        let search = self.search_for(query);
-        with_widest(
-            #[inline(always)]
-            |lanes| {
-                let mut take = |item: Numbered| {
-                    let mut best = None;
-                    self.try_item(item, (query, &search), query.far, &mut best, scratch);
-                    if best.is_some() {
-                        among.push(item);
-                    }
-                };
-                self.finder().unbounded.iter().for_each(|&item| take(item));
-                self.finder().tree.any_in(
-                    lanes,
-                    &query.ray,
-                    (0.0, query.far),
-                    #[inline(always)]
-                    |number| {
-                        take(self.finder().bounded[number as usize]);
-                        false
-                    },
-                );
-            },
-        );
-        scratch.among = among;
-    }
-
     /// All surfaces on the ray that was last asked about with what it meets gathered: their numbers, the nearest first.
     /// `None` where something may matter besides which they are: where on a surface it is passed, or what was met before
     /// (surfaces that coincide, combinations, flat pieces).
@@ -106,7 +75,7 @@ impl World {
         (!passed.windows(2).any(coincide)).then_some(passed)
     }
 
-    /// The nearest visible surface on a part of the ray that was last given to [`World::gather`].
+    /// The nearest visible surface on a part of the ray to a light that was last asked about.
     #[must_use]
     pub fn nearest_among(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
         scratch.rays.filtered += 1;

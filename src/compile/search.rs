@@ -49,15 +49,20 @@ impl World {
     }
 
     /// The same for up to four rays.
-    pub fn nearest_of_four(&self, queries: &[Query], hits: &mut FourHits, scratch: &mut Scratch) {
+    pub fn nearest_of_four(
+        &self,
+        queries: impl Iterator<Item = Query>,
+        hits: &mut FourHits,
+        scratch: &mut Scratch,
+    ) {
         let mut bests = [None; 4];
         let mut origin = [[0.0; 4]; 3];
         with_widest(
             #[inline(always)]
             |lanes| {
-                for (lane, query) in queries.iter().enumerate().take(4) {
-                    scratch.rays.count(query);
-                    bests[lane] = self.nearest_found(lanes, query, scratch);
+                for (lane, query) in queries.enumerate().take(4) {
+                    scratch.rays.count(&query);
+                    bests[lane] = self.nearest_found(lanes, &query, scratch);
                     hits.aim(lane, query.ray.dir);
                     for (axis, origin) in origin.iter_mut().enumerate() {
                         origin[lane] = query.ray.origin[axis];

@@ -88,6 +88,11 @@ impl World {
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         scratch.rays.shadow += 1;
+        self.way_again(query, light, scratch)
+    }
+
+    /// The same of a ray that was asked about before together with others, where only answers are kept.
+    pub fn way_again(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Way {
         with_widest(
             #[inline(always)]
             |lanes| self.way_found(lanes, query, light, scratch),

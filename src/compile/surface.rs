@@ -188,7 +188,7 @@ struct Traits {
     is_lit_from_behind: bool,
     has_fresnel: bool,
     is_plain: bool,
-    is_plain_mirror: bool,
+    is_nearly_plain: bool,
     is_bumpy: bool,
     is_grainy: bool,
     uses_uv: bool,
@@ -231,7 +231,7 @@ impl Surface {
             is_lit_from_behind: has(&|layer| layer.finish.diffuse_back != 0.0),
             has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
             is_plain: textures().count() == 1 && texture.is_plain() && !uses_uv,
-            is_plain_mirror: textures().count() == 1 && texture.is_plain_mirror() && !uses_uv,
+            is_nearly_plain: textures().count() == 1 && texture.is_nearly_plain() && !uses_uv,
             is_bumpy: has(&|layer| layer.normal.is_some()),
             is_grainy: has(&|layer| layer.finish.crand > 0.0),
             filters_evenly: textures().count() == 1 && texture.is_even(),
@@ -309,10 +309,10 @@ impl Surface {
         self.traits.is_plain
     }
 
-    /// Whether it is that but for a mirror image, which does not hang on what the ray is in.
+    /// Whether it is that but for a mirror image and what shines through.
     #[must_use]
-    pub fn is_plain_mirror(&self) -> bool {
-        self.traits.is_plain_mirror
+    pub fn is_nearly_plain(&self) -> bool {
+        self.traits.is_nearly_plain
     }
 
     /// Whether bumps tilt its normal somewhere.

@@ -188,27 +188,19 @@ impl PreparedTexture {
     /// grain.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        !self.has_reflection && self.is_plain_but_for_mirrors()
+        self.is_opaque && !self.has_reflection && self.is_nearly_plain()
     }
 
-    /// Whether it is that but for a mirror image, which takes the same share of the same light in whatever the ray is.
+    /// Whether it is that but for a mirror image and what shines through.
     #[must_use]
-    pub fn is_plain_mirror(&self) -> bool {
-        let is_simple = |layer: &PreparedLayer| {
-            let reflection = &layer.finish.reflection;
-            !reflection.is_fresnel && reflection.exponent == 1.0
-        };
-        self.has_reflection && self.is_plain_but_for_mirrors() && self.layers.iter().all(is_simple)
-    }
-
-    fn is_plain_but_for_mirrors(&self) -> bool {
+    pub fn is_nearly_plain(&self) -> bool {
         match self.layers.as_slice() {
             [layer] if self.choice.is_none() => {
                 let finish = &layer.finish;
-                self.is_opaque
-                    && layer.normal.is_none()
+                layer.normal.is_none()
                     && finish.crand <= 0.0
                     && finish.irid.amount <= 0.0
+                    && (!self.has_reflection || finish.reflection.exponent == 1.0)
             }
             _ => false,
         }

@@ -1,11 +1,12 @@
 //! A block of pixels at once: what the camera sees at all of them is searched for together, then, for each light, what
 //! stands between it and all the points seen ([`super::shadows`]), and plain places are coloured four at a time
-//! ([`super::plain_four`]). What plain mirrors show is looked for together again ([`super::mirrors`]). Everything else goes
-//! one pixel at a time, as for a single one.
+//! ([`super::plain_four`]). What plain surfaces show of others is looked for together again ([`super::waves`]). Everything else
+//! goes one pixel at a time, as for a single one.
 
-use super::mirrors::Mirrored;
+use super::plain_four::Looking;
 use super::shadows::Together;
-use super::{Sample, Tracer, begin_sample};
+use super::waves::Waves;
+use super::{Path, Sample, Tracer, begin_sample};
 use crate::camera::Camera;
 use crate::compile::{FourHits, Rays, Scratch, Seen};
 use crate::math::Ray;
@@ -36,7 +37,27 @@ pub struct BlockScratch {
     parts_of_block: Vec<usize>,
     /// What the camera sees at the places.
     all: Together,
-    mirrored: Mirrored,
+    waves: Waves,
+}
+
+/// Rays of a camera all of which start in one point.
+struct FromCamera<'t, 'w>(&'t Tracer<'w>);
+
+impl Looking for FromCamera<'_, '_> {
+    #[inline(always)]
+    fn seen(&self, _lane: usize) -> Seen {
+        Seen::Image
+    }
+
+    #[inline(always)]
+    fn all_seen(&self) -> Option<Seen> {
+        Some(Seen::Image)
+    }
+
+    fn path(&self, lane: usize, hits: &FourHits) -> Path {
+        let origin = self.0.world.camera.location();
+        self.0.camera_path(Ray::new(origin, hits.dir(lane)))
+    }
 }
 
 /// What is met first at a place.
@@ -187,19 +208,22 @@ impl Tracer<'_> {
             }
             return;
         }
-        self.light_all(places.len(), &mut scratch.all, &mut scratch.single);
+        let count = places.len();
+        self.light_all(count, true, &mut scratch.all, &mut scratch.single);
         with_widest(
             #[inline(always)]
             |_| {
                 for (four, places) in places.chunks(4).enumerate() {
-                    let seen = self.plain_four(Seen::Image, four, places.len(), &scratch.all);
+                    let BlockScratch { single, all, .. } = scratch;
+                    let seen = self.plain_four(&FromCamera(self), (four, count), all, single);
                     for (lane, &place) in places.iter().enumerate() {
                         let number = 4 * four + lane;
-                        let sample = match (seen.sample(lane), seen.mirror(lane)) {
+                        let showing = seen.showing(lane).filter(|_| scratch.waves.have_room());
+                        let sample = match (seen.sample(lane), showing) {
                             (Some(sample), _) => sample,
-                            (None, Some(mirror)) => {
-                                let hits = &scratch.all.hits[four];
-                                scratch.mirrored.begin(number, (hits, lane), mirror);
+                            (None, Some(showing)) => {
+                                let hits = (&scratch.all.hits[four], lane);
+                                self.begin_wave(&mut scratch.waves, number, hits, &showing);
                                 continue;
                             }
                             (None, None) => self.seen_singly(number, place, scratch),
@@ -210,12 +234,9 @@ impl Tracer<'_> {
             },
         );
         let BlockScratch {
-            single,
-            all,
-            mirrored,
-            ..
+            single, all, waves, ..
         } = scratch;
-        self.look_into(mirrored, places, single, |number, sample| {
+        self.follow_waves(waves, single, |number, sample| {
             take(number, sample, all.hits.get(number / 4));
         });
     }

@@ -6,7 +6,7 @@ use crate::color::{Color, Rgb};
 use crate::compile::{LightList, Surface};
 use crate::texture::{Finish, PreparedPigment};
 
-/// So many surfaces are worked out beforehand, some 50 bytes each; where there are more, each may be seen once at most.
+/// So many surfaces are worked out beforehand, some 80 bytes each; where there are more, each may be seen once at most.
 const MOST_SURFACES: usize = 1 << 17;
 
 /// How a plain surface takes light where diffuse light and highlights are all that there is.
@@ -20,8 +20,10 @@ pub(super) struct PlainCoat<'w> {
     pub(super) finish: &'w Finish,
     /// Whether it has highlights.
     pub(super) is_shiny: bool,
-    /// Whether it has a mirror image.
-    pub(super) is_mirror: bool,
+    /// Whether it has a mirror image or something shines through: there is more to be seen than the surface itself.
+    pub(super) shows_more: bool,
+    /// The share of light that it lets through.
+    pub(super) through: Rgb,
     /// The lights that shine on it.
     pub(super) lights: LightList,
 }
@@ -43,7 +45,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// How a surface takes light where its pigment has the colour that `color` tells; `None` if it is not plain but for
-    /// mirror images, or scatters light in another way.
+    /// what it shows of others, or scatters light in another way.
     #[inline(always)]
     pub(super) fn plain_coat(
         &self,
@@ -52,18 +54,21 @@ impl<'w> Tracer<'w> {
     ) -> Option<PlainCoat<'w>> {
         let layer = surface.texture.layers().first()?;
         let finish = &*layer.finish;
-        let is_mirror = surface.is_plain_mirror();
-        if !(surface.is_plain() || is_mirror) || finish.brilliance != 1.0 {
+        let shows_more = !surface.is_plain();
+        let is_known = !shows_more || surface.is_nearly_plain() && self.sends_waves;
+        if !is_known || finish.brilliance != 1.0 {
             return None;
         }
-        let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color(&layer.pigment));
+        let color = color(&layer.pigment);
+        let (own, Coat { rgb, opacity, .. }) = self.coat(layer, color);
         Some(PlainCoat {
             own,
             rgb,
             diffuse: f64::from(finish.diffuse) * opacity,
             finish,
             is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
-            is_mirror,
+            shows_more,
+            through: color.transmission(),
             lights: surface.lights,
         })
     }

@@ -289,7 +289,9 @@ impl Tracer<'_> {
             Way::Free if !minds_air => return arriving,
             Way::Blocked => return Rgb::BLACK,
             // What was asked for many rays at once was not gathered.
-            Way::Free | Way::Filtered if known.is_some() => self.world.gather(&query, scratch),
+            Way::Free | Way::Filtered if known.is_some() => {
+                self.world.way_again(&query, light, scratch);
+            }
             Way::Free | Way::Filtered => {}
         }
         let mut inside = Inside::from_slice(&lit.path.inside);

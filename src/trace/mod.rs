@@ -16,7 +16,6 @@ mod gather;
 mod lens;
 mod light;
 mod media;
-mod mirrors;
 mod passage;
 mod photon;
 mod plain;
@@ -29,6 +28,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod through;
+mod waves;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;
@@ -99,6 +99,7 @@ impl Quality {
 }
 
 /// A ray on its way.
+#[derive(Clone, Debug)]
 struct Path {
     ray: Ray,
     from: Option<Departure>,
@@ -134,6 +135,9 @@ pub struct Tracer<'w> {
     has_media: bool,
     /// Whether light that arrives from behind may matter to some surface.
     minds_backs: bool,
+    /// Whether what plain surfaces show of others may be looked for together: not if light splits, nor if
+    /// something takes random numbers one after the other.
+    sends_waves: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
     /// How plain surfaces take light, by number; nothing where that differs from place to place, or is not worked out.
@@ -179,6 +183,7 @@ impl<'w> Tracer<'w> {
             quality,
             has_media,
             minds_backs: world.minds_backs(),
+            sends_waves: !world.interiors.split_light() && !world.takes_chances(),
             takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
             minds_interiors,
             around_camera,

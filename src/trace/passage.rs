@@ -1,7 +1,7 @@
 //! Through a surface: in which interiors a ray is, and whether its way bends.
 
-use super::{Inside, Path, Tracer, spectrum};
-use crate::compile::{Hit, InteriorId};
+use super::{Inside, Tracer, spectrum};
+use crate::compile::InteriorId;
 use glam::DVec3;
 
 /// The index of refraction outside all objects.
@@ -52,37 +52,35 @@ pub(super) fn cross(inside: &mut Inside, interior: InteriorId) -> bool {
 }
 
 impl Tracer<'_> {
-    /// The index of refraction behind the surface of a hit relative to that before it, as Fresnel's law of mirror
+    /// The index of refraction behind a surface of an interior relative to that before it, as Fresnel's law of mirror
     /// images takes it.
     ///
     /// POV-Ray 3.7 takes the interior entered last for the one behind, even where that is the one being left: inside
     /// a ball of glass, with the camera in the half-space of some plane, nothing is mirrored. Measured in both orders
     /// of two nested balls around the camera.
-    pub(super) fn relative_ior(&self, path: &Path, hit: &Hit) -> f64 {
-        let id = self.world.surfaces[hit.surface as usize].interior;
+    pub(super) fn relative_ior(&self, inside: &Inside, id: InteriorId) -> f64 {
         let ior = |id: InteriorId| f64::from(self.world.interiors.get(id).ior);
-        let last = path.inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
-        if !path.inside.contains(&id) {
+        let last = inside.last().map_or(ATMOSPHERE_IOR, |&id| ior(id));
+        if !inside.contains(&id) {
             ior(id) / last
-        } else if path.inside.len() == 1 {
+        } else if inside.len() == 1 {
             ATMOSPHERE_IOR / ior(id)
         } else {
             last / ior(id)
         }
     }
 
-    /// The crossing of the surface of a hit.
-    pub(super) fn passage(&self, path: &Path, hit: &Hit) -> Passage {
-        let id = self.world.surfaces[hit.surface as usize].interior;
+    /// The crossing of a surface of an interior by a ray that was inside of these.
+    pub(super) fn passage(&self, inside: &Inside, id: InteriorId) -> Passage {
         // Index of refraction and dispersion.
         let of = |id: InteriorId| {
             let interior = self.world.interiors.get(id);
             [interior.ior, interior.effective_dispersion()].map(f64::from)
         };
         let outermost = |inside: &Inside| inside.last().map_or(ATMOSPHERE, |&id| of(id));
-        let is_innermost = path.inside.last() == Some(&id);
-        let before = outermost(&path.inside);
-        let mut inside = Inside::from_slice(&path.inside);
+        let is_innermost = inside.last() == Some(&id);
+        let before = outermost(inside);
+        let mut inside = Inside::from_slice(inside);
         let was_inside = cross(&mut inside, id);
         let [ratio, dispersion] = match (was_inside, is_innermost) {
             (false, _) => divided(before, of(id)),

@@ -190,7 +190,10 @@ impl<'w> Tracer<'w> {
             let color = self.color(layer, look.point, &spot);
             if reflects && layer.finish.has_reflection() {
                 let coat = (&*layer.finish, color.rgb);
-                let mirror = mirror(&lit.at, flat, coat, || self.relative_ior(path, hit));
+                let mirror = mirror(&lit.at, flat, coat, || {
+                    let surface = &self.world.surfaces[hit.surface as usize];
+                    self.relative_ior(&path.inside, surface.interior)
+                });
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
@@ -233,7 +236,8 @@ impl<'w> Tracer<'w> {
     /// Sends a photon through a surface; says whether it is reflected as a whole instead.
     fn refract(&self, meeting: &Meeting, shot: &mut Shot<'w>, scratch: &mut Scratch) -> bool {
         let path = meeting.lit.path;
-        let passage = self.passage(path, meeting.hit);
+        let interior = self.world.surfaces[meeting.hit.surface as usize].interior;
+        let passage = self.passage(&path.inside, interior);
         let normal = meeting.lit.at.normal;
         let light = meeting.light * meeting.filter;
         let weight = f64::from(meeting.filter.max());

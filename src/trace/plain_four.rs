@@ -1,12 +1,13 @@
-//! The short way to a colour ([`super::plain`]) for four places of a block at once, and for what a mirror shows itself. A
-//! place that needs more than diffuse light and highlights is left to the way for single ones.
+//! The short way to a colour ([`super::plain`]) for four places of a block at once, and to that of surfaces themselves that
+//! show others ([`super::waves`]). A place that needs more than diffuse light and highlights is left to the way for single
+//! ones.
 
 use super::coats::PlainCoat;
-use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::light::{Known, Lit, NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
-use super::{Sample, Tracer};
+use super::{Path, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{FourHits, FourWays, LightList, Seen, Way};
+use crate::compile::{FourHits, FourWays, LightList, Scratch, Seen, Way};
 use crate::light::Light;
 use crate::pattern::Spot;
 use crate::texture::Finish;
@@ -18,11 +19,30 @@ pub(super) struct FourSeen<'w> {
     transmit: [f32; 4],
     /// At which of them it is known, one bit each.
     known: u32,
-    /// At which of them it is known but for a mirror image.
-    mirrors: u32,
-    /// The colours of pigments and the finishes of these.
-    pigment: [[f32; 4]; 3],
-    finishes: [Option<&'w Finish>; 4],
+    /// At which of them it is known of the surface itself, which shows others.
+    half_known: u32,
+    /// The coats, if there are such.
+    coats: Option<FourCoats<'w>>,
+}
+
+/// What is seen of a surface that shows others.
+pub(super) struct Showing<'w> {
+    /// Its own light.
+    pub(super) own: Rgb,
+    pub(super) finish: &'w Finish,
+    pub(super) pigment: Rgb,
+    /// The share of light that it lets through.
+    pub(super) through: Rgb,
+}
+
+/// Rays that see what is met at four places.
+pub(super) trait Looking {
+    /// Who looks in this lane.
+    fn seen(&self, lane: usize) -> Seen;
+    /// Who looks in all lanes, if that is the same.
+    fn all_seen(&self) -> Option<Seen>;
+    /// The ray in this lane.
+    fn path(&self, lane: usize, hits: &FourHits) -> Path;
 }
 
 impl<'w> FourSeen<'w> {
@@ -30,9 +50,8 @@ impl<'w> FourSeen<'w> {
         rgb: [[0.0; 4]; 3],
         transmit: [0.0; 4],
         known: 0,
-        mirrors: 0,
-        pigment: [[0.0; 4]; 3],
-        finishes: [None; 4],
+        half_known: 0,
+        coats: None,
     };
 
     /// The same at all of these.
@@ -55,16 +74,22 @@ impl<'w> FourSeen<'w> {
         })
     }
 
-    /// What is seen of a mirror at one of them without its image, if there is one and that is known, the finish and the
-    /// colour of the pigment.
+    /// What is seen of a surface itself at one of them, if that shows others and is known.
     #[inline(always)]
-    pub(super) fn mirror(&self, lane: usize) -> Option<(Rgb, &'w Finish, Rgb)> {
-        let finish = self.finishes[lane].filter(|_| self.mirrors >> lane & 1 == 1)?;
-        Some((one_of(&self.rgb, lane), finish, one_of(&self.pigment, lane)))
+    pub(super) fn showing(&self, lane: usize) -> Option<Showing<'w>> {
+        let coats = self.coats.as_ref()?;
+        let finish = coats.finishes[lane].filter(|_| self.half_known >> lane & 1 == 1)?;
+        Some(Showing {
+            own: one_of(&self.rgb, lane),
+            finish,
+            pigment: one_of(&coats.rgb, lane),
+            through: coats.through[lane],
+        })
     }
 }
 
 /// The outermost layers at four hits.
+#[derive(Clone, Copy)]
 struct FourCoats<'w> {
     /// What they shine of themselves.
     own: [[f32; 4]; 3],
@@ -74,10 +99,24 @@ struct FourCoats<'w> {
     finishes: [Option<&'w Finish>; 4],
     /// Which of them have highlights, one bit each.
     shiny: u32,
-    /// Which of them have mirror images.
-    mirrors: u32,
+    /// Which of them show others, and the shares of light that these let through.
+    showing: u32,
+    through: [Rgb; 4],
     /// The lights that shine on all of them.
     lights: LightList,
+}
+
+impl FourCoats<'_> {
+    const NOTHING: FourCoats<'static> = FourCoats {
+        own: [[0.0; 4]; 3],
+        rgb: [[0.0; 4]; 3],
+        diffuse: [0.0; 4],
+        finishes: [None; 4],
+        shiny: 0,
+        showing: 0,
+        through: [Rgb::BLACK; 4],
+        lights: LightList::OUTSIDE,
+    };
 }
 
 #[inline(always)]
@@ -102,62 +141,106 @@ fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl<'w> Tracer<'w> {
-    /// What such rays see at the first `count` of these four places of a block, where that is plain.
+    /// What rays see at the first `count` of these four places of a block, where that is plain.
     #[inline(always)]
     pub(super) fn plain_four(
         &self,
-        kind: Seen,
-        four: usize,
-        count: usize,
-        together: &Together,
+        rays: &(impl Looking + ?Sized),
+        (four, count): (usize, usize),
+        all: &Together,
+        scratch: &mut Scratch,
     ) -> FourSeen<'w> {
         let mut seen = FourSeen::NOTHING;
         if !self.takes_plain || self.stop.is_asked() {
             return seen;
         }
-        let hits = &together.hits[four];
-        let there = 0b1111 >> (4 - count.min(4));
-        if there & hits.met == 0 && self.world.sky.is_none() {
-            return FourSeen::alike(self.background_of(kind).seen, there);
+        let hits = &all.hits[four];
+        let there = 0b1111 >> (4 - (count - 4 * four).min(4));
+        let meets_nothing = there & hits.met == 0;
+        if meets_nothing
+            && self.world.sky.is_none()
+            && let Some(who) = rays.all_seen()
+        {
+            return FourSeen::alike(self.background_of(who).seen, there);
         }
         each_lane(there & !hits.met, |lane| {
-            let behind = self.behind_everything(hits.dir(lane), kind);
+            let behind = self.behind_everything(hits.dir(lane), rays.seen(lane));
             put(&mut seen.rgb, lane, behind.rgb);
             seen.transmit[lane] = behind.transmit;
             seen.known |= 1 << lane;
         });
-        if there & hits.met == 0 {
+        if meets_nothing {
             return seen;
         }
         let (coats, mut lit) = self.coats(hits, there & hits.met);
         let mut sum = [[0.0; 4]; 3];
         for &number in self.world.lights.of(coats.lights) {
-            let ways = &together.ways[number as usize * together.hits.len() + four];
-            let mut free = 0;
+            let ways = &all.ways[number as usize * all.hits.len() + four];
+            let (mut free, mut filtered) = (0, 0);
             for (lane, way) in ways.ways.iter().enumerate() {
                 let is_lit_from_behind = || self.minds_backs && ways.cosine[lane] < NOTHING;
                 match way {
-                    Some(Way::Free) if !is_lit_from_behind() => free |= 1 << lane,
-                    Some(Way::Free | Way::Filtered) => lit &= !(1 << lane),
+                    Some(Way::Free | Way::Filtered) if is_lit_from_behind() => lit &= !(1 << lane),
+                    Some(Way::Free) => free |= 1 << lane,
+                    Some(Way::Filtered) => filtered |= 1 << lane,
                     Some(Way::Blocked) | None => {}
                 }
             }
-            if free & lit != 0 {
-                let light = self.world.lights.get(number);
-                add_light(light, ways, hits, &coats, free & lit, &mut sum);
+            let light = self.world.lights.get(number);
+            let (free, filtered) = (free & lit, filtered & lit);
+            if free | filtered == 0 {
+                continue;
             }
+            let mut arriving = Arriving::of(light, ways, free);
+            each_lane(filtered, |lane| {
+                let of = (all, 4 * four + lane);
+                let left = self.filtered(number, of, &rays.path(lane, hits), scratch);
+                arriving.take(lane, left);
+            });
+            add_light(&arriving, ways, hits, &coats, &mut sum);
         }
         each_lane(lit, |lane| {
             let rgb = Rgb::BLACK + (one_of(&coats.own, lane) + one_of(&sum, lane));
             put(&mut seen.rgb, lane, rgb);
         });
-        seen.known |= lit & !coats.mirrors;
-        seen.mirrors = lit & coats.mirrors;
-        if seen.mirrors != 0 {
-            seen.pigment = coats.rgb;
-            seen.finishes = coats.finishes;
+        seen.known |= lit & !coats.showing;
+        seen.half_known = lit & coats.showing;
+        if seen.half_known != 0 {
+            seen.coats = Some(coats);
         }
         seen
+    }
+
+    /// What is left of the light of this number at a place behind all that filters it on its way.
+    #[inline(never)]
+    fn filtered(
+        &self,
+        number: u32,
+        (all, place): (&Together, usize),
+        path: &Path,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let (hits, lane) = (&all.hits[place / 4], place % 4);
+        let known = all.known(place);
+        let ways = &all.ways[number as usize * all.hits.len() + place / 4];
+        let Known { arrival, share, .. } = Known::of(ways, lane);
+        let arriving = self.world.lights.get(number).color * share;
+        if is_nothing(arriving) {
+            return Rgb::BLACK;
+        }
+        let departure = hits.departure(lane);
+        let surface = &self.world.surfaces[hits.surface[lane] as usize];
+        let lit = Lit {
+            at: viewed(hits, lane),
+            departure: Some(&departure),
+            path,
+            known: &known,
+            arrived: None,
+            is_double_illuminated: surface.flags.double_illuminate,
+            lights: self.world.lights.of(surface.lights),
+            collects: false,
+        };
+        self.through_shadows(arriving, &lit, number, &arrival, scratch)
     }
 
     /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.
@@ -165,13 +248,8 @@ impl<'w> Tracer<'w> {
     fn coats(&self, hits: &FourHits, asked: u32) -> (FourCoats<'w>, u32) {
         let first = hits.surface[asked.trailing_zeros() as usize % 4];
         let mut coats = FourCoats {
-            own: [[0.0; 4]; 3],
-            rgb: [[0.0; 4]; 3],
-            diffuse: [0.0; 4],
-            finishes: [None; 4],
-            shiny: 0,
-            mirrors: 0,
             lights: self.world.surfaces[first as usize].lights,
+            ..FourCoats::NOTHING
         };
         let mut plain = 0;
         each_lane(
@@ -179,17 +257,26 @@ impl<'w> Tracer<'w> {
             #[inline(always)]
             |lane| {
                 let number = hits.surface[lane] as usize;
-                let known = self.coats.get(number).copied().flatten();
-                let coat = match known.or_else(|| self.coat_at(hits, lane)) {
-                    Some(coat) if coat.lights == coats.lights => coat,
-                    _ => return,
+                let found;
+                let known = match self.coats.get(number) {
+                    Some(Some(coat)) => Some(coat),
+                    _ => {
+                        found = self.coat_at(hits, lane);
+                        found.as_ref()
+                    }
+                };
+                let Some(coat) = known.filter(|coat| coat.lights == coats.lights) else {
+                    return;
                 };
                 put(&mut coats.own, lane, coat.own);
                 put(&mut coats.rgb, lane, coat.rgb);
                 coats.diffuse[lane] = coat.diffuse;
                 coats.finishes[lane] = Some(coat.finish);
                 coats.shiny |= u32::from(coat.is_shiny) << lane;
-                coats.mirrors |= u32::from(coat.is_mirror) << lane;
+                if coat.shows_more {
+                    coats.showing |= 1 << lane;
+                    coats.through[lane] = coat.through;
+                }
                 plain |= 1 << lane;
             },
         );
@@ -211,32 +298,60 @@ impl<'w> Tracer<'w> {
     }
 }
 
-/// Adds the light of one lamp, of which nothing is stopped on its way to these hits.
+/// The light of one lamp that arrives at four hits.
+struct Arriving {
+    rgb: [[f32; 4]; 3],
+    /// At which of them any arrives, one bit each.
+    lit: u32,
+}
+
+impl Arriving {
+    /// Light of which nothing is stopped on its way to these hits.
+    #[inline(always)]
+    fn of(light: &Light, ways: &FourWays, free: u32) -> Arriving {
+        let rgb = light.color;
+        let mut arriving = Arriving {
+            rgb: [[rgb.r; 4], [rgb.g; 4], [rgb.b; 4]],
+            lit: if is_nothing(rgb) { 0 } else { free },
+        };
+        if !light.has_even_share() {
+            each_lane(free, |lane| arriving.take(lane, rgb * ways.share[lane]));
+        }
+        arriving
+    }
+
+    /// Takes what arrives at one of them.
+    #[inline(always)]
+    fn take(&mut self, lane: usize, rgb: Rgb) {
+        put(&mut self.rgb, lane, rgb);
+        self.lit = self.lit & !(1 << lane) | u32::from(!is_nothing(rgb)) << lane;
+    }
+}
+
+/// What is viewed at one of four hits.
+#[inline(always)]
+pub(super) fn viewed(hits: &FourHits, lane: usize) -> Viewed {
+    Viewed {
+        point: hits.point(lane),
+        normal: hits.facing(lane),
+        view: hits.dir(lane),
+    }
+}
+
+/// Adds the light of one lamp that arrives at these hits.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
     reason = "colours are single precision, as in POV-Ray"
 )]
 fn add_light(
-    light: &Light,
+    arriving: &Arriving,
     ways: &FourWays,
     hits: &FourHits,
     coats: &FourCoats,
-    mut lit: u32,
     sum: &mut [[f32; 4]; 3],
 ) {
-    let mut arriving = [[light.color.r; 4], [light.color.g; 4], [light.color.b; 4]];
-    if light.has_even_share() {
-        if is_nothing(light.color) {
-            return;
-        }
-    } else {
-        each_lane(lit, |lane| {
-            let share = light.color * ways.share[lane];
-            put(&mut arriving, lane, share);
-            lit &= !(u32::from(is_nothing(share)) << lane);
-        });
-    }
+    let (lit, arriving) = (arriving.lit, &arriving.rgb);
     let mut strength = [0.0; 4];
     for (lane, strength) in strength.iter_mut().enumerate() {
         *strength = coats.diffuse[lane] * ways.cosine[lane];
@@ -257,16 +372,11 @@ fn add_light(
         let Some(finish) = coats.finishes[lane] else {
             return;
         };
-        let at = Viewed {
-            point: hits.point(lane),
-            normal: hits.facing(lane),
-            view: hits.dir(lane),
-        };
-        let strength = highlight(finish, &at, ways.to_light(lane));
+        let strength = highlight(finish, &viewed(hits, lane), ways.to_light(lane));
         if strength != 0.0 {
             let pigment = one_of(&coats.rgb, lane);
             let shine = metallic(finish.metallic, pigment, ways.cosine[lane]);
-            let shine = one_of(&arriving, lane) * shine * strength;
+            let shine = one_of(arriving, lane) * shine * strength;
             let both = one_of(&given, lane) + shine;
             put(&mut given, lane, both);
         }

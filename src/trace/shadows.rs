@@ -31,12 +31,17 @@ pub(super) struct Together {
     pub(super) hits: Vec<FourHits>,
     /// The ways from there to the lights, light by light.
     pub(super) ways: Vec<FourWays>,
+    /// Whether it is known what lies on the ways; otherwise those that matter are noted as filtered.
+    pub(super) knows_ways: bool,
     order: LightOrder,
 }
 
 impl Together {
     /// What is known of the lights at a place.
     pub(super) fn known(&self, place: usize) -> SmallVec<[Known; 4]> {
+        if !self.knows_ways {
+            return SmallVec::new();
+        }
         let of_light = self.ways.chunks(self.hits.len());
         let at = of_light.map(|ways| Known::of(&ways[place / 4], place % 4));
         at.collect()
@@ -109,9 +114,16 @@ impl FourKernel for Arriving<'_> {
 }
 
 impl Tracer<'_> {
-    /// Finds out for the first `count` of these hits what light arrives from each lamp of one point, and what is in its
-    /// way.
-    pub(super) fn light_all(&self, count: usize, all: &mut Together, scratch: &mut Scratch) {
+    /// Finds out for the first `count` of these hits what light arrives from each lamp of one point, and, if `asks`, what
+    /// is in its way.
+    pub(super) fn light_all(
+        &self,
+        count: usize,
+        asks: bool,
+        all: &mut Together,
+        scratch: &mut Scratch,
+    ) {
+        all.knows_ways = asks;
         let lights = &self.world.lights;
         if !self.quality.has_shadows || !self.quality.has_light {
             all.ways.clear();
@@ -126,7 +138,11 @@ impl Tracer<'_> {
             let light = lights.get(number);
             let is_one_point = light.area.is_none() && !light.is_parallel;
             if is_one_point && !light.is_shadowless() && !lights.is_projected(number) {
-                self.light_up_block((number, light), count, all, scratch);
+                if asks {
+                    self.light_up_block((number, light), count, all, scratch);
+                } else {
+                    self.light_up_unasked((number, light), count, all);
+                }
             }
         }
     }
@@ -138,7 +154,9 @@ impl Tracer<'_> {
         all: &mut Together,
         single: &mut Scratch,
     ) {
-        let Together { hits, ways, order } = all;
+        let Together {
+            hits, ways, order, ..
+        } = all;
         let ways = &mut ways[number as usize * hits.len()..][..hits.len()];
         if self.world.knows_around(number) {
             let lit = (&**hits, ways, count);
@@ -197,6 +215,22 @@ impl Tracer<'_> {
             let place = usize::from(place);
             ways[place / 4].ways[place % 4] = Some(*way);
         }
+    }
+
+    /// The same without asking what is in the way.
+    fn light_up_unasked(&self, (number, light): (u32, &Light), count: usize, all: &mut Together) {
+        let ways = &mut all.ways[number as usize * all.hits.len()..][..all.hits.len()];
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (at, (hits, ways)) in all.hits.iter().zip(ways).enumerate() {
+                    let asked = self.light_four(lanes, (number, light), hits, ways);
+                    for lane in (0..(count - 4 * at).min(4)).filter(|lane| asked >> lane & 1 == 1) {
+                        ways.ways[lane] = Some(Way::Filtered);
+                    }
+                }
+            },
+        );
     }
 
     /// The same where it is known what lies around the lamp.

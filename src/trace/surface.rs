@@ -284,7 +284,7 @@ impl Tracer<'_> {
             view.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let coat = (&*layer.finish, color.rgb);
-                let ior = || self.relative_ior(path, hit);
+                let ior = || self.relative_ior(&path.inside, surface.interior);
                 let mut mirror = mirror(&lit.at, flat, coat, ior);
                 // Though the layers above take nothing from it.
                 mirror.weight *= f64::from(filter.grey());
@@ -294,7 +294,7 @@ impl Tracer<'_> {
                 mirrors.push(mirror);
             }
             filter *= color.transmission();
-            if self.is_opaque(path, filter) {
+            if self.is_opaque(path.gathered, filter) {
                 break;
             }
         }
@@ -303,7 +303,7 @@ impl Tracer<'_> {
         }
         lit.at.normal = top.unwrap_or(flat);
         let mut is_total = false;
-        if self.quality.has_transparency && !self.is_opaque(path, filter) {
+        if self.quality.has_transparency && !self.is_opaque(path.gathered, filter) {
             let film = texture.layers().first().map(|top| &top.finish.irid);
             is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
         }
@@ -412,8 +412,8 @@ impl Tracer<'_> {
     }
 
     /// Whether too little passes to be looked at; colours that take light away count as much as those that give it.
-    fn is_opaque(&self, path: &Path, filter: Rgb) -> bool {
-        f64::from(filter.map(f32::abs).grey()) <= self.bailout(path.gathered)
+    pub(super) fn is_opaque(&self, gathered: usize, filter: Rgb) -> bool {
+        f64::from(filter.map(f32::abs).grey()) <= self.bailout(gathered)
     }
 }
 

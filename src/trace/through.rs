@@ -5,7 +5,7 @@ use super::passage::{Bend, Passage, bend};
 use super::surface::{View, facing_normal, mirrored_off, single};
 use super::{Inside, Path, Sample, Tracer, spectrum};
 use crate::color::Rgb;
-use crate::compile::{Hit, Scratch};
+use crate::compile::{Hit, InteriorId, Scratch};
 use crate::math::Ray;
 use crate::texture::Irid;
 use glam::DVec3;
@@ -26,19 +26,47 @@ pub(super) struct StraightOn {
 }
 
 /// What a surface does to light that comes through it.
-struct Through<'f> {
+pub(super) struct Through<'f> {
     /// The film on the top layer.
     film: Option<&'f Irid>,
     /// The factor on light.
-    factor: Rgb,
+    pub(super) factor: Rgb,
+    /// The same if all light comes back, whatever the layers would filter.
+    pub(super) thrown_back: Rgb,
     /// The factor on the transparency of what is behind.
-    transmit: f32,
+    pub(super) transmit: f32,
     /// The factor on the weight of the ray.
-    weight: f64,
-    passage: Passage,
+    pub(super) weight: f64,
+    pub(super) passage: Passage,
 }
 
 impl Tracer<'_> {
+    /// What a surface of an interior, with such a filter and film, does to light that comes through it after a way of this
+    /// length, inside of these.
+    pub(super) fn through<'f>(
+        &self,
+        (inside, length): (&Inside, f64),
+        interior: InteriorId,
+        filter: Rgb,
+        film: Option<&'f Irid>,
+    ) -> Through<'f> {
+        let passage = self.passage(inside, interior);
+        let interior = self.world.interiors.get(interior);
+        let fade = if passage.was_inside {
+            interior.fade(length)
+        } else {
+            Rgb::WHITE
+        };
+        Through {
+            film,
+            factor: filter * fade * interior.refraction,
+            thrown_back: fade * interior.refraction,
+            transmit: fade.grey() * filter.grey(),
+            weight: f64::from(filter.map(f32::abs).max()),
+            passage,
+        }
+    }
+
     /// Adds what comes through a surface. Says whether it is the mirror image of a total reflection, beside which
     /// there is no other.
     pub(super) fn pass(
@@ -50,20 +78,8 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> bool {
         let path = lit.path;
-        let passage = self.passage(path, hit);
-        let interior = self.interior_of(hit);
-        let fade = if passage.was_inside {
-            interior.fade(hit.t)
-        } else {
-            Rgb::WHITE
-        };
-        let through = Through {
-            film,
-            factor: filter * fade * interior.refraction,
-            transmit: fade.grey() * filter.grey(),
-            weight: f64::from(filter.map(f32::abs).max()),
-            passage,
-        };
+        let interior = self.world.surfaces[hit.surface as usize].interior;
+        let through = self.through((&path.inside, hit.t), interior, filter, film);
         if path.wavelength.is_none() && through.passage.splits() {
             self.split(lit, hit, &through, view, scratch);
             return false;
@@ -86,9 +102,8 @@ impl Tracer<'_> {
                 false
             }
             Bend::Total => {
-                // All light comes back, whatever the layers would filter.
-                let factor = fade * interior.refraction;
-                view.rgb += factor * self.thrown_back(lit, hit, &through, path.wavelength, scratch);
+                let image = self.thrown_back(lit, hit, &through, path.wavelength, scratch);
+                view.rgb += through.thrown_back * image;
                 true
             }
         }

@@ -109,3 +109,88 @@ fn from_inside_and_from_far_away() {
         #for (I, 0, 40) sphere { <2 * sin(I), 1.5 * cos(3 * I), cos(I)>, 0.25 pigment { rgb 1 } } #end",
     );
 }
+
+/// Mirrors, glass and panes among each other, with settings of their own.
+fn shown_in_each_other(settings: &str) -> String {
+    format!(
+        "global_settings {{ {settings} }}
+        camera {{ location <0.3, 2, -8> look_at 0 angle 55 }} background {{ rgb <0.1, 0.2, 0.3> }}
+        light_source {{ <-8, 9, -9>, 1 }}
+        light_source {{ <4, 3, -5>, rgb <0.5, 0.4, 0.3> spotlight point_at 0 radius 20 falloff 40 }}
+        light_source {{ <0, 6, 5>, 0.4 fade_distance 5 fade_power 2 }}
+        #default {{ finish {{ ambient 0.05 diffuse 0.5 specular 0.4 }} }}
+        plane {{ y, -1.5 pigment {{ checker rgb 0.9 rgb <0.2, 0.4, 0.1> }} finish {{ reflection 0.2 }} }}
+        #local R = seed(11);
+        #for (I, 1, 48)
+          sphere {{ <rand(R), 0.6 * rand(R), rand(R)> * 6 - <3, 1.4, 3>, 0.2 + 0.35 * rand(R)
+            #switch (mod(I, 8))
+              #case (0) pigment {{ rgb <1, 0.8, 0.3> }} finish {{ reflection {{ 0.1, 0.7 falloff 2 metallic }} }} #break
+              #case (1) pigment {{ rgbf <1, 1, 0.9, 0.8> }} interior {{ ior 1.5 fade_distance 1 fade_power 2 }} #break
+              #case (2) pigment {{ rgbf 0.9 }} finish {{ reflection {{ 0, 1 fresnel }} conserve_energy }} interior {{ ior 1.4 }} #break
+              #case (3) pigment {{ rgbt <0.9, 0.5, 0.5, 0.6> }} finish {{ reflection 0.1 conserve_energy }} #break
+              #case (4) pigment {{ gradient y color_map {{ [0 rgb 1] [1 rgbf <1, 0, 0, 1>] }} scale 0.3 }} #break
+              #case (5) pigment {{ rgb 0.1 }} finish {{ diffuse 0 reflection 0.9 }} no_image #break
+              #case (6) pigment {{ rgb 1 }} normal {{ bumps 0.4 scale 0.1 }} finish {{ reflection 0.5 }} no_reflection #break
+              #else pigment {{ rgb 0.3 }} finish {{ reflection 0.6 reflection_exponent 1.5 }}
+            #end }}
+        #end
+        sphere {{ <0, 0, -4>, 0.9 pigment {{ rgbf <0.9, 1, 0.9, 0.9> }} finish {{ reflection 0.1 }} interior {{ ior 1.6 }} }}
+        sphere {{ <0.2, 0.1, -4>, 0.4 pigment {{ rgbt 0.8 }} interior {{ ior 1 }} }}
+        box {{ <-2, -1, -5>, <-1, 1, -4.9> pigment {{ rgbt <0.5, 0.9, 0.9, 0.7> }} }}"
+    )
+}
+
+#[test]
+fn what_surfaces_show_of_each_other() {
+    assert_same(&shown_in_each_other(""));
+    assert_same(
+        &(shown_in_each_other("max_trace_level 9") + "sky_sphere { pigment { gradient y } }"),
+    );
+}
+
+#[test]
+fn what_surfaces_show_ends_with_the_levels_and_with_the_weight() {
+    for settings in [
+        "max_trace_level 1",
+        "max_trace_level 2",
+        "max_trace_level 3",
+        "adc_bailout 0.3 max_trace_level 12",
+        "adc_bailout 0 max_trace_level 5",
+    ] {
+        assert_same(&shown_in_each_other(settings));
+    }
+}
+
+#[test]
+fn what_is_shown_when_light_splits_or_surfaces_are_grainy() {
+    assert_same(
+        &(shown_in_each_other("max_trace_level 4")
+            + "sphere { <1, 0, -3>, 0.5 pigment { rgbf 1 } interior { ior 1.5 dispersion 1.1 } }"),
+    );
+    assert_same(
+        &(shown_in_each_other("max_trace_level 4")
+            + "sphere { <1, 0, -3>, 0.5 pigment { rgb 1 } finish { crand 0.4 reflection 0.3 } }"),
+    );
+}
+
+#[test]
+fn more_panes_behind_each_other_than_are_kept() {
+    assert_same(
+        "camera { location <0.3, 0.2, -8> look_at 0 angle 40 } light_source { <-8, 9, -9>, 1 }
+        global_settings { adc_bailout 0 max_trace_level 6 }
+        #for (I, 0, 60)
+          box { <-2, -2, 0.1 * I>, <2, 2, 0.1 * I + 0.05>
+            pigment { rgbt <1, 1, 1, 0.98> } finish { ambient 0.02 diffuse 0.3 } rotate I * z }
+        #end
+        plane { -z, -7 pigment { checker rgb 1 rgb 0.2 } }",
+    );
+}
+
+#[test]
+fn from_inside_of_glass() {
+    assert_same(
+        "camera { location <0.1, 0, 0> look_at z angle 100 } light_source { <3, 5, -4>, 1 }
+        sphere { 0, 2 pigment { rgbf 0.9 } finish { reflection { 0.1, 0.5 } } interior { ior 1.5 } }
+        #for (I, 0, 20) sphere { 3 * <sin(I), cos(3 * I), cos(I)>, 0.4 pigment { rgb <1, 0.5, 0> } finish { reflection 0.3 } } #end",
+    );
+}
