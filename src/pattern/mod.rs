@@ -308,6 +308,11 @@ fn fraction(x: f64) -> f64 {
 
 /// The unit cube that a point lies in; the numbers saturate far out.
 #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
+#[inline]
 fn cell(point: DVec3) -> [i64; 3] {
-    point.floor().to_array().map(|coordinate| coordinate as i64)
+    // Any machine can cut a number off, and not every one has an instruction for the next lower integer.
+    point.to_array().map(|x| {
+        let whole = x as i64;
+        whole.saturating_sub(i64::from(whole as f64 > x))
+    })
 }

@@ -65,7 +65,10 @@ impl Wave {
     pub fn of(&self, value: f64) -> f64 {
         let mut value = value;
         if self.frequency != 0.0 {
-            value = (value * f64::from(self.frequency) + f64::from(self.phase)) % WRAP;
+            value = value * f64::from(self.frequency) + f64::from(self.phase);
+            if value.abs() >= WRAP {
+                value %= WRAP;
+            }
             if value < 0.0 {
                 value -= value.floor();
             }
