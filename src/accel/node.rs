@@ -4,7 +4,7 @@
 //! of three roundings at either end. Whatever a box holds in double precision is never lost.
 
 use crate::math::conditioning::power_of_two;
-use crate::math::lanes::{Eight, Kernel, Lanes, eight};
+use crate::math::lanes::{Eight, Kernel, Lanes, eight, with_widest};
 use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, nearest};
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
@@ -174,12 +174,16 @@ impl Frame {
         FrameRay::new(origin + start * dir, error, dir, rate, start)
     }
 
-    /// The interval of each coordinate of a point, as a box.
+    /// A box that holds a point; unknown ends are infinite.
     pub(super) fn point(&self, point: DVec3) -> Cell {
-        self.cell(&Bounds {
-            min: point,
-            max: point,
-        })
+        let place = self.place(point);
+        let known = |end: f32, unknown: f32| if end.is_nan() { unknown } else { end };
+        let below = |axis: usize| known(loose_below(place[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| known(loose_above(place[axis]), f32::INFINITY);
+        Cell {
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
+        }
     }
 }
 
@@ -325,13 +329,29 @@ impl Node {
     /// Which boxes share a point with a box, one bit each.
     #[inline]
     pub(super) fn overlap(&self, cell: &Cell) -> u32 {
-        let mut shared = 0;
-        for i in 0..WIDTH {
-            let is_shared = (0..3).all(|axis| {
-                self.planes[axis][0][i] <= cell.high[axis]
-                    && self.planes[axis][1][i] >= cell.low[axis]
-            });
-            shared |= u32::from(is_shared) << i;
+        with_widest(
+            #[inline(always)]
+            |lanes| eight(lanes, &NodeAndCell { node: self, cell }),
+        )
+    }
+}
+
+/// The boxes of a node against another.
+struct NodeAndCell<'a> {
+    node: &'a Node,
+    cell: &'a Cell,
+}
+
+impl Kernel for NodeAndCell<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let mut shared = (1 << WIDTH) - 1;
+        for axis in 0..3 {
+            let [low, high] = &self.node.planes[axis];
+            shared &= E::load(low).not_above(E::all(self.cell.high[axis]));
+            shared &= E::all(self.cell.low[axis]).not_above(E::load(high));
         }
         shared
     }

@@ -261,10 +261,13 @@ impl Program {
             .missed
             .iter()
             .any(|operands| operands.contains(&number));
+        let own = &passing.leaves[leaf as usize];
         let start = if is_missed {
             Start::Outside
+        } else if from >= 0.0 && to < f64::INFINITY && own.holds(passing.ray, to) {
+            Start::Inside
         } else {
-            passing.leaves[leaf as usize].roots(passing.ray, &mut sweep.roots)
+            own.roots(passing.ray, &mut sweep.roots)
         };
         let is_over = sweep.roots.last().is_some_and(|last| last.t < from);
         let is_in = if is_over {

@@ -115,6 +115,17 @@ impl Leaf {
         self.shape.roots(&self.to_object(ray), roots)
     }
 
+    /// Whether all of a world ray from its start to `to` lies well inside; what is not known is false.
+    #[must_use]
+    #[inline]
+    pub(super) fn holds(&self, ray: &Ray, to: f64) -> bool {
+        match &self.shape {
+            Shape::Sphere(sphere) => sphere.holds(&self.to_object(ray), to),
+            Shape::Cuboid(cuboid) => cuboid.holds(&self.to_object(ray), to),
+            _ => false,
+        }
+    }
+
     /// The first visible root of a world ray with `from < t < to`.
     #[must_use]
     #[inline(always)]

@@ -82,10 +82,13 @@ impl PreparedMedia {
     /// Adds what it does at a point.
     pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
         let spot = Spot::at(point);
-        let densities = self.densities.iter();
-        let density = densities.fold(Rgb::WHITE, |product, density| {
-            product * density.color(&spot).rgb
-        });
+        let mut density = Rgb::WHITE;
+        for factor in &self.densities {
+            density *= factor.color(&spot).rgb;
+            if density == Rgb::BLACK {
+                break;
+            }
+        }
         let scattering = self.scattering.color;
         sum.extinction += density * (self.absorption + scattering * self.scattering.extinction);
         sum.emission += density * self.emission;

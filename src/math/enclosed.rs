@@ -92,6 +92,8 @@ fn search(function: &impl Enclosed, ends: [(f64, bool); 2], depth: u32, places: 
 fn bracketed(function: &impl Enclosed, mut low: f64, mut high: f64, is_rising: bool) -> f64 {
     let mut x = 0.5 * (low + high);
     let mut last = f64::INFINITY;
+    // A step that is no longer says nothing but how the function is rounded.
+    let least = 2.0 * f64::EPSILON * low.abs().max(high.abs());
     for _ in 0..MAX_STEPS {
         let value = function.value(x);
         if value == 0.0 {
@@ -102,7 +104,11 @@ fn bracketed(function: &impl Enclosed, mut low: f64, mut high: f64, is_rising: b
         } else {
             high = x;
         }
-        let newton = x - value / function.slope(x);
+        let slope = function.slope(x);
+        let newton = x - value / slope;
+        if slope.is_finite() && (newton - x).abs() <= least {
+            return newton.max(low).min(high);
+        }
         let gains = value.abs() < 0.5 * last;
         last = value.abs();
         let next = if gains && low < newton && newton < high {

@@ -99,13 +99,21 @@ impl NoiseGenerator {
     /// [`NoiseGenerator::noise`] for work that is compiled for lanes already.
     #[inline(always)]
     pub(crate) fn noise_in(self, lanes: Lanes, point: DVec3) -> f64 {
-        let of_lattice = || four(lanes, &lattice::Scalar(point));
         let noise = match self {
-            NoiseGenerator::Original => of_lattice() + 0.5,
-            NoiseGenerator::RangeCorrected => (of_lattice() + 1.05242) * 0.489_855_82,
+            NoiseGenerator::Original => lattice_in(lanes, point) + 0.5,
+            NoiseGenerator::RangeCorrected => (lattice_in(lanes, point) + 1.05242) * 0.489_855_82,
             NoiseGenerator::Perlin(perlin) => 0.5 * (1.59 * perlin.noise(point) + 0.985),
         };
         noise.clamp(0.0, 1.0)
+    }
+
+    /// Noise about a half, as octaves sum it.
+    #[inline(always)]
+    fn centred_in(self, lanes: Lanes, point: DVec3) -> f64 {
+        match self {
+            NoiseGenerator::Original => self.noise_in(lanes, point),
+            _ => 2.0 * self.noise_in(lanes, point) - 0.5,
+        }
     }
 
     /// Octaves of noise; the first is cut to 0 and 1, the sum is not.
@@ -114,18 +122,19 @@ impl NoiseGenerator {
         with_widest(
             #[inline(always)]
             |lanes| {
-                let centred = |point: DVec3| match self {
-                    NoiseGenerator::Original => self.noise_in(lanes, point),
-                    _ => 2.0 * self.noise_in(lanes, point) - 0.5,
-                };
-                let mut value = centred(point).clamp(0.0, 1.0);
+                let mut value = self.centred_in(lanes, point).clamp(0.0, 1.0);
                 for (size, frequency) in octaves.above_the_first() {
-                    value += size * centred(point * frequency);
+                    value += size * self.centred_in(lanes, point * frequency);
                 }
                 value
             },
         )
     }
+}
+
+#[inline(always)]
+fn lattice_in(lanes: Lanes, point: DVec3) -> f64 {
+    four(lanes, &lattice::Scalar(point))
 }
 
 /// Noise in three components, each about -0.5 to 0.5; the same for all generators.

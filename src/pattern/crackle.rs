@@ -126,6 +126,16 @@ impl Metric {
         }
     }
 
+    /// Whether a way of this length is surely shorter than one across a whole cell.
+    fn is_within_a_cell(&self, length: f64) -> bool {
+        /// More than what is taken from coordinates is missing to 1.
+        const NEARLY_ONE: f64 = 0.99;
+        match self {
+            Metric::Squares(lift) | Metric::Sizes(lift) => length - lift < NEARLY_ONE,
+            Metric::Powers(..) | Metric::Signed => false,
+        }
+    }
+
     /// A way of this length has no longer part; endless if nothing is known of it.
     fn longest(&self, length: f64) -> f64 {
         match self {
@@ -193,7 +203,9 @@ impl About {
     /// The one about this cell.
     fn with<R>(home: [i64; 3], ask: impl FnOnce(&About) -> R) -> R {
         ABOUT.with_borrow_mut(|kept| {
-            kept.resize(KEPT, About::NOTHING);
+            if kept.is_empty() {
+                kept.resize(KEPT, About::NOTHING);
+            }
             let about = &mut kept[hashed_cell(home) as usize % KEPT];
             if about.home != home || home == About::NOTHING.home {
                 *about = About::new(home);
@@ -244,14 +256,25 @@ impl FourKernel for Least<'_> {
             least[1] = second.smaller(least[1]);
             least[2] = third.smaller(least[2]);
         }
-        let mut found = [f64::INFINITY; 3];
-        for lanes in [least[0].store(), least[1].store(), least[2].store()] {
-            for length in lanes {
-                insert(&mut found, length);
-            }
-        }
-        found
+        let [first, second, third] = [least[0].store(), least[1].store(), least[2].store()];
+        let lanes = [0, 1, 2, 3];
+        let [a, b, c, d] = lanes.map(
+            #[inline(always)]
+            |lane: usize| [first[lane], second[lane], third[lane]],
+        );
+        merged(merged(a, b), merged(c, d))
     }
+}
+
+/// The three least of two times three, all in order.
+#[inline(always)]
+fn merged(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let crossed = a[0].larger(b[1]).smaller(a[1].larger(b[0]));
+    [
+        a[0].smaller(b[0]),
+        a[0].larger(b[0]).smaller(a[1].smaller(b[1])),
+        a[2].smaller(b[2]).smaller(crossed),
+    ]
 }
 
 /// Takes in a length if it is among the three least.
@@ -303,6 +326,9 @@ fn nearest(point: DVec3, metric: &Metric) -> [f64; 3] {
             found
         }
     });
+    if metric.is_within_a_cell(found[2]) {
+        return found;
+    }
     let is_near = |gap, found: &[f64; 3]| metric.least(gap) < found[2];
     next_layer((home, point), &mut found, is_near, |found, candidate| {
         insert(found, metric.length(candidate - point));

@@ -309,6 +309,7 @@ fn fraction(x: f64) -> f64 {
 
 /// The unit cube that a point lies in; the numbers saturate far out.
 #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
+#[inline]
 fn cell(point: DVec3) -> [i64; 3] {
     point.to_array().map(|coordinate| floor(coordinate) as i64)
 }

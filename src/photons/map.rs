@@ -1,10 +1,12 @@
 //! Photons in an order by which those around a point are found.
 
+use super::columns::{BLOCK, Columns, Distances};
+use super::near::Near;
+use super::photon::Unpacking;
 use super::{Photon, order};
+use crate::color::Rgb;
 use glam::DVec3;
 
-/// By this the distance of photons counts more that lie above or below the surface.
-const FLATTENING: f64 = 16.0;
 /// A second search goes so many times as far.
 const FARTHER: f64 = 3.0;
 /// Photons beside none.
@@ -14,6 +16,8 @@ const NO_DENSITY: f64 = 1e-16;
 #[derive(Clone, Debug, Default)]
 pub struct Map {
     photons: Vec<Photon>,
+    columns: Columns,
+    unpacking: Unpacking,
 }
 
 /// How photons are looked up.
@@ -31,57 +35,6 @@ pub struct Search {
     pub is_flat: bool,
 }
 
-/// Photons around a point.
-#[derive(Clone, Debug, Default)]
-pub struct Near {
-    /// The squares of their distances, and their numbers. If all that may be taken are there, the farthest comes first.
-    found: Vec<(f64, u32)>,
-    /// How far away they may lie.
-    pub radius: f64,
-}
-
-impl Near {
-    /// How many there are.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.found.len()
-    }
-
-    /// Takes one more, or one instead of the farthest of `most`; whether there are `most` now.
-    fn take(&mut self, photon: (f64, u32), most: usize) -> bool {
-        if self.found.len() < most {
-            self.found.push(photon);
-            if self.found.len() == most {
-                for parent in (0..most / 2).rev() {
-                    self.sink(parent);
-                }
-            }
-        } else if let Some(farthest) = self.found.first_mut() {
-            *farthest = photon;
-            self.sink(0);
-        }
-        self.found.len() == most
-    }
-
-    /// Lets one sink in the heap of the farthest.
-    fn sink(&mut self, mut at: usize) {
-        loop {
-            let mut child = 2 * at + 1;
-            if child >= self.found.len() {
-                return;
-            }
-            if child + 1 < self.found.len() && self.found[child + 1].0 > self.found[child].0 {
-                child += 1;
-            }
-            if self.found[at].0 >= self.found[child].0 {
-                return;
-            }
-            self.found.swap(at, child);
-            at = child;
-        }
-    }
-}
-
 /// A question for photons around a point.
 struct Question<'n> {
     point: DVec3,
@@ -93,18 +46,42 @@ struct Question<'n> {
     near: &'n mut Near,
 }
 
+impl Question<'_> {
+    /// Takes a photon if it is near enough.
+    #[inline]
+    fn take(&mut self, number: usize, distance_sq: f64) {
+        if distance_sq < self.reach_sq {
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "so many photons there are not"
+            )]
+            let photon = (distance_sq, number as u32);
+            if let Some(farthest_sq) = self.near.take(photon, self.most) {
+                self.reach_sq = farthest_sq;
+            }
+        }
+    }
+}
+
 impl Map {
     /// Photons in the order in which they came to rest.
     #[must_use]
     pub fn new(mut photons: Vec<Photon>) -> Map {
         order::sort(&mut photons);
-        Map { photons }
+        Map::of_sorted(photons)
     }
 
     /// Photons that lie in the order of a map.
     #[must_use]
     pub fn of_sorted(photons: Vec<Photon>) -> Map {
-        Map { photons }
+        if photons.is_empty() {
+            return Map::default();
+        }
+        Map {
+            columns: Columns::new(&photons),
+            unpacking: Unpacking::new(),
+            photons,
+        }
     }
 
     /// All of them in their order.
@@ -122,18 +99,21 @@ impl Map {
     /// The memory that it takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.photons.capacity() * size_of::<Photon>()
+        self.photons.capacity() * size_of::<Photon>() + self.columns.bytes()
     }
 
-    /// Those that were found.
-    pub fn of<'m>(&'m self, near: &'m Near) -> impl Iterator<Item = &'m Photon> {
-        let found = near.found.iter();
-        found.map(|&(_, number)| &self.photons[number as usize])
+    /// Those that were found: the unit directions to where they came from, and their light.
+    pub fn of<'m>(&'m self, near: &'m Near) -> impl Iterator<Item = (DVec3, Rgb)> {
+        let unpacking = &self.unpacking;
+        near.numbers().map(|number| {
+            let photon = &self.photons[number];
+            (unpacking.dir(photon), unpacking.light(photon))
+        })
     }
 
     /// Finds the nearest photons, `most` at most, that are nearer than `radius`.
     pub fn find(&self, point: DVec3, normal: DVec3, radius: f64, most: usize, near: &mut Near) {
-        near.found.clear();
+        near.clear();
         near.radius = radius;
         if self.photons.is_empty() || most == 0 {
             return;
@@ -150,42 +130,82 @@ impl Map {
         near.radius = reach_sq.sqrt();
     }
 
+    /// Looks through a part of the map: the side on which the point lies, the other if it is near enough, the photon that
+    /// divides them.
     fn look(&self, (first, last): (usize, usize), question: &mut Question) {
+        if last - first < BLOCK {
+            let (point, reach_sq) = (question.point, question.reach_sq);
+            let distances = self
+                .columns
+                .distances(first, (point, question.normal), reach_sq);
+            return self.look_closely(first, (0, last - first), &distances, question);
+        }
         let middle = usize::midpoint(first, last);
-        let photon = &self.photons[middle];
-        let axis = usize::from(photon.axis % 3);
-        let to_photon = photon.at() - question.point;
-        let beyond = -to_photon[axis];
-        let before = (middle > first).then(|| (first, middle - 1));
-        let behind = (middle < last).then(|| (middle + 1, last));
+        let beyond = self.columns.beyond(middle, question.point);
+        let (before, behind) = ((first, middle - 1), (middle + 1, last));
         let (near_side, far_side) = if beyond < 0.0 {
             (before, behind)
         } else {
             (behind, before)
         };
-        if let Some(part) = near_side {
-            self.look(part, question);
+        self.look(near_side, question);
+        if beyond * beyond < question.reach_sq {
+            self.look(far_side, question);
         }
-        if let Some(part) = far_side
-            && beyond * beyond < question.reach_sq
-        {
-            self.look(part, question);
-        }
-        let mut distance_sq = to_photon.length_squared();
-        if question.normal != DVec3::ZERO {
-            distance_sq *= 1.0 + FLATTENING * question.normal.dot(to_photon).abs();
-        }
-        if distance_sq < question.reach_sq {
-            #[allow(
-                clippy::cast_possible_truncation,
-                reason = "so many photons there are not"
-            )]
-            let found = (distance_sq, middle as u32);
-            let was_full = question.near.found.len() == question.most;
-            let is_full = question.near.take(found, question.most);
-            if was_full && is_full {
-                question.reach_sq = question.near.found[0].0;
+        let distance_sq = self
+            .columns
+            .distance_sq(middle, (question.point, question.normal));
+        question.take(middle, distance_sq);
+    }
+
+    /// As [`Self::look`] from `low` to `high` behind `first`, where the distances are known: what holds no photon that is near
+    /// enough is passed over.
+    fn look_closely(
+        &self,
+        first: usize,
+        (low, high): (usize, usize),
+        distances: &Distances,
+        question: &mut Question,
+    ) {
+        let near = distances.near;
+        let middle = usize::midpoint(low, high);
+        // The photons before and behind that are near enough.
+        let before = near & ((1 << middle) - (1 << low));
+        let behind = near & ((2 << high) - (2 << middle));
+        if before | behind != 0 {
+            let beyond = self.columns.beyond(first + middle, question.point);
+            let sides = [(before, (low, middle)), (behind, (middle + 1, high + 1))];
+            let [near_side, far_side] = if beyond < 0.0 {
+                sides
+            } else {
+                [sides[1], sides[0]]
+            };
+            self.look_aside(first, near_side, distances, question);
+            if beyond * beyond < question.reach_sq {
+                self.look_aside(first, far_side, distances, question);
             }
+        }
+        if near >> middle & 1 == 1 {
+            question.take(first + middle, distances.squares[middle]);
+        }
+    }
+
+    /// Looks through one side, of which it is known which are near enough and how far it goes.
+    #[inline(always)]
+    fn look_aside(
+        &self,
+        first: usize,
+        (near, (low, end)): (u32, (usize, usize)),
+        distances: &Distances,
+        question: &mut Question,
+    ) {
+        if near == 0 {
+            return;
+        }
+        if end - low == 1 {
+            question.take(first + low, distances.squares[low]);
+        } else {
+            self.look_closely(first, (low, end - 1), distances, question);
         }
     }
 
@@ -202,10 +222,7 @@ impl Map {
         }
         let density = |near: &Near| near.count() as f64 / (near.radius * near.radius);
         let before = density(near).max(NO_DENSITY);
-        let mut farther = Near {
-            found: Vec::with_capacity(most),
-            radius: 0.0,
-        };
+        let mut farther = Near::with_room(most);
         self.find(point, normal, FARTHER * search.radius, most, &mut farther);
         let growth = (density(&farther) - before) / before;
         let is_few = farther.count() > 0 && farther.count() < few;
@@ -227,7 +244,8 @@ mod tests {
     }
 
     fn found(map: &Map, near: &Near) -> Vec<f64> {
-        let mut places: Vec<f64> = map.of(near).map(|photon| photon.at().x).collect();
+        let places = near.numbers().map(|number| map.photons[number].at().x);
+        let mut places: Vec<f64> = places.collect();
         places.sort_by(f64::total_cmp);
         places
     }

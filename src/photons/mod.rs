@@ -6,14 +6,17 @@
 //! on one thread, since random numbers and the order in which photons are kept go into all that follows; it is only read
 //! while the picture is drawn.
 
+mod columns;
 mod file;
 mod map;
+mod near;
 mod order;
 mod photon;
 pub mod radius;
 
 pub use file::{read, write};
-pub use map::{Map, Near, Search};
+pub use map::{Map, Search};
+pub use near::Near;
 pub use photon::Photon;
 
 use crate::light::PhotonRole;

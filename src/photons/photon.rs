@@ -56,25 +56,49 @@ impl Photon {
     pub fn at(&self) -> DVec3 {
         DVec3::from(self.place.map(f64::from))
     }
+}
 
-    /// Its light.
-    #[must_use]
-    pub fn light(&self) -> Rgb {
-        let [r, g, b, exponent] = self.light;
-        if exponent == 0 {
-            return Rgb::BLACK;
+/// What the bytes of photons stand for, worked out once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Unpacking {
+    /// Sines and cosines, by the byte of the angle.
+    turns: Vec<(f64, f64)>,
+    /// The light of a channel's least step, by the exponent.
+    steps: Vec<f32>,
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "light is kept in single precision"
+)]
+impl Unpacking {
+    pub(super) fn new() -> Unpacking {
+        let turn = |angle: u8| (f64::from(angle.cast_signed()) * PI / STEPS).sin_cos();
+        let step = |exponent: u8| match exponent {
+            0 => 0.0,
+            _ => f64::from(i32::from(exponent) - EXPONENT - 8).exp2() as f32,
+        };
+        Unpacking {
+            turns: (0..=u8::MAX).map(turn).collect(),
+            steps: (0..=u8::MAX).map(step).collect(),
         }
-        let unit = f64::from(i32::from(exponent) - EXPONENT - 8).exp2() as f32;
-        let channel = |byte: u8| f32::from(byte) * unit;
+    }
+
+    /// The light of a photon.
+    #[inline]
+    pub(super) fn light(&self, photon: &Photon) -> Rgb {
+        let [r, g, b, exponent] = photon.light;
+        let step = self.steps[usize::from(exponent)];
+        let channel = |byte: u8| f32::from(byte) * step;
         Rgb::new(channel(r), channel(g), channel(b))
     }
 
-    /// The unit direction to where it came from.
-    #[must_use]
-    pub fn dir(&self) -> DVec3 {
-        let [rise, around] = self
+    /// The unit direction to where a photon came from.
+    #[inline]
+    pub(super) fn dir(&self, photon: &Photon) -> DVec3 {
+        let [rise, around] = photon
             .from
-            .map(|angle| (f64::from(angle) * PI / STEPS).sin_cos());
+            .map(|angle| self.turns[usize::from(angle.cast_unsigned())]);
         DVec3::new(rise.1 * around.1, rise.0, rise.1 * around.0)
     }
 }
@@ -115,7 +139,7 @@ mod tests {
     fn light_keeps_eight_bits_of_its_largest_channel() {
         let photon = Photon::new(DVec3::ZERO, Rgb::new(0.75, 0.5, 0.001), DVec3::Y);
         assert_eq!(photon.light, [192, 128, 0, 250]);
-        assert_eq!(photon.light(), Rgb::new(0.75, 0.5, 0.0));
+        assert_eq!(Unpacking::new().light(&photon), Rgb::new(0.75, 0.5, 0.0));
         assert_eq!(Photon::new(DVec3::ZERO, Rgb::BLACK, DVec3::Y).light, [0; 4]);
     }
 
@@ -128,7 +152,10 @@ mod tests {
             DVec3::NEG_Y,
         ] {
             let photon = Photon::new(DVec3::ZERO, Rgb::WHITE, from);
-            assert!(photon.dir().dot(from.normalize()) > 0.999, "{from}");
+            assert!(
+                Unpacking::new().dir(&photon).dot(from.normalize()) > 0.999,
+                "{from}"
+            );
         }
         let photon = Photon::new(DVec3::ZERO, Rgb::WHITE, DVec3::Y);
         assert_eq!(photon.from, [63, 0]);

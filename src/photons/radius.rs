@@ -2,7 +2,7 @@
 //!
 //! POV-Ray asks at some photons chosen by the generator of the C library how densely they lie.
 
-use super::map::{Map, Near};
+use super::{Map, Near};
 use glam::DVec3;
 use std::f64::consts::PI;
 

@@ -4,13 +4,12 @@
 //! be used, so that they are found from its double. POV-Ray's cells are these, and as it looks no further samples beyond
 //! the first depth may be lost; so the same are lost here.
 
+use super::cell::{Cell, Cube};
 use crate::color::Rgb;
 use glam::DVec3;
 
 /// No sample, no node.
 const NONE: u32 = u32::MAX;
-/// Cells are counted from here on, so that their numbers are positive.
-const FIRST: f64 = 1e7;
 /// Nearer than this two points are one.
 const SAME: f64 = 1e-6;
 /// How far behind a sample's plane a point may lie, as a sine.
@@ -19,10 +18,6 @@ const BEHIND: f64 = 0.05;
 const LEAST_WEIGHT: f64 = 0.001;
 /// More roundings than two squares differ by whose roots are the same.
 const ROUNDINGS: f64 = 8.0;
-/// The level of the smallest cells: those of less than a rounding error of the places counted.
-const LEAST_LEVEL: i32 = -38;
-/// The level of the one cell that holds everything.
-const WHOLE_LEVEL: i32 = 41;
 /// Farther from the origin nothing is kept.
 const FARTHEST: f64 = (1u64 << 40) as f64;
 
@@ -71,29 +66,52 @@ pub struct Mean {
     pub sum: Rgb,
 }
 
-/// A cell of the octree: `corner` in units of its `2^level`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Cell {
-    level: i32,
-    corner: [i64; 3],
-}
-
 #[derive(Clone, Debug)]
 struct Node {
     cell: Cell,
+    cube: Cube,
     children: [u32; 8],
-    /// The last sample that was put here.
+    /// The last row that was begun here.
     last: u32,
     /// The depths of the samples here and in the children, one bit each.
     depths: u32,
+}
+
+/// So many samples lie in a row.
+const ROW: usize = 8;
+
+/// Samples of one cell and depth in the order in which they came, and what tells most of them to be too far away.
+#[derive(Clone, Debug)]
+struct Row {
+    depth: usize,
+    count: usize,
+    /// The row that was begun in the same cell before it.
+    earlier: u32,
+    samples: [u32; ROW],
+    /// x, y and z of their points; nowhere where there is no sample.
+    points: [[f64; ROW]; 3],
+    radii: [f64; ROW],
+}
+
+impl Row {
+    /// The samples that are not too far from a place to count, one bit each.
+    #[inline]
+    fn near(&self, look: &Look) -> u32 {
+        let [x, y, z] = &self.points;
+        let mut near = [false; ROW];
+        for place in 0..ROW {
+            let point = DVec3::new(x[place], y[place], z[place]);
+            near[place] = !look.is_far_from(point, self.radii[place]);
+        }
+        (0..ROW).fold(0, |bits, place| bits | u32::from(near[place]) << place)
+    }
 }
 
 /// The samples.
 #[derive(Clone, Debug)]
 pub struct Cache {
     samples: Vec<Sample>,
-    /// By sample, the one that was put into the same cell before it.
-    earlier: Vec<u32>,
+    rows: Vec<Row>,
     nodes: Vec<Node>,
     root: u32,
     /// The length in which the scene's own lengths count.
@@ -104,14 +122,12 @@ impl Sample {
     /// The weight with which the sample counts at a place; 0 where it does not. `unit`: that of the scene.
     #[must_use]
     pub fn weight_at(&self, look: &Look, unit: f64) -> f64 {
-        let way = look.point - self.point;
-        let farthest = self.radius * look.error;
-        let distance_sq = way.length_squared();
-        // Most are that far away, and need no root.
-        if distance_sq > farthest * farthest * (1.0 + ROUNDINGS * f64::EPSILON) {
+        if look.is_far_from(self.point, self.radius) {
             return 0.0;
         }
-        let distance = distance_sq.sqrt();
+        let way = look.point - self.point;
+        let farthest = self.radius * look.error;
+        let distance = way.length();
         if distance >= farthest {
             return 0.0;
         }
@@ -150,75 +166,13 @@ impl Sample {
     }
 }
 
-impl Cell {
-    /// The cell of a point at a level.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "saturates far beyond any scene"
-    )]
-    fn at(point: DVec3, level: i32) -> Cell {
-        let size = f64::from(level).exp2();
-        let corner = match level {
-            WHOLE_LEVEL => DVec3::ZERO,
-            _ => (point + FIRST) / size,
-        };
-        Cell {
-            level,
-            corner: corner.to_array().map(|c| c.floor() as i64),
-        }
-    }
-
-    /// The cell of a sample that may be used within a distance.
-    fn around(point: DVec3, reach: f64) -> Cell {
-        #[allow(clippy::cast_possible_truncation, reason = "an exponent of a double")]
-        let level = (2.0 * reach).log2().floor() as i32;
-        let level = level.clamp(LEAST_LEVEL, WHOLE_LEVEL);
-        let mut cell = Cell::at(point, level);
-        while !(cell.holds(point - reach) && cell.holds(point + reach)) {
-            cell = cell.parent();
-        }
-        cell
-    }
-
-    fn parent(self) -> Cell {
-        self.at_level(self.level + 1)
-    }
-
-    /// Whether a point lies in the box twice as large about the cell.
-    #[allow(
-        clippy::cast_precision_loss,
-        reason = "cells of scenes are not that many"
-    )]
-    fn holds(&self, point: DVec3) -> bool {
-        if self.level == WHOLE_LEVEL {
-            return true;
-        }
-        let size = f64::from(self.level).exp2();
-        let corner = DVec3::from(self.corner.map(|c| c as f64));
-        let centre = (corner + 0.5) * size - FIRST;
-        let away = (point - centre).abs();
-        away.x < size && away.y < size && away.z < size
-    }
-
-    /// The cell of this level that holds it.
-    fn at_level(self, level: i32) -> Cell {
-        if level >= WHOLE_LEVEL {
-            return Cell {
-                level: WHOLE_LEVEL,
-                corner: [0; 3],
-            };
-        }
-        let up = level - self.level;
-        Cell {
-            level,
-            corner: self.corner.map(|c| c >> up),
-        }
-    }
-
-    /// Which child of the cell one level up it is.
-    fn place(&self) -> usize {
-        let [x, y, z] = self.corner.map(|c| usize::from(c & 1 == 1));
-        x | y << 1 | z << 2
+impl Look {
+    /// Whether a sample at a point is too far away to count, by its radius: most are, and need no root.
+    #[inline(always)]
+    fn is_far_from(&self, point: DVec3, radius: f64) -> bool {
+        let farthest = radius * self.error;
+        let distance_sq = (self.point - point).length_squared();
+        distance_sq > farthest * farthest * (1.0 + ROUNDINGS * f64::EPSILON)
     }
 }
 
@@ -228,7 +182,7 @@ impl Cache {
     pub fn new(unit: f64) -> Self {
         Cache {
             samples: Vec::new(),
-            earlier: Vec::new(),
+            rows: Vec::new(),
             nodes: Vec::new(),
             root: NONE,
             unit,
@@ -244,8 +198,9 @@ impl Cache {
     /// Its memory in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let of_sample = size_of::<Sample>() + size_of::<u32>();
-        self.samples.len() * of_sample + self.nodes.len() * size_of::<Node>()
+        self.samples.len() * size_of::<Sample>()
+            + self.rows.len() * size_of::<Row>()
+            + self.nodes.len() * size_of::<Node>()
     }
 
     /// The length in which the scene's own lengths count.
@@ -264,15 +219,42 @@ impl Cache {
         }
         let cell = Cell::around(point, reach);
         let at = self.node(cell, 1 << sample.depth);
-        self.earlier.push(self.nodes[at].last);
-        self.nodes[at].last = number;
+        let row = self.row(at, sample.depth);
+        for (points, x) in row.points.iter_mut().zip(sample.point.to_array()) {
+            points[row.count] = x;
+        }
+        row.radii[row.count] = sample.radius;
+        row.samples[row.count] = number;
+        row.count += 1;
         self.samples.push(sample);
+    }
+
+    /// The last row of a node and a depth, with a place in it.
+    fn row(&mut self, node: usize, depth: usize) -> &mut Row {
+        let mut at = self.nodes[node].last;
+        while at != NONE && self.rows[at as usize].depth != depth {
+            at = self.rows[at as usize].earlier;
+        }
+        if at == NONE || self.rows[at as usize].count == ROW {
+            at = u32::try_from(self.rows.len()).unwrap_or(NONE);
+            self.rows.push(Row {
+                depth,
+                count: 0,
+                earlier: self.nodes[node].last,
+                samples: [NONE; ROW],
+                points: [[f64::INFINITY; ROW]; 3],
+                radii: [0.0; ROW],
+            });
+            self.nodes[node].last = at;
+        }
+        &mut self.rows[at as usize]
     }
 
     fn push(&mut self, cell: Cell) -> u32 {
         let number = u32::try_from(self.nodes.len()).unwrap_or(NONE);
         self.nodes.push(Node {
             cell,
+            cube: cell.cube(),
             children: [NONE; 8],
             last: NONE,
             depths: 0,
@@ -325,20 +307,27 @@ impl Cache {
     /// Adds what the samples of a node and its children say.
     fn add_from(&self, number: u32, point: DVec3, look: &Look, mean: &mut Mean) {
         let node = &self.nodes[number as usize];
-        if node.depths >> look.depth & 1 == 0 || number != self.root && !node.cell.holds(point) {
+        if node.depths >> look.depth & 1 == 0 || number != self.root && !node.cube.holds(point) {
             return;
         }
         let mut next = node.last;
         while next != NONE {
-            let sample = &self.samples[next as usize];
-            if sample.depth == look.depth {
+            let row = &self.rows[next as usize];
+            next = row.earlier;
+            if row.depth != look.depth {
+                continue;
+            }
+            let mut near = row.near(look);
+            // The last that came is the first that counts.
+            while let Some(place) = near.checked_ilog2() {
+                near ^= 1 << place;
+                let sample = &self.samples[row.samples[place as usize] as usize];
                 let weight = sample.weight_at(look, self.unit);
                 if weight > 0.0 {
                     mean.weight += weight;
                     mean.sum += sample.light * weight;
                 }
             }
-            next = self.earlier[next as usize];
         }
         for &child in node.children.iter().filter(|&&child| child != NONE) {
             self.add_from(child, point, look, mean);

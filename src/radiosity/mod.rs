@@ -9,6 +9,7 @@
 //! Missing: POV-Ray's own table of directions (`count a, b` with `b` less than 1600 takes the first of the usual ones).
 
 mod cache;
+mod cell;
 mod directions;
 mod notes;
 

@@ -28,6 +28,9 @@ const THRESHOLD: f64 = 1.0;
 /// With fewer components each is asked by itself.
 const TREE_FROM: usize = 8;
 
+/// The numbers of the parts that cover a stretch.
+type Here = SmallVec<[u32; 16]>;
+
 /// A surface of equal field. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blob(Arc<Field>);
@@ -102,52 +105,73 @@ impl Blob {
 }
 
 impl Field {
-    /// The parts of components that the line of a ray passes, and all places where one begins or ends, in order.
-    fn parts(&self, ray: &Ray) -> (Parts, SmallVec<[f64; 16]>) {
-        let mut parts = Parts::new();
+    /// Gathers the parts of components that the line of a ray passes.
+    fn gather(&self, ray: &Ray, parts: &mut Parts) {
         match &self.tree {
             None => {
                 for component in &self.components {
-                    component.parts(ray, &mut parts);
+                    component.parts(ray, parts);
                 }
             }
             Some(tree) => {
                 tree.any(ray, f64::NEG_INFINITY, f64::INFINITY, |number| {
-                    self.components[number as usize].parts(ray, &mut parts);
+                    self.components[number as usize].parts(ray, parts);
                     false
                 });
             }
         }
-        let mut stops: SmallVec<[f64; 16]> = SmallVec::new();
+    }
+
+    /// The roots on the stretches of a ray between `from` and `to`, with perhaps some outside; what comes behind a root
+    /// beyond `enough` may be missing.
+    fn crossings(&self, ray: &Ray, (from, to): (f64, f64), enough: f64) -> Crossings {
+        let mut roots = Crossings::new();
+        let mut parts = Parts::new();
+        self.gather(ray, &mut parts);
+        // Where one begins or ends, in order.
+        let mut stops: SmallVec<[f64; 24]> = SmallVec::new();
         for part in &parts {
-            stops.extend([part.from, part.to]);
+            stops.extend_from_slice(&[part.from, part.to]);
         }
         stops.sort_unstable_by(f64::total_cmp);
         stops.dedup();
-        (parts, stops)
-    }
-
-    /// Appends the roots on the stretches of a ray between `from` and `to`, with perhaps some outside.
-    fn crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
-        let mut roots = Crossings::new();
-        let (parts, stops) = self.parts(ray);
-        let is_inside_anyway = self.is_inside(0.0);
-        let mut starts_inside = is_inside_anyway;
-        for (i, pair) in stops.windows(2).enumerate() {
+        let is_met = |high: &f64| *high > from;
+        let Some(first) = stops.iter().skip(1).position(is_met) else {
+            return roots;
+        };
+        // None cover a gap, and none what lies outside.
+        let covering = |number: usize, here: &mut Here| {
+            here.clear();
+            if let Some(&[low, high]) = stops.get(number..).and_then(<[f64]>::first_chunk) {
+                let numbers = parts.iter().zip(0..);
+                let covering = numbers.filter(|(part, _)| part.covers(low, high));
+                here.extend(covering.map(|(_, number)| number));
+            }
+        };
+        // The side at the joint of two stretches.
+        let is_inside = |before: &Here, behind: &Here, joint: f64| {
+            if before.is_empty() || behind.is_empty() {
+                return self.is_inside(0.0);
+            }
+            self.is_inside(parts_of(&parts, before).map(|part| part.field(joint)).sum())
+        };
+        let (mut here, mut next) = (Here::new(), Here::new());
+        if let Some(before) = first.checked_sub(1) {
+            covering(before, &mut here);
+        }
+        covering(first, &mut next);
+        let mut starts_inside = is_inside(&here, &next, stops[first]);
+        for (number, pair) in stops.windows(2).enumerate().skip(first) {
             let (low, high) = (pair[0], pair[1]);
-            let is_gap = !parts.iter().any(|part| part.covers(low, high));
-            let next = stops.get(i + 2);
-            let is_before_gap =
-                next.is_none_or(|&next| !parts.iter().any(|part| part.covers(high, next)));
-            let ends_inside = if is_gap || is_before_gap {
-                is_inside_anyway
-            } else {
-                let here = parts.iter().filter(|part| part.covers(low, high));
-                self.is_inside(here.map(|part| part.field(high)).sum())
-            };
-            if !is_gap && high > from && low < to {
-                let here = parts.iter().filter(|part| part.covers(low, high));
-                self.solve(here, (low, high), (starts_inside, ends_inside), &mut roots);
+            if low >= to || roots.last().is_some_and(|root| root.t > enough) {
+                break;
+            }
+            std::mem::swap(&mut here, &mut next);
+            covering(number + 1, &mut next);
+            let ends_inside = is_inside(&here, &next, high);
+            if !here.is_empty() {
+                let sides = (starts_inside, ends_inside);
+                self.solve(parts_of(&parts, &here), (low, high), sides, &mut roots);
             }
             starts_inside = ends_inside;
         }
@@ -204,9 +228,15 @@ impl Field {
     }
 }
 
+/// The parts of these numbers.
+fn parts_of<'p>(parts: &'p Parts, numbers: &'p Here) -> impl Iterator<Item = &'p Part> {
+    numbers.iter().map(|&number| &parts[number as usize])
+}
+
 impl Geometry for Blob {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend(self.0.crossings(ray, f64::NEG_INFINITY, f64::INFINITY));
+        let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+        roots.extend(self.0.crossings(ray, everywhere, f64::INFINITY));
         if self.0.is_inside(0.0) {
             Start::Inside
         } else {
@@ -215,7 +245,7 @@ impl Geometry for Blob {
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.0.crossings(ray, from, to), from, to)
+        first_visible(&self.0.crossings(ray, (from, to), from), from, to)
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {

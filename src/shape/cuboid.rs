@@ -5,7 +5,7 @@
 //! Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
 
 use super::four::{FourRays, FourSpans, Three, minus, same};
-use super::{Geometry, Root, Start, first_visible, push_span, read, span};
+use super::{Geometry, Root, Start, WELL_INSIDE, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
 use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step};
@@ -64,6 +64,15 @@ impl Cuboid {
             (enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
             (leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
         )
+    }
+
+    /// Whether a ray lies well inside from its start to `to`: no rounding brings a face there.
+    #[inline]
+    pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
+        let care = (1.0 - WELL_INSIDE) * self.min.abs().max(self.max.abs());
+        let (low, high) = (self.min + care, self.max - care);
+        let is_inside = |point: DVec3| (point.cmpgt(low) & point.cmplt(high)).all();
+        is_inside(ray.origin) && is_inside(ray.at(to))
     }
 
     /// The spans of four rays. Those along a face are unknown.

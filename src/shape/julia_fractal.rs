@@ -16,6 +16,7 @@
 //! are smooth.
 
 mod complex;
+mod places;
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse, Word};
@@ -23,6 +24,7 @@ use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use complex::{Complex, Function};
 use glam::{DVec3, DVec4};
+use places::{Ahead, TOGETHER, split};
 use smallvec::SmallVec;
 
 /// The last halving of a step, in units of the object; POV-Ray's value.
@@ -67,13 +69,6 @@ enum Rule {
     QuaternionSquare,
     QuaternionCube,
     Hypercomplex(Function),
-}
-
-/// What is known of a place: whether it is inside, and how far a ray may go from it.
-#[derive(Clone, Copy)]
-struct Place {
-    is_inside: bool,
-    step: f64,
 }
 
 impl JuliaFractal {
@@ -197,14 +192,6 @@ fn at_most(args: &mut dyn Args, what: &str, most: f64) -> Parse<f64> {
     )))
 }
 
-/// A hypercomplex number as two complex ones.
-fn split(z: DVec4) -> [Complex; 2] {
-    [
-        Complex::new(z.x - z.w, z.y + z.z),
-        Complex::new(z.x + z.w, z.y - z.z),
-    ]
-}
-
 fn square(z: DVec4) -> DVec4 {
     let v = z.with_x(0.0);
     2.0 * z.x * v + DVec4::X * (z.x * z.x - v.length_squared())
@@ -235,71 +222,6 @@ fn cube_back(z: DVec4, g: DVec4) -> DVec4 {
 impl Fractal {
     fn start(&self, point: DVec3) -> DVec4 {
         point.extend(self.offset + self.slope.dot(point))
-    }
-
-    /// What is known of a place on a ray of unit direction.
-    fn place(&self, point: DVec3, dir: DVec3) -> Place {
-        let start = self.start(point);
-        match self.rule {
-            Rule::QuaternionSquare => self.quaternion(start, square, 2.0),
-            Rule::QuaternionCube => self.quaternion(start, cube, 3.0),
-            Rule::Hypercomplex(function) => self.hypercomplex(start, dir.extend(0.0), function),
-        }
-    }
-
-    fn quaternion(&self, mut z: DVec4, function: impl Fn(DVec4) -> DVec4, degree: f64) -> Place {
-        let exit = self.radius * self.radius + TOLERANCE;
-        let mut passed = 1.0;
-        let mut scale = 1.0;
-        for _ in 0..self.max_iteration {
-            let norm = z.length_squared();
-            scale /= degree;
-            passed *= norm;
-            if norm > exit || norm.is_nan() {
-                let distance = scale * (norm / passed).sqrt() * norm.ln();
-                return Place {
-                    is_inside: false,
-                    step: distance.max(self.least),
-                };
-            }
-            z = function(z) + self.c;
-        }
-        Place {
-            is_inside: true,
-            step: self.least,
-        }
-    }
-
-    fn hypercomplex(&self, start: DVec4, along: DVec4, function: Function) -> Place {
-        let exit = self.radius * self.radius;
-        let (mut z, c) = (split(start), split(self.c));
-        let mut along = split(along);
-        for _ in 0..self.max_iteration {
-            let norm = 0.5 * (z[0].norm_sq() + z[1].norm_sq());
-            if norm > exit || norm.is_nan() {
-                let fall = |i: usize| -(z[i].conjugate() * along[i]).re;
-                // Only where the ray comes nearer.
-                let step = norm / (fall(0) + fall(1)).max(TOLERANCE);
-                let is_useful = function == Function::Square
-                    && self.least < step
-                    && step < MOST_LEAST_STEPS * self.least;
-                return Place {
-                    is_inside: false,
-                    step: if is_useful { step } else { self.least },
-                };
-            }
-            for i in [0, 1] {
-                // The way matters to steps of squares alone.
-                if function == Function::Square {
-                    along[i] = function.slope(z[i]) * along[i];
-                }
-                z[i] = function.value(z[i]) + c[i];
-            }
-        }
-        Place {
-            is_inside: true,
-            step: self.least,
-        }
     }
 
     /// The gradient of `|z|²` after all iterations.
@@ -349,10 +271,11 @@ impl Fractal {
         if depth >= leave {
             return false;
         }
-        let mut here = self.place(ray.at(depth), ray.dir);
+        let mut ahead = Ahead::new(self, ray);
+        let mut here = ahead.place(depth);
         if here.is_inside {
             depth += 2.0 * TOLERANCE;
-            here = self.place(ray.at(depth), ray.dir);
+            here = ahead.place(depth);
         }
         if here.is_inside && from < enter && !emit(enter, Crossing::Enter) {
             return true;
@@ -367,7 +290,7 @@ impl Fractal {
             if next_depth > leave || next_depth == depth {
                 return here.is_inside;
             }
-            let next = self.place(ray.at(next_depth), ray.dir);
+            let next = ahead.place(next_depth);
             if next.is_inside != here.is_inside {
                 let crossing = if next.is_inside {
                     Crossing::Enter
@@ -382,12 +305,35 @@ impl Fractal {
         }
     }
 
-    /// The place between `depth` and `depth + step` where the ray changes sides.
+    /// The place between `depth` and `depth + step` where the ray changes sides. Several halvings are done at once: all
+    /// middles that they may ask for are looked at together.
     fn halve(&self, ray: &Ray, mut depth: f64, mut step: f64, is_inside: bool) -> f64 {
+        let together = self.together();
         while step > TOLERANCE {
-            step *= 0.5;
-            if self.place(ray.at(depth + step), ray.dir).is_inside == is_inside {
-                depth += step;
+            // By their numbers in the tree of halves; the least depth of each, and its middle.
+            let (mut lows, mut middles) = ([depth; TOGETHER], [depth; TOGETHER]);
+            let mut half = step;
+            for number in 1..together.max(2) {
+                if number.is_power_of_two() {
+                    half *= 0.5;
+                }
+                if number > 1 {
+                    let above = number / 2;
+                    lows[number] = [lows[above], middles[above]][number % 2];
+                }
+                middles[number] = lows[number] + half;
+            }
+            // With one place only, that is the first.
+            middles.rotate_left(1);
+            let places = self.places(ray, &middles);
+            let mut number = 1;
+            while number < together.max(2) && step > TOLERANCE {
+                step *= 0.5;
+                let is_behind = places.is_inside(number - 1) == is_inside;
+                if is_behind {
+                    depth = middles[number - 1];
+                }
+                number = 2 * number + usize::from(is_behind);
             }
         }
         // The end that is inside, on whose iterations the normal stands.
@@ -484,7 +430,9 @@ impl Geometry for JuliaFractal {
     fn contains(&self, point: DVec3) -> bool {
         let fractal = &self.0;
         point.length_squared() <= fractal.radius * fractal.radius
-            && fractal.place(point, DVec3::X).is_inside
+            && fractal
+                .places(&Ray::new(point, DVec3::X), &[0.0; TOGETHER])
+                .is_inside(0)
     }
 
     fn bounds(&self) -> Bounds {

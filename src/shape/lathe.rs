@@ -17,13 +17,14 @@ use super::spline::{self, Kind, Segment};
 use super::{Crossing, Crossings, Geometry, Root, Start, first_visible};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::power_of_two;
-use crate::math::enclosed::{Enclosed, Range, sign_changes};
+use crate::math::enclosed::{self, Enclosed, sign_changes};
 use crate::math::polynomial::Places;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// More roundings than it takes to find how far a point of the curve lies from a line.
@@ -40,6 +41,7 @@ struct Profile {
     /// How many of them are the curve.
     seen: usize,
     arcs: Vec<Bow>,
+    groups: Vec<Group>,
     /// The middle of the box around the solid.
     middle: f64,
     bounds: Bounds,
@@ -52,6 +54,17 @@ struct Bow {
     from: f64,
     to: f64,
     /// The points at which it begins and ends.
+    ends: [DVec2; 2],
+}
+
+/// So many arcs that follow one another are passed by together.
+const TOGETHER: usize = 6;
+
+/// Arcs that follow one another.
+#[derive(Clone, Debug, PartialEq)]
+struct Group {
+    arcs: Range<usize>,
+    /// The least radius and height, and the most.
     ends: [DVec2; 2],
 }
 
@@ -121,6 +134,8 @@ impl Lathe {
         for (number, segment) in segments.iter().enumerate() {
             push_arcs(number, segment, &mut arcs);
         }
+        let starts = (0..arcs.len()).step_by(TOGETHER);
+        let groups = starts.map(|start| Group::new(&arcs, start)).collect();
         let rim = high.x.max(-low.x);
         let slack = 8.0 * f64::EPSILON * rim.max(low.y.abs()).max(high.y.abs());
         let reach = rim + slack;
@@ -132,6 +147,7 @@ impl Lathe {
             segments,
             seen,
             arcs,
+            groups,
             middle: 0.5 * (low.y + high.y),
             bounds,
         }))
@@ -175,6 +191,22 @@ fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
     }));
 }
 
+impl Group {
+    /// The arcs from this one on.
+    fn new(arcs: &[Bow], start: usize) -> Self {
+        let end = arcs.len().min(start + TOGETHER);
+        let ends = arcs[start..end].iter().flat_map(|arc| arc.ends);
+        let ends = ends.map(|end| DVec2::new(end.x.abs(), end.y));
+        Group {
+            arcs: start..end,
+            ends: [
+                ends.clone().fold(DVec2::INFINITY, DVec2::min),
+                ends.fold(DVec2::NEG_INFINITY, DVec2::max),
+            ],
+        }
+    }
+}
+
 impl Climb {
     fn new(ray: &Ray) -> Self {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
@@ -204,7 +236,8 @@ impl Climb {
     /// For both sides of `h`, whether the line surely passes an arc with these ends by: by more than any rounding its
     /// points lie above or below it. `near` and `far` are how far from the place nearest to the axis the line reaches
     /// their radius.
-    fn passes_by(&self, [a, b]: [DVec2; 2], [near, far]: [f64; 2]) -> [bool; 2] {
+    fn passes_by(&self, [a, b]: [DVec2; 2]) -> [bool; 2] {
+        let [near, far] = [a, b].map(|end| self.reach(end.x));
         let (low, high) = (a.y.min(b.y), a.y.max(b.y));
         let rise = [low, high].map(|y| self.cosine * (y - self.height));
         let size = self.cosine * (low.abs().max(high.abs()) + self.height.abs())
@@ -242,39 +275,39 @@ impl Enclosed for Half<'_> {
         self.climb.cosine * slope.y - self.climb.sine * self.side * outward
     }
 
-    fn values(&self, from: f64, to: f64) -> Range {
+    fn values(&self, from: f64, to: f64) -> enclosed::Range {
         let (a, b) = (self.segment.at(from), self.segment.at(to));
         let climb = self.climb;
         let factor = climb.sine * self.side;
-        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
-        let way = Range::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
+        let rise = enclosed::Range::new(climb.cosine * a.y, climb.cosine * b.y);
+        let way = enclosed::Range::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
         let rest = climb.sine * climb.ahead - climb.cosine * climb.height;
-        Range {
+        enclosed::Range {
             low: rise.low - way.high + rest,
             high: rise.high - way.low + rest,
         }
     }
 
-    fn slopes(&self, from: f64, to: f64) -> Range {
+    fn slopes(&self, from: f64, to: f64) -> enclosed::Range {
         let climb = self.climb;
         let (a, b) = (self.segment.slope(from), self.segment.slope(to));
-        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
+        let rise = enclosed::Range::new(climb.cosine * a.y, climb.cosine * b.y);
         let factor = climb.sine * self.side;
         let narrowing = |x: f64| {
             let radius = self.segment.at(x).x;
             radius / climb.reach(radius)
         };
         let (near, far) = (narrowing(from), narrowing(to));
-        let mut way = Range::new(0.0, 0.0);
+        let mut way = enclosed::Range::new(0.0, 0.0);
         if factor != 0.0 {
             let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
             if products.iter().any(|p| p.is_nan()) {
-                return Range::new(f64::NEG_INFINITY, f64::INFINITY);
+                return enclosed::Range::new(f64::NEG_INFINITY, f64::INFINITY);
             }
             way.low = products.iter().copied().fold(f64::INFINITY, f64::min);
             way.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         }
-        Range {
+        enclosed::Range {
             low: rise.low - way.high,
             high: rise.high - way.low,
         }
@@ -298,20 +331,16 @@ impl Profile {
         if climb.aside > self.bounds.max.x {
             return Crossings::new();
         }
-        // Arcs begin where others end.
-        let mut end = (DVec2::NAN, 0.0);
-        for arc in &self.arcs {
-            let is_seen = arc.segment < self.seen;
-            let reach = |point: DVec2| (point, climb.reach(point.x));
-            let (_, near) = if end.0 == arc.ends[0] {
-                end
-            } else {
-                reach(arc.ends[0])
-            };
-            end = reach(arc.ends[1]);
-            self.meet(arc, [near, end.1], &climb, |length| {
-                found.push(((start + length / speed) / dir_size, is_seen));
-            });
+        for group in &self.groups {
+            if group.ends[1].x < climb.aside || climb.passes_by(group.ends) == [true; 2] {
+                continue;
+            }
+            for arc in &self.arcs[group.arcs.clone()] {
+                self.meet(arc, &climb, |length| {
+                    let is_seen = arc.segment < self.seen;
+                    found.push(((start + length / speed) / dir_size, is_seen));
+                });
+            }
         }
         found.retain(|place| place.0.is_finite());
         found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
@@ -338,12 +367,12 @@ impl Profile {
     }
 
     /// Visits the lengths at which the line meets an arc, at whose ends it is so far from the place nearest to the axis.
-    fn meet(&self, arc: &Bow, reaches: [f64; 2], climb: &Climb, mut visit: impl FnMut(f64)) {
+    fn meet(&self, arc: &Bow, climb: &Climb, mut visit: impl FnMut(f64)) {
         let [starts_out, ends_out] = arc.ends.map(|end| end.x.abs() >= climb.aside);
         if !(starts_out || ends_out) {
             return;
         }
-        let passes_by = climb.passes_by(arc.ends, reaches);
+        let passes_by = climb.passes_by(arc.ends);
         if passes_by == [true; 2] {
             return;
         }
@@ -387,16 +416,39 @@ impl Profile {
 
 /// Where a monotone radius reaches `level`, from a place below it to one that is not; on the far side of it.
 fn bisect(radius: &impl Fn(f64) -> f64, level: f64, mut below: f64, mut above: f64) -> f64 {
+    let excess = |x: f64| radius(x) - level;
+    let mut ends = [excess(below), excess(above)];
+    let mut is_slow = false;
     loop {
         let middle = 0.5 * (below + above);
         if middle == below || middle == above {
             return above;
         }
-        if radius(middle) < level {
-            below = middle;
+        // Where the chord is at the level, and a little farther from the end that is nearer to it, so that both ends close
+        // in; the middle after a step that gained too little.
+        let along = ends[0] / (ends[0] - ends[1]);
+        let beside = 4.0 * f64::EPSILON * below.abs().max(above.abs());
+        let place = below + along * (above - below);
+        let nudge = beside.copysign(above - below);
+        let place = if along < 0.5 {
+            place + nudge
         } else {
-            above = middle;
+            place - nudge
+        };
+        let is_between = (below - place) * (place - above) > 0.0;
+        let x = if is_between && !is_slow {
+            place
+        } else {
+            middle
+        };
+        let width = (above - below).abs();
+        let value = excess(x);
+        if value < 0.0 {
+            (below, ends[0]) = (x, value);
+        } else {
+            (above, ends[1]) = (x, value);
         }
+        is_slow = !is_slow && (above - below).abs() > 0.25 * width;
     }
 }
 

@@ -383,6 +383,9 @@ shapes! {
     Parametric from Parametric,
 }
 
+/// What lies within this share of a solid is far from its surface by any rounding.
+const WELL_INSIDE: f64 = 1.0 - 1e-6;
+
 /// The first visible root strictly between `from` and `to` of roots in order.
 #[inline]
 fn first_visible(roots: &[Root], from: f64, to: f64) -> Option<Root> {

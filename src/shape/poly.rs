@@ -21,6 +21,8 @@ use std::sync::Arc;
 /// The orders that POV-Ray allows.
 const ORDERS: std::ops::RangeInclusive<usize> = 2..=MAX_ORDER;
 const MAX_ORDER: usize = 35;
+/// Below this order there is less to clear: quartics are the most.
+const SMALL: usize = 5;
 
 /// Refinement moves a root by less than this share of the size of its ray's polynomial, or leaves it.
 const REFINEMENT: f64 = 1e-4;
@@ -38,10 +40,10 @@ struct Polynomial {
     size: f64,
 }
 
-/// A polynomial on a line, by rising power.
+/// A polynomial on a line, by rising power, of a degree below `COUNT`.
 #[derive(Clone, Copy)]
-struct OnLine {
-    c: [f64; MAX_ORDER + 1],
+struct OnLine<const COUNT: usize> {
+    c: [f64; COUNT],
     degree: usize,
 }
 
@@ -151,6 +153,18 @@ impl Polynomial {
         self.horner(0.0, [by(p.x), by(p.y), by(p.z)], |a, c| a + c, |a, b| a + b)
     }
 
+    /// The value at a point, and the slope there along a way.
+    fn value_and_slope(&self, p: DVec3, way: DVec3) -> (f64, f64) {
+        type Jet = (f64, f64);
+        let by = |axis: usize| {
+            let (factor, rate) = (p[axis], way[axis]);
+            move |(value, slope): Jet| (value * factor, slope * factor + value * rate)
+        };
+        let add = |(value, slope): Jet, c: f64| (value + c, slope);
+        let sum = |a: Jet, b: Jet| (a.0 + b.0, a.1 + b.1);
+        self.horner((0.0, 0.0), [by(0), by(1), by(2)], add, sum)
+    }
+
     fn gradient(&self, p: DVec3) -> DVec3 {
         // The value and the three derivatives.
         type Jet = (f64, DVec3);
@@ -168,7 +182,7 @@ impl Polynomial {
     }
 
     /// The polynomial at `point + u · way`.
-    fn on_line(&self, point: DVec3, way: DVec3) -> OnLine {
+    fn on_line<const COUNT: usize>(&self, point: DVec3, way: DVec3) -> OnLine<COUNT> {
         let mut whole = OnLine::ZERO;
         let mut next = 0;
         for i in (0..=self.order).rev() {
@@ -207,8 +221,11 @@ impl Polynomial {
         };
         let unit = size / dir.length();
         let way = dir * unit;
-        let line = self.on_line(near, way);
-        let (start, places) = all_sign_changes(&line.c[..=self.order]);
+        let (start, places) = if self.order < SMALL {
+            all_sign_changes(&self.on_line::<SMALL>(near, way).c[..=self.order])
+        } else {
+            all_sign_changes(&self.on_line::<{ MAX_ORDER + 1 }>(near, way).c[..=self.order])
+        };
         let places = self.refined(near, way, places);
         alternate(start, places.iter().map(|u| (ahead + u * unit) / dir_size))
     }
@@ -216,8 +233,8 @@ impl Polynomial {
     /// The places after two Newton steps in space; as they were if that breaks their order.
     fn refined(&self, near: DVec3, way: DVec3, places: Places) -> Places {
         let refine = |u: f64| {
-            let p = near + u * way;
-            let step = self.value(p) / self.gradient(p).dot(way);
+            let (value, slope) = self.value_and_slope(near + u * way, way);
+            let step = value / slope;
             if step.abs() < REFINEMENT * u.abs().min(1.0) {
                 u - step
             } else {
@@ -230,9 +247,9 @@ impl Polynomial {
     }
 }
 
-impl OnLine {
-    const ZERO: OnLine = OnLine {
-        c: [0.0; MAX_ORDER + 1],
+impl<const COUNT: usize> OnLine<COUNT> {
+    const ZERO: Self = OnLine {
+        c: [0.0; COUNT],
         degree: 0,
     };
 
@@ -248,7 +265,7 @@ impl OnLine {
         self.c[0] *= constant;
     }
 
-    fn plus(&mut self, other: &OnLine) {
+    fn plus(&mut self, other: &Self) {
         for power in 0..=other.degree {
             self.c[power] += other.c[power];
         }

@@ -10,10 +10,10 @@
 use super::four::{
     FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
 };
-use super::{Geometry, Root, Start, even_scale, first_visible, push_span, read, span};
+use super::{Geometry, Root, Start, WELL_INSIDE, even_scale, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
 use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step, rotation};
 use glam::DVec3;
@@ -54,6 +54,14 @@ impl Sphere {
         let eased = Eased::new(&Ray::new(p, dir), self.radius)?;
         let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
         Some((eased.t(enter), eased.t(leave)))
+    }
+
+    /// Whether a ray lies well inside from its start to `to`: no rounding brings the surface there.
+    #[inline]
+    pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
+        let inner_sq = WELL_INSIDE * self.radius * self.radius;
+        let [start, end] = [ray.origin, ray.at(to)].map(|point| point - self.centre);
+        is_comfortable_size(self.radius) && start.dot(start) < inner_sq && end.dot(end) < inner_sq
     }
 
     /// The spans of four rays.

@@ -40,6 +40,9 @@ struct Along<'s> {
 /// How far the box of the shape goes: `max_extent` tells it, as in POV-Ray.
 const REACH: f64 = 1.0001;
 
+/// A ray that enters at a steeper slope does not touch: where it leaves need not be known.
+const STEEP: f64 = 1e-3;
+
 impl Superellipsoid {
     /// The surface with the exponents `e` and `n`, neither negative.
     #[must_use]
@@ -92,25 +95,34 @@ impl Superellipsoid {
         (size, gradient)
     }
 
+    /// The same, with derivatives that are worked out along with the size; where two of its parts are equally large and the
+    /// power is endless, each has half the slope.
+    fn size_and_slopes(&self, p: DVec3) -> (f64, DVec3) {
+        let (ring, [of_x, of_y]) = norm_and_shares(p.x, p.y, self.across);
+        let (size, [of_ring, of_z]) = norm_and_shares(ring, p.z, self.along);
+        (size, DVec3::new(of_ring * of_x, of_ring * of_y, of_z))
+    }
+
     fn gradient(&self, p: DVec3) -> DVec3 {
         self.size_and_gradient(p).1
     }
 
-    fn crossings(&self, ray: &Ray) -> Crossings {
+    /// All, or the first alone if that lies between `from` and `to`.
+    fn crossings(&self, ray: &Ray, seen: Option<(f64, f64)>) -> Crossings {
         if is_comfortable(1.0, ray.dir.dot(ray.dir), ray.origin.dot(ray.origin)) {
-            return self.comfortable_crossings(ray);
+            return self.comfortable_crossings(ray, seen);
         }
         let Some(eased) = Eased::new(ray, 1.0) else {
             return Crossings::new();
         };
-        let mut roots = self.comfortable_crossings(&eased.ray);
+        let mut roots = self.comfortable_crossings(&eased.ray, None);
         for root in &mut roots {
             root.t = eased.t(root.t);
         }
         roots
     }
 
-    fn comfortable_crossings(&self, ray: &Ray) -> Crossings {
+    fn comfortable_crossings(&self, ray: &Ray, seen: Option<(f64, f64)>) -> Crossings {
         let Some((from, to)) = clip(ray) else {
             return Crossings::new();
         };
@@ -119,7 +131,11 @@ impl Superellipsoid {
         let ray = Ray::new(ray.at(middle), ray.dir);
         let (from, to) = (from - middle, to - middle);
         let mut roots = if self.is_convex() {
-            self.convex_crossings(&ray, from, to)
+            let is_seen = |t: f64| {
+                let t = t + middle;
+                seen.is_some_and(|(least, most)| least < t && t < most)
+            };
+            self.convex_crossings(&ray, (from, to), is_seen)
         } else {
             self.hollow_crossings(&ray, from, to)
         };
@@ -129,15 +145,24 @@ impl Superellipsoid {
         roots
     }
 
-    fn convex_crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
+    fn convex_crossings(
+        &self,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        is_seen: impl Fn(f64) -> bool,
+    ) -> Crossings {
         let excess = |t: f64| {
             let p = ray.at(t);
-            let (size, gradient) = self.size_and_gradient(p.abs());
+            let (size, gradient) = self.size_and_slopes(p.abs());
             (size - 1.0, gradient.dot(p.signum() * ray.dir))
         };
         let mut roots = Crossings::new();
-        if let Some(enter) = first_below_zero(excess, from, to)
-            && let Some(leave) = first_below_zero(excess, to, from)
+        let Some(enter) = first_below_zero(excess, from, to) else {
+            return roots;
+        };
+        if is_seen(enter) && excess(enter).1 < -STEEP * ray.dir.length() {
+            roots.extend(span((enter, 0), (to, 0)).map(|[enter, _]| enter));
+        } else if let Some(leave) = first_below_zero(excess, to, from)
             && enter < leave
         {
             roots.extend(span((enter, 0), (leave, 0)).into_iter().flatten());
@@ -246,6 +271,32 @@ fn norm(a: f64, b: f64, p: f64) -> f64 {
     large * (rest.ln_1p() / p).exp()
 }
 
+/// [`norm`] and its derivatives by both numbers, where `p` is 1 at least.
+fn norm_and_shares(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
+    let (small, large) = (a.min(b), a.max(b));
+    let ratio = small / large;
+    let (norm, shares) = if small == 0.0 || ratio == 0.0 {
+        let of_small = if p > 1.0 { 0.0 } else { 1.0 };
+        (large, [of_small, 1.0])
+    } else if p == 2.0 {
+        let norm = (a * a + b * b).sqrt();
+        (norm, [small / norm, large / norm])
+    } else {
+        let rest = ratio.powf(p);
+        let growth = (rest.ln_1p() / p).exp();
+        let of_large = growth / (1.0 + rest);
+        (large * growth, [rest / ratio * of_large, of_large])
+    };
+    (
+        norm,
+        if a < b {
+            shares
+        } else {
+            [shares[1], shares[0]]
+        },
+    )
+}
+
 /// The derivative of a norm by one of its two numbers: `(part / whole)^(p − 1)`.
 fn share(part: f64, whole: f64, p: f64) -> f64 {
     if p == 2.0 && whole > 0.0 {
@@ -289,12 +340,12 @@ fn clip(ray: &Ray) -> Option<(f64, f64)> {
 
 impl Geometry for Superellipsoid {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.crossings(ray));
+        roots.extend_from_slice(&self.crossings(ray, None));
         Start::Outside
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.crossings(ray), from, to)
+        first_visible(&self.crossings(ray, Some((from, to))), from, to)
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
@@ -352,7 +403,7 @@ mod tests {
     #[test]
     fn with_both_one_it_is_a_sphere() {
         let ray = Ray::new(DVec3::new(0.3, 0.4, -1e6), DVec3::Z);
-        let roots = Superellipsoid::new(1.0, 1.0).crossings(&ray);
+        let roots = Superellipsoid::new(1.0, 1.0).crossings(&ray, None);
         assert_eq!(roots.len(), 2);
         assert!((roots[0].t - (1e6 - 0.75_f64.sqrt())).abs() < 2e-10);
         assert!((roots[1].t - (1e6 + 0.75_f64.sqrt())).abs() < 2e-10);
@@ -362,7 +413,7 @@ mod tests {
     fn exponents_near_zero_make_a_box() {
         for e in [0.0, 1e-9, 1e-3] {
             let ray = Ray::new(DVec3::new(-3.0, 0.9, 0.9), DVec3::X);
-            let roots = Superellipsoid::new(e, e).crossings(&ray);
+            let roots = Superellipsoid::new(e, e).crossings(&ray, None);
             assert!((roots[0].t - 2.0).abs() < 1e-3 && (roots[1].t - 4.0).abs() < 1e-3);
         }
     }
@@ -371,9 +422,9 @@ mod tests {
     fn a_ray_past_the_hollow_side_of_a_star_passes_two_arms() {
         let star = Superellipsoid::new(4.0, 1.0);
         let ray = Ray::new(DVec3::new(-2.0, 0.1, 0.0), DVec3::X);
-        assert_eq!(star.crossings(&ray).len(), 2);
+        assert_eq!(star.crossings(&ray, None).len(), 2);
         let across = Ray::new(DVec3::new(-0.5, 1.3, 0.0), DVec3::new(1.0, -1.0, 0.0));
-        assert_eq!(star.crossings(&across).len(), 4);
+        assert_eq!(star.crossings(&across, None).len(), 4);
     }
 
     #[test]

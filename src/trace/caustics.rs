@@ -50,8 +50,7 @@ impl Tracer<'_> {
             near
         });
         let mut sum = Rgb::BLACK;
-        for photon in kept.surface.of(near) {
-            let to_light = photon.dir();
+        for (to_light, light) in kept.surface.of(near) {
             let Some(side) = coat.side(lit.at.normal.dot(to_light), lit.is_double_illuminated)
             else {
                 continue;
@@ -60,7 +59,7 @@ impl Tracer<'_> {
             let shining = Shining {
                 to_light,
                 side,
-                arriving: photon.light() * (1.0 / cosine),
+                arriving: light * (1.0 / cosine),
                 has_highlights: side.is_in_front && lit.path.gathered == 0,
             };
             sum += self.shine(&shining, &lit.at, coat, scratch);

@@ -34,10 +34,10 @@ impl Tracer<'_> {
         let place = self.own_place(point);
         kept.media.gather(&kept.in_media, place, DVec3::ZERO, near);
         let mut sum = Rgb::BLACK;
-        for photon in kept.media.of(near) {
-            let cosine = photon.dir().dot(dir);
+        for (to_light, light) in kept.media.of(near) {
+            let cosine = to_light.dot(dir);
             let phases: f64 = media.iter().map(|media| media.phase(cosine)).sum();
-            sum += photon.light() * (phases / media.len() as f64);
+            sum += light * (phases / media.len() as f64);
         }
         let within = 4.0 / 3.0 * PI * near.radius.powi(3);
         sum * effect.scattering * (1.0 / within)

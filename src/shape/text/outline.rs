@@ -100,14 +100,16 @@ impl Piece {
 
     /// How often the way from a place along x crosses the piece, give or take two.
     fn crossings_beside(&self, place: DVec2) -> usize {
-        let away = self.points.map(|point| point - place);
-        let side = away.map(|point| point.y);
+        let side = self.points.map(|point| point.y - place.y);
         let [first, middle, last] = side.map(|side| side < 0.0);
+        if first == middle && middle == last {
+            return 0;
+        }
+        let ahead = self.points.map(|point| point.x - place.x);
         // The piece lies between its points.
-        let is_beyond = |point: &DVec2| point.x > 0.0;
-        if first == middle && middle == last || away.iter().all(|point| point.x < 0.0) {
+        if ahead.iter().all(|ahead| *ahead < 0.0) {
             0
-        } else if away.iter().all(is_beyond) {
+        } else if ahead.iter().all(|ahead| *ahead > 0.0) {
             usize::from(first != last)
         } else {
             let places = sign_changes(side).into_iter();

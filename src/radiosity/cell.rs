@@ -1,0 +1,107 @@
+//! The cubes of the octree in which gathered light lies.
+
+use glam::DVec3;
+
+/// Cells are counted from here on, so that their numbers are positive.
+const FIRST: f64 = 1e7;
+/// The level of the smallest cells: those of less than a rounding error of the places counted.
+const LEAST_LEVEL: i32 = -38;
+/// The level of the one cell that holds everything.
+const WHOLE_LEVEL: i32 = 41;
+
+/// A cell of the octree: `corner` in units of its `2^level`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Cell {
+    pub(super) level: i32,
+    pub(super) corner: [i64; 3],
+}
+
+/// A cube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cube {
+    centre: DVec3,
+    /// The length of an edge; endless for what holds everything.
+    size: f64,
+}
+
+impl Cube {
+    /// Whether a point lies in the box twice as large about it.
+    pub(super) fn holds(&self, point: DVec3) -> bool {
+        let away = (point - self.centre).abs();
+        away.x < self.size && away.y < self.size && away.z < self.size
+    }
+}
+
+impl Cell {
+    /// The cell of a point at a level.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "saturates far beyond any scene"
+    )]
+    pub(super) fn at(point: DVec3, level: i32) -> Cell {
+        let size = f64::from(level).exp2();
+        let corner = match level {
+            WHOLE_LEVEL => DVec3::ZERO,
+            _ => (point + FIRST) / size,
+        };
+        Cell {
+            level,
+            corner: corner.to_array().map(|c| c.floor() as i64),
+        }
+    }
+
+    /// The cell of a sample that may be used within a distance.
+    pub(super) fn around(point: DVec3, reach: f64) -> Cell {
+        #[allow(clippy::cast_possible_truncation, reason = "an exponent of a double")]
+        let level = (2.0 * reach).log2().floor() as i32;
+        let level = level.clamp(LEAST_LEVEL, WHOLE_LEVEL);
+        let mut cell = Cell::at(point, level);
+        let holds = |cell: Cell| {
+            let cube = cell.cube();
+            cube.holds(point - reach) && cube.holds(point + reach)
+        };
+        while !holds(cell) {
+            cell = cell.parent();
+        }
+        cell
+    }
+
+    pub(super) fn parent(self) -> Cell {
+        self.at_level(self.level + 1)
+    }
+
+    #[allow(
+        clippy::cast_precision_loss,
+        reason = "cells of scenes are not that many"
+    )]
+    pub(super) fn cube(&self) -> Cube {
+        let size = f64::from(self.level).exp2();
+        let corner = DVec3::from(self.corner.map(|c| c as f64));
+        let (centre, size) = match self.level {
+            WHOLE_LEVEL => (DVec3::ZERO, f64::INFINITY),
+            _ => ((corner + 0.5) * size - FIRST, size),
+        };
+        Cube { centre, size }
+    }
+
+    /// The cell of this level that holds it.
+    pub(super) fn at_level(self, level: i32) -> Cell {
+        if level >= WHOLE_LEVEL {
+            return Cell {
+                level: WHOLE_LEVEL,
+                corner: [0; 3],
+            };
+        }
+        let up = level - self.level;
+        Cell {
+            level,
+            corner: self.corner.map(|c| c >> up),
+        }
+    }
+
+    /// Which child of the cell one level up it is.
+    pub(super) fn place(&self) -> usize {
+        let [x, y, z] = self.corner.map(|c| usize::from(c & 1 == 1));
+        x | y << 1 | z << 2
+    }
+}
