@@ -64,13 +64,15 @@ impl Flat {
         };
         let outer_bounds = std::mem::take(&mut self.operand_bounds);
         let outer_gates = std::mem::take(&mut self.gates);
+        let outer_boxed = std::mem::take(&mut self.boxed);
         let above = Heritage {
             place: Place::Whole,
             ..above.clone()
         };
         let around = self.add_node(object, &above, &mut program, 0, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
-        program.prepare(&self.parts.leaves, &of_operands);
+        let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
+        program.prepare(&self.parts.leaves, &of_operands, boxed);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&object, &around);
             program.gates.push(Gate { operands, bound });
@@ -90,6 +92,11 @@ impl Flat {
         let below = self.heritage(object, above);
         let first = index(program.operands.len());
         let bounds = self.add_clipped(object, above, &below, program, (parent, is_hidden));
+        let end = index(program.operands.len());
+        let around = bounds.shown.union(&bounds.solid);
+        if end - first > 1 && around.is_finite() && !around.is_empty() {
+            self.boxed.push((first..end, around));
+        }
         if is_gated(object) {
             let operands = first..index(program.operands.len());
             for bound in object.bounded_by() {

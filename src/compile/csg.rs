@@ -110,8 +110,8 @@ pub(super) struct Sweep {
     state: State,
     before: Vec<u32>,
     kept: Vec<bool>,
-    /// Operands whose bounding object is missed.
-    missed: Vec<Range<u32>>,
+    /// Which operands are missed, since what bounds them is.
+    missed: Vec<bool>,
     /// For bounding objects, which are combinations too.
     inner: Option<Box<Sweep>>,
 }
@@ -218,6 +218,7 @@ impl Program {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
         self.try_gates(passing.leaves, passing.ray, sweep);
+        self.try_boxes(passing.ray, (from, to), sweep);
         let (mut from, mut to) = (from, to);
         for &number in &self.order.required {
             let start = self.ask(number, passing, (from, to), sweep);
@@ -257,12 +258,8 @@ impl Program {
     ) -> Start {
         let leaf = self.first + number;
         sweep.roots.clear();
-        let is_missed = sweep
-            .missed
-            .iter()
-            .any(|operands| operands.contains(&number));
         let own = &passing.leaves[leaf as usize];
-        let start = if is_missed {
+        let start = if sweep.missed.get(number as usize) == Some(&true) {
             Start::Outside
         } else if from >= 0.0 && to < f64::INFINITY && own.holds(passing.ray, to) {
             Start::Inside
@@ -311,10 +308,33 @@ impl Program {
                         true
                     });
             if hit.is_none() {
-                sweep.missed.push(gate.operands.clone());
+                self.miss(&gate.operands, &mut sweep.missed);
             }
         }
         sweep.inner = Some(inner);
+    }
+
+    /// The same where it misses boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of
+    /// it, whatever it is made of.
+    fn try_boxes(&self, ray: &Ray, (from, to): (f64, f64), sweep: &mut Sweep) {
+        let Some(boxed) = &self.order.boxed else {
+            return;
+        };
+        let mut met = 0u64;
+        boxed.tree.any(ray, from, to, |part| {
+            met |= 1 << part;
+            false
+        });
+        for (part, operands) in boxed.operands.iter().enumerate() {
+            if met >> part & 1 == 0 {
+                self.miss(operands, &mut sweep.missed);
+            }
+        }
+    }
+
+    fn miss(&self, operands: &Range<u32>, missed: &mut Vec<bool>) {
+        missed.resize(self.operands.len(), false);
+        missed[operands.start as usize..operands.end as usize].fill(true);
     }
 
     /// Completes the counts of nodes from those of their leaves: each node that holds the ray counts in its parent.

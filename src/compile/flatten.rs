@@ -52,6 +52,8 @@ pub(super) struct Flat {
     pub(super) last_surface: Option<u32>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
+    /// Parts of it that have boxes of their own: their operands, and boxes around what is inside of them and what shows.
+    pub(super) boxed: Vec<(Range<u32>, Bounds)>,
     /// Bounds of the operands of the combination being built.
     pub(super) operand_bounds: Vec<Bounds>,
     /// What the lights of the object being taken in hold.

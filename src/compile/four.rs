@@ -511,7 +511,7 @@ mod tests {
                 let others = program.operands.iter_mut().skip(1);
                 others.for_each(|operand| operand.is_inverse = true);
             }
-            program.prepare(&leaves, &bounds);
+            program.prepare(&leaves, &bounds, Vec::new());
             let way = program.way_of_four(&leaves);
             if way == Way::Singly {
                 continue;

@@ -12,9 +12,13 @@ use crate::math::Bounds;
 use crate::shape::Geometry;
 use glam::DVec3;
 use smallvec::SmallVec;
+use std::ops::Range;
 
 /// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
 const TREE_FROM: usize = 9;
+
+/// So many parts have boxes that are tried.
+const MOST_BOXED: usize = 64;
 
 /// In which order a program asks its operands for roots.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +29,16 @@ pub(super) struct Order {
     pub(super) others: SmallVec<[u32; 4]>,
     /// The bounded operands of a large combination.
     pub(super) many: Option<Box<Many>>,
+    /// Parts with boxes of their own, which spare their operands.
+    pub(super) boxed: Option<Box<Boxed>>,
+}
+
+/// Parts that have boxes of their own, at most [`MOST_BOXED`].
+#[derive(Clone, Debug)]
+pub(super) struct Boxed {
+    pub(super) tree: Bvh,
+    /// The operands of each.
+    pub(super) operands: Vec<Range<u32>>,
 }
 
 /// So many operands that they are found by a tree.
@@ -38,14 +52,40 @@ pub(super) struct Many {
 }
 
 impl Program {
-    /// Simplifies the nodes and works out the order. `bounds` are those of the operands.
-    pub(super) fn prepare(&mut self, leaves: &[Leaf], bounds: &[Bounds]) {
+    /// Simplifies the nodes and works out the order. `bounds` are those of the operands, `boxed` parts with boxes.
+    pub(super) fn prepare(
+        &mut self,
+        leaves: &[Leaf],
+        bounds: &[Bounds],
+        boxed: Vec<(Range<u32>, Bounds)>,
+    ) {
         self.leave_patches(leaves);
         self.join_nodes();
         self.drop_lone_root();
         self.nodes.shrink_to_fit();
         self.rest = self.state_outside_all();
         self.order = self.order(leaves, bounds);
+        self.order.boxed = self.boxed(boxed).map(Box::new);
+    }
+
+    /// The parts whose boxes tell more than the box around all does: those without which something may be shown.
+    fn boxed(&self, mut parts: Vec<(Range<u32>, Bounds)>) -> Option<Boxed> {
+        let Order { required, many, .. } = &self.order;
+        let mut is_in_tree = vec![false; self.operands.len()];
+        for &number in many.iter().flat_map(|many| &many.bounded) {
+            is_in_tree[number as usize] = true;
+        }
+        parts.retain(|(operands, _)| {
+            let is_needed = required.iter().any(|number| operands.contains(number));
+            let own = &is_in_tree[operands.start as usize..operands.end as usize];
+            !is_needed && own.len() < self.operands.len() && own.contains(&false)
+        });
+        parts.truncate(MOST_BOXED);
+        let (operands, boxes): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        (!operands.is_empty()).then(|| Boxed {
+            tree: Bvh::build(&boxes),
+            operands,
+        })
     }
 
     /// What has no inside has none when it is inverse either (measured with POV-Ray, which hands the inversion of a
@@ -295,7 +335,7 @@ pub(super) mod tests {
             plain.leave_patches(&leaves);
             plain.rest = plain.state_outside_all();
             let mut prepared = plain.clone();
-            prepared.prepare(&leaves, &bounds);
+            prepared.prepare(&leaves, &bounds, Vec::new());
             trees += usize::from(prepared.order.many.is_some());
             narrowed += usize::from(!prepared.order.required.is_empty());
             for _ in 0..12 {
@@ -353,7 +393,7 @@ pub(super) mod tests {
             radius: 1.0,
         });
         let (leaf, bounds) = Leaf::new(ball, (&[], Absorb::AllItCan), 0, Extent::Solid);
-        program.prepare(&vec![leaf; 4], &[bounds; 4]);
+        program.prepare(&vec![leaf; 4], &[bounds; 4], Vec::new());
         assert_eq!(program.nodes.len(), 1);
         assert_eq!(program.nodes[0].children, 4);
         assert_eq!(program.order.required[..], [0]);

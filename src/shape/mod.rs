@@ -440,9 +440,20 @@ type Crossings = SmallVec<[Root; 8]>;
 
 /// The visible roots of one smooth surface, face 0, at places in order, through each of which the line goes in or out.
 /// Those that lie beyond all numbers are left out, and the start is then on this side of them.
-fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
-    let mut is_inside = start == Start::Inside;
+fn alternate(start: Start, places: impl Iterator<Item = f64>) -> (Start, Crossings) {
     let mut roots = Crossings::new();
+    let start = alternate_into(start, places, |root| roots.push(root));
+    (start, roots)
+}
+
+/// The same; each root is given to `put`.
+#[inline(always)]
+fn alternate_into(
+    mut start: Start,
+    places: impl Iterator<Item = f64>,
+    mut put: impl FnMut(Root),
+) -> Start {
+    let mut is_inside = start == Start::Inside;
     for t in places {
         let crossing = if is_inside {
             Crossing::Leave
@@ -451,7 +462,7 @@ fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Cro
         };
         is_inside = !is_inside;
         if t.is_finite() {
-            roots.push(Root {
+            put(Root {
                 t,
                 crossing,
                 face: 0,
@@ -464,7 +475,7 @@ fn alternate(mut start: Start, places: impl Iterator<Item = f64>) -> (Start, Cro
             };
         }
     }
-    (start, roots)
+    start
 }
 
 /// Appends the span of a convex bounded solid.

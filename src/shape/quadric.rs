@@ -11,12 +11,11 @@
 //! the ray times the slopes, and the terms of the quadric), and no pair of roots deeper than 64 such roundings is lost:
 //! 22 families of rays in `tests/stability`, from 4 to 10⁸ times the size.
 
-use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
+use super::{Geometry, Root, Start, alternate_into, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::power_of_two;
 use crate::math::{Bounds, Ray, Step};
 use glam::{DMat3, DVec3};
-use smallvec::SmallVec;
 
 /// An ellipsoid that is longer than wide by more than this has no bounds: they would have no digits left.
 const LONGEST: f64 = 1e5;
@@ -120,7 +119,8 @@ impl Quadric {
         }
     }
 
-    fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
+    #[inline]
+    fn crossings(&self, ray: &Ray, put: impl FnMut(Root)) -> Start {
         let dir_size = power_of_two(ray.dir.abs().max_element());
         let dir = ray.dir / dir_size;
         let ahead = (self.middle - ray.origin).dot(dir) / dir.dot(dir);
@@ -137,20 +137,23 @@ impl Quadric {
         };
         let (mut ahead, (mut b, mut c)) = (ahead, along(near));
         let turn = ahead - b / a;
-        let is_close = difference_of_products(b, b, a, c).abs() < CLOSE * b * b;
+        let is_close = (b * b - a * c).abs() < CLOSE * b * b;
         if is_close && turn.is_finite() {
             // Whether there are roots at all is seen best between them.
             ahead = turn;
             (b, c) = along(ray.origin + ahead * dir);
         }
-        let (start, mut places) = sign_changes(a, b, c);
+        let (start, mut places, count) = sign_changes(a, b, c);
         let line = Ray::new(ray.origin, dir);
-        places.iter_mut().for_each(|t| *t += ahead);
-        let refined: SmallVec<[f64; 2]> = places.iter().map(|t| self.refined(&line, *t)).collect();
-        if refined.is_sorted() {
+        let mut refined = places;
+        for (t, refined) in places.iter_mut().zip(&mut refined).take(count) {
+            *t += ahead;
+            *refined = self.refined(&line, *t);
+        }
+        if count < 2 || refined[0] <= refined[1] {
             places = refined;
         }
-        alternate(start, places.iter().map(|t| t / dir_size))
+        alternate_into(start, places.iter().take(count).map(|t| t / dir_size), put)
     }
 
     /// A root with two of Newton's steps on the quadric in space, as far as they are needed and bring it nearer.
@@ -231,7 +234,7 @@ impl Part {
 
 /// The roots of `a·t² + 2b·t + c` in order, and whether it is negative far back. A place too far for a number is
 /// infinite.
-fn sign_changes(a: f64, b: f64, c: f64) -> (Start, SmallVec<[f64; 2]>) {
+fn sign_changes(a: f64, b: f64, c: f64) -> (Start, [f64; 2], usize) {
     let is_inside = if a != 0.0 {
         a < 0.0
     } else if b != 0.0 {
@@ -244,36 +247,42 @@ fn sign_changes(a: f64, b: f64, c: f64) -> (Start, SmallVec<[f64; 2]>) {
     } else {
         Start::Outside
     };
-    let mut places = SmallVec::new();
     let discriminant = difference_of_products(b, b, a, c);
     if a == 0.0 {
-        if b != 0.0 {
-            places.push(-0.5 * c / b);
-        }
+        (start, [-0.5 * c / b, 0.0], usize::from(b != 0.0))
     } else if discriminant > 0.0 {
         let q = -(b + discriminant.sqrt().copysign(b));
         let (t, other) = (q / a, c / q);
-        places.extend([t.min(other), t.max(other)]);
+        (start, [t.min(other), t.max(other)], 2)
+    } else {
+        (start, [0.0; 2], 0)
     }
-    (start, places)
 }
 
 /// `a·b − c·d` to within two roundings.
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (left, right) = (a * b, c * d);
+    if (left - right).abs() >= 0.5 * left.abs().max(right.abs()) {
+        // Little cancels.
+        return left - right;
+    }
     let rest = a.mul_add(b, -left) - c.mul_add(d, -right);
     (left - right) + if rest.is_finite() { rest } else { 0.0 }
 }
 
 impl Geometry for Quadric {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let (start, found) = self.crossings(ray);
-        roots.extend_from_slice(&found);
-        start
+        self.crossings(ray, |root| roots.push(root))
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.crossings(ray).1, from, to)
+        let mut first = None;
+        self.crossings(ray, |root| {
+            if first.is_none() && from < root.t && root.t < to {
+                first = Some(root);
+            }
+        });
+        first
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
@@ -340,6 +349,11 @@ mod tests {
         Quadric::read(&mut TextArgs::new(text)).unwrap()
     }
 
+    fn all(quadric: &Quadric, ray: &Ray) -> (Start, Vec<Root>) {
+        let mut roots = Vec::new();
+        (quadric.roots(ray, &mut roots), roots)
+    }
+
     #[test]
     fn an_ellipsoid_is_a_solid_with_bounds() {
         let ellipsoid = quadric("<1, 2, 0.5>, <0.3, -0.2, 0.4>, <-2, 1, 0.5>, -1");
@@ -367,19 +381,19 @@ mod tests {
         let sphere = quadric("<1,1,1>, <0,0,0>, <0,0,0>, -1");
         for far in [1e3, 1e6, 1e9] {
             let ray = Ray::new(DVec3::new(0.6, 0.0, -far), DVec3::Z);
-            let (_, roots) = sphere.crossings(&ray);
+            let (_, roots) = all(&sphere, &ray);
             assert!((roots[0].t - (far - 0.8)).abs() <= f64::EPSILON * far);
             assert!((roots[1].t - (far + 0.8)).abs() <= f64::EPSILON * far);
         }
         let ray = Ray::new(DVec3::new(0.0, 0.0, -3.0), DVec3::Z * 1e-200);
-        assert!((sphere.crossings(&ray).1[0].t / 2e200 - 1.0).abs() < 1e-15);
+        assert!((all(&sphere, &ray).1[0].t / 2e200 - 1.0).abs() < 1e-15);
     }
 
     #[test]
     fn a_ray_along_an_asymptote_has_one_root() {
         let cylinder = quadric("<1, -1, 0>, <0,0,0>, <0,0,0>, -1");
         let ray = Ray::new(DVec3::new(0.0, 1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
-        let (start, roots) = cylinder.crossings(&ray);
+        let (start, roots) = all(&cylinder, &ray);
         assert_eq!(start, Start::Outside);
         assert_eq!(roots.len(), 1);
         assert_eq!(roots[0].t, -1.0);
@@ -393,7 +407,7 @@ mod tests {
         assert_eq!(everything.solid_bounds(), Bounds::EVERYTHING);
         assert!(everything.contains(DVec3::X));
         let zero = quadric("<0,0,0>, <0,0,0>, <0,0,0>, 0");
-        let (start, roots) = zero.crossings(&Ray::new(DVec3::ZERO, DVec3::X));
+        let (start, roots) = all(&zero, &Ray::new(DVec3::ZERO, DVec3::X));
         assert!(start == Start::Inside && roots.is_empty());
     }
 }

@@ -194,3 +194,27 @@ fn from_inside_of_glass() {
         #for (I, 0, 20) sphere { 3 * <sin(I), cos(3 * I), cos(I)>, 0.4 pigment { rgb <1, 0.5, 0> } finish { reflection 0.3 } } #end",
     );
 }
+
+#[test]
+fn parts_of_combinations_with_boxes_of_their_own() {
+    assert_same(
+        "camera { location <0.3, 4, -14> look_at y angle 50 }
+        light_source { <-8, 9, -9>, 1 } light_source { <6, 12, -5>, 0.5 }
+        #declare Cone = quadric { <1, -1, 1>, 0, 0, 0 }
+        #declare Foot = object { Cone clipped_by { plane { y, 0 } plane { -y, 1 } } scale <1.5, 0.5, 1.5> translate 0.5*y }
+        #declare Bowl = intersection { plane { y, 1 } object { Cone } object { Cone scale <0.9, 1, 0.9> inverse } plane { -y, 0 } scale 1.5 }
+        #macro Goblet(Kind)
+          #switch (Kind) #case (0) merge { #break #case (1) union { #break #else difference { sphere { y, 3 } #end
+            object { Foot } cylinder { 0, 2*y, 0.15 } object { Bowl translate 1.8*y }
+            torus { 1.5, 0.1 clipped_by { plane { -y, 0 } } translate 3.3*y }
+            union { sphere { y, 0.3 } intersection { box { -0.3, 0.3 } plane { x + y, 0.2 } rotate 30 translate 1.4*y } }
+            triangle { <-1, 2, 0>, <1, 2, 0.3>, <0, 2.5, 1> }
+            clipped_by { plane { x + 0.2*z, 1.4 } }
+          }
+        #end
+        object { Goblet(0) rotate <20, 30, 10> pigment { rgb 1 } finish { phong 1 } translate -3.5*x }
+        object { Goblet(1) rotate <-10, 70, 0> pigment { rgbf 0.8 } interior { ior 1.3 } }
+        object { Goblet(2) rotate <60, 0, -30> pigment { rgb <1, 0.5, 0.2> } translate 3.5*x }
+        plane { y, -2 pigment { checker rgb 1 rgb 0.4 } finish { reflection 0.3 } }",
+    );
+}
