@@ -155,6 +155,8 @@ pub(super) struct Overview {
     pub(super) has_fresnel: bool,
     /// Whether light that arrives from behind may matter to some.
     pub(super) minds_backs: bool,
+    /// Whether some take no light.
+    pub(super) has_unlit: bool,
     /// Whether some finish has `crand`.
     pub(super) is_grainy: bool,
 }
@@ -167,6 +169,7 @@ impl Overview {
             hides_some: false,
             has_fresnel: false,
             minds_backs: false,
+            has_unlit: false,
             is_grainy: false,
         };
         for surface in surfaces {
@@ -175,6 +178,7 @@ impl Overview {
             all.hides_some |= surface.flags.hides_from_some();
             all.has_fresnel |= surface.has_fresnel();
             all.minds_backs |= surface.is_lit_from_behind() || surface.is_bumpy();
+            all.has_unlit |= !surface.takes_light();
             all.is_grainy |= surface.traits.is_grainy;
         }
         all
@@ -185,6 +189,7 @@ impl Overview {
 #[derive(Clone, Copy, Debug, Default)]
 struct Traits {
     is_opaque: bool,
+    takes_light: bool,
     is_lit_from_behind: bool,
     has_fresnel: bool,
     is_plain: bool,
@@ -228,6 +233,7 @@ impl Surface {
         let traits = Traits {
             uses_uv,
             is_opaque: textures().all(|texture| texture.is_opaque()),
+            takes_light: has(&|layer| layer.finish.takes_light()),
             is_lit_from_behind: has(&|layer| layer.finish.diffuse_back != 0.0),
             has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
             is_plain: textures().count() == 1 && texture.is_plain() && !uses_uv,
@@ -295,6 +301,13 @@ impl Surface {
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         self.traits.uses_uv
+    }
+
+    /// Whether light of lamps can be seen on it.
+    #[must_use]
+    #[inline]
+    pub fn takes_light(&self) -> bool {
+        self.traits.takes_light
     }
 
     /// Whether light that comes from behind can be seen on it.

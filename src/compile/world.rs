@@ -202,6 +202,12 @@ impl World {
         self.overview.minds_backs
     }
 
+    /// Whether some surfaces take no light.
+    #[must_use]
+    pub fn has_unlit(&self) -> bool {
+        self.overview.has_unlit
+    }
+
     /// The interiors of all objects that hold a point: of the unbounded ones first, then of the others in the order
     /// of the file. Where POV-Ray keeps no tree, all are in the order of the file.
     #[must_use]

@@ -178,7 +178,8 @@ impl Tracer<'_> {
         let light = lights.get(number);
         let arrival = light.arrival(hit.point);
         let cosine = normal.dot(arrival.to_light);
-        if !(faces(surface, cosine) || surface.is_bumpy() && cosine > MOST_TILTED)
+        if !surface.takes_light()
+            || !(faces(surface, cosine) || surface.is_bumpy() && cosine > MOST_TILTED)
             || !lights.of(surface.lights).contains(&number)
         {
             return Known::NOTHING;

@@ -135,6 +135,8 @@ pub struct Tracer<'w> {
     has_media: bool,
     /// Whether light that arrives from behind may matter to some surface.
     minds_backs: bool,
+    /// Whether it hangs on the surface to which light matters besides those that face it.
+    minds_surfaces: bool,
     /// Whether what plain surfaces show of others may be looked for together: not if light splits, nor if
     /// something takes random numbers one after the other.
     sends_waves: bool,
@@ -183,6 +185,7 @@ impl<'w> Tracer<'w> {
             quality,
             has_media,
             minds_backs: world.minds_backs(),
+            minds_surfaces: world.minds_backs() || world.has_unlit(),
             sends_waves: !world.interiors.split_light() && !world.takes_chances(),
             takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
             minds_interiors,

@@ -284,7 +284,7 @@ impl Tracer<'_> {
         ways.goes_out = arrived.goes_out;
         ways.far = self.world.reach_of_four(&arrived.distance, &arrived.size);
         let mut asked = hits.met & arrived.faces;
-        if self.minds_backs || !self.world.lights.shines_on_all(number) {
+        if self.minds_surfaces || !self.world.lights.shines_on_all(number) {
             asked = self.minded(number, hits, &arrived);
         }
         let mut left = if light.has_even_share() {
@@ -320,7 +320,7 @@ impl Tracer<'_> {
             let nearly_faces = arrived.nearly_faces >> lane & 1 == 1;
             let matters = faces || nearly_faces && surface.is_bumpy();
             let is_lit = self.world.lights.of(surface.lights).contains(&number);
-            asked |= u32::from(matters && is_lit) << lane;
+            asked |= u32::from(matters && is_lit && surface.takes_light()) << lane;
         }
         asked
     }

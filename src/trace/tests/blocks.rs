@@ -218,3 +218,17 @@ fn parts_of_combinations_with_boxes_of_their_own() {
         plane { y, -2 pigment { checker rgb 1 rgb 0.4 } finish { reflection 0.3 } }",
     );
 }
+
+#[test]
+fn what_takes_no_light_asks_for_none() {
+    let world = world(
+        "camera { location -5*z look_at 0 angle 50 } light_source { <-8, 9, -9>, 1 }
+        sphere { 0, 1 pigment { rgb 1 } finish { ambient 1 diffuse 0 } } plane { -z, -9 finish { emission 1 diffuse 0 } }",
+        3.7,
+        false,
+    );
+    let mut scratch = BlockScratch::default();
+    Tracer::new(&world, 9).block(&(0..16), &(0..16), (16, 16), &mut scratch, |_, _, _| {});
+    let rays = scratch.take_rays();
+    assert_eq!((rays.camera, rays.shadow), (256, 0));
+}
