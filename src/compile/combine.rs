@@ -215,7 +215,19 @@ impl Flat {
                 let node = push_node(program, combine, parent);
                 let signs =
                     (0..).map(|at| is_inverse != (*operation == Operation::Difference && at > 0));
+                // Among others those of what stands in unions are gathered here.
+                let gathers = combine != Combine::Union
+                    && object.size().has_cutaways
+                    && !self.asks_insides
+                    && below.texture.is_none()
+                    && below.cutaway.is_none();
+                let cutaway = if gathers {
+                    Some(Arc::new(self.cutaway(object, is_inverse, below)))
+                } else {
+                    below.cutaway.clone()
+                };
                 let below = Heritage {
+                    cutaway,
                     place: match operation {
                         Operation::Union => Place::Union,
                         Operation::Merge => Place::Merge,

@@ -1,5 +1,6 @@
 //! What objects hand down to what they hold: texture, interior, switches, lights, and where they stand.
 
+use super::cutaway::Cutaway;
 use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
 use super::leaf::Absorb;
@@ -32,6 +33,8 @@ pub(super) struct Heritage {
     pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
+    /// Where what has no texture takes one from, in a combination with `cutaway_textures`.
+    pub(super) cutaway: Option<Arc<Cutaway>>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
     pub(super) slot: u32,
 }
@@ -58,8 +61,8 @@ pub(super) enum Place {
 /// A texture with the transforms that came after it.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
-    texture: Arc<Texture>,
-    steps: Arc<[Step]>,
+    pub(super) texture: Arc<Texture>,
+    pub(super) steps: Arc<[Step]>,
 }
 
 impl Heritage {
@@ -141,6 +144,7 @@ impl Flat {
             place: Place::Alone,
             says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
+            cutaway: above.cutaway.clone(),
             slot: 0,
         }
     }
@@ -222,7 +226,12 @@ impl Flat {
             let texture = Arc::clone(&skin.0);
             self.prepare(&Placed { texture, steps }).shared()
         };
-        let skins = skins.iter().map(skin).collect();
+        let lent = looks.cutaway.as_ref();
+        let lent = lent.filter(|_| looks.texture.is_none() && skins.is_empty());
+        let skins = match lent {
+            Some(cutaway) => cutaway.textures().iter().cloned().collect(),
+            None => skins.iter().map(skin).collect(),
+        };
         let interior = looks.interior.unwrap_or(InteriorId::AIR);
         let flags = looks.obeyed.as_ref().map_or(looks.flags, |obeyed| Flags {
             no_shadow: obeyed.no_shadow,
@@ -232,11 +241,15 @@ impl Flat {
             ..looks.flags
         });
         let lit = (looks.lights, flags);
-        Surface::new(texture, inside_texture, skins, interior, lit)
+        let mut surface = Surface::new(texture, inside_texture, skins, interior, lit);
+        if let Some(cutaway) = lent {
+            surface.set_cutaway(Arc::clone(cutaway));
+        }
+        surface
     }
 
     /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
-    fn prepare(&mut self, placed: &Placed) -> Kept {
+    pub(super) fn prepare(&mut self, placed: &Placed) -> Kept {
         if placed.texture.depends_on_place() {
             return Kept::Own(placed.texture.prepare(&placed.steps, &self.settings));
         }
@@ -259,7 +272,7 @@ impl Flat {
 /// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
 /// where they are: the transforms of an object that says `uv_mapping` itself do not move its texture. Those of what hands
 /// it down do (checked with POV-Ray, which tells the parts when the whole is complete).
-fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
+pub(super) fn texture_steps(object: &Object, after: usize, above: &Heritage) -> Arc<[Step]> {
     if object.flags.uv_mapping {
         return Arc::default();
     }

@@ -5,6 +5,7 @@ mod chance;
 mod cluster;
 mod combine;
 mod csg;
+mod cutaway;
 mod find;
 mod flatten;
 mod four;

@@ -100,7 +100,7 @@ pub(super) fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn So
 }
 
 /// A world of one object that hides from nobody.
-fn compiled(object: &Arc<Object>) -> World {
+pub(super) fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Flat::default();
     flat.asks_insides = true;
     flat.add(object);

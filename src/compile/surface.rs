@@ -1,5 +1,6 @@
 //! How the surface of an object looks, and who sees it.
 
+use super::cutaway::Cutaway;
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
@@ -135,11 +136,12 @@ pub struct Surface {
 }
 
 /// What few surfaces have.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 struct Rare {
     inside_texture: Option<Arc<PreparedTexture>>,
     skins: Box<[Arc<PreparedTexture>]>,
     unmoved: Option<Unmoved>,
+    cutaway: Option<Arc<Cutaway>>,
 }
 
 /// What holds of the surfaces of a world, found by looking at each once: there may be millions.
@@ -208,7 +210,9 @@ impl Rare {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             _ => false,
         };
-        let has_more = |rare: &Rare| !rare.skins.is_empty() || rare.unmoved.is_some();
+        let has_more = |rare: &Rare| {
+            !rare.skins.is_empty() || rare.unmoved.is_some() || rare.cutaway.is_some()
+        };
         same_inside && !has_more(self) && !has_more(other)
     }
 }
@@ -248,6 +252,7 @@ impl Surface {
                 inside_texture,
                 skins,
                 unmoved: None,
+                cutaway: None,
             })
         });
         Surface {
@@ -275,7 +280,8 @@ impl Surface {
         self.rare.as_ref()?.inside_texture.as_ref()
     }
 
-    /// The textures that pieces of the shape have of their own, moved like the layers.
+    /// The textures that pieces of the shape have of their own, moved like the layers, or those that it takes from what it
+    /// cuts.
     #[must_use]
     pub fn skins(&self) -> &[Arc<PreparedTexture>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.skins)
@@ -295,6 +301,16 @@ impl Surface {
     /// Takes its texture coordinates from a shape that is not moved.
     pub(super) fn set_unmoved(&mut self, unmoved: Unmoved) {
         self.rare.get_or_insert_default().unmoved = Some(unmoved);
+    }
+
+    /// What lends it textures, if it has none of its own.
+    pub(super) fn cutaway(&self) -> Option<&Cutaway> {
+        self.rare.as_ref()?.cutaway.as_deref()
+    }
+
+    /// Takes its textures from what it cuts.
+    pub(super) fn set_cutaway(&mut self, cutaway: Arc<Cutaway>) {
+        self.rare.get_or_insert_default().cutaway = Some(cutaway);
     }
 
     /// Whether something in its looks asks for texture coordinates.

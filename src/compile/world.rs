@@ -245,6 +245,9 @@ impl World {
     /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
     #[must_use]
     pub fn shares(&self, hit: &Hit) -> Shares {
+        if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {
+            return cutaway.shares(hit.point);
+        }
         let Departure { leaf, face, .. } = hit.departure;
         self.model.shares(leaf, hit.point, face)
     }

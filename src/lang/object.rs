@@ -209,9 +209,6 @@ impl Reader<'_> {
 
     fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
         let token = self.raw();
-        if token.word() == Some(Word::CutawayTextures) {
-            return self.not_built(Word::CutawayTextures);
-        }
         if token
             .word()
             .is_some_and(|word| matches!(word.class(), Class::Shape | Class::Csg))
@@ -262,7 +259,13 @@ impl Reader<'_> {
                 return Err(Box::new(self.error_here(text).with_hint(hint)));
             }
             Word::UvMapping => object.flags.uv_mapping = true,
-            Word::Inverse => object.is_inverse = !object.is_inverse,
+            Word::Inverse => object.invert(),
+            Word::CutawayTextures => {
+                if !object.cut_away() {
+                    let text = "`cutaway_textures` stands only in `intersection` and `difference`";
+                    return Err(self.error_here(text));
+                }
+            }
             Word::NoImage
             | Word::NoReflection
             | Word::NoRadiosity

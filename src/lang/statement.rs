@@ -188,13 +188,8 @@ impl Reader<'_> {
     }
 
     /// An object without a texture takes the default one as it is at the object's end.
-    pub(super) fn with_default_texture(&mut self, mut object: Arc<Object>) -> Arc<Object> {
-        if object.texture.is_none() && !matches!(object.kind, crate::scene::Kind::Light { .. }) {
-            let texture = Arc::clone(&self.default_texture);
-            let attached = object.attach(texture);
-            Arc::make_mut(&mut object).texture = Some(attached);
-        }
-        object
+    pub(super) fn with_default_texture(&self, object: Arc<Object>) -> Arc<Object> {
+        object.with_default_texture(&self.default_texture)
     }
 
     /// Changes the defaults for the objects that follow.

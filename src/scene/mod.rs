@@ -1,6 +1,7 @@
 //! The hall: what a scene file says, as plain data. Reading fills it, drawing draws it; a Rust program can build it
 //! without any file.
 
+mod default_texture;
 mod extent;
 mod globals;
 mod moved;

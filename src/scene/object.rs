@@ -57,6 +57,8 @@ pub struct Size {
     pub has_lights: bool,
     /// Whether some of the objects in it ask for texture coordinates.
     pub uses_uv: bool,
+    /// Whether it or something in it says `cutaway_textures`.
+    pub has_cutaways: bool,
     /// Combinations inside each other, without those that say no more than the one around them would say of their
     /// parts: differences whose first part is a difference, unions of unions.
     pub turns: u32,
@@ -118,6 +120,16 @@ pub enum Operation {
     Difference,
 }
 
+impl Operation {
+    /// Whether it keeps what its children share, as a difference does with what its later ones leave; `is_inverse`: it is
+    /// inverted, which makes a union such a one.
+    #[must_use]
+    pub(super) fn is_shared(self, is_inverse: bool) -> bool {
+        let is_sum = matches!(self, Operation::Union | Operation::Merge);
+        is_sum == is_inverse
+    }
+}
+
 /// The switches of an object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Flags {
@@ -137,6 +149,8 @@ pub struct Flags {
     pub double_illuminate: bool,
     /// `uv_mapping`: all patterns on it, and on what it holds, are asked at texture coordinates.
     pub uv_mapping: bool,
+    /// Parts without a texture look like what they cut ([`Object::cut_away`] says so).
+    pub(super) cutaway_textures: bool,
 }
 
 /// The share of the rays that gather light that counts where they meet an object (`radiosity { importance }`).
@@ -173,6 +187,7 @@ impl Object {
             leaves: 1,
             has_lights: matches!(kind, Kind::Light { .. }),
             uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(Skin::uses_uv)),
+            has_cutaways: false,
             turns: 0,
         };
         let size = match &kind {
@@ -343,6 +358,7 @@ impl Object {
     #[must_use]
     pub fn shared_parts(&self) -> Option<&Children> {
         let is_suited = !self.size.has_lights
+            && !self.size.has_cutaways
             && self.size.leaves >= SHARED_LEAVES
             && self.size.height <= SHARED_HEIGHT;
         self.plain_union()
@@ -354,6 +370,32 @@ impl Object {
     #[must_use]
     pub fn size(&self) -> Size {
         self.size
+    }
+
+    /// Says `cutaway_textures`, if it is an intersection or difference as it stands; whether that is so. To an inverted
+    /// union it means nothing.
+    pub fn cut_away(&mut self) -> bool {
+        let is_suited = matches!(&self.kind, Kind::Csg { operation, .. } if operation.is_shared(self.is_inverse));
+        self.flags.cutaway_textures |= is_suited && !self.is_inverse;
+        self.size.has_cutaways |= is_suited;
+        is_suited
+    }
+
+    /// Exchanges inside and outside. Whatever says `cutaway_textures` says so no more, as in POV-Ray.
+    pub fn invert(&mut self) {
+        self.is_inverse = !self.is_inverse;
+        self.flags.cutaway_textures = false;
+    }
+
+    /// The object as a solid, inverse or not, moved by more steps, without what clips it.
+    pub(crate) fn as_solid(&self, is_inverse: bool, steps: &[Step]) -> Object {
+        let mut solid = self.clone();
+        solid.is_inverse = is_inverse;
+        solid.steps.extend(steps.iter().cloned());
+        if let Some(rare) = &mut solid.rare {
+            rare.clipped_by.clear();
+        }
+        solid
     }
 
     /// Gives the object a `clipped_by`.
@@ -433,6 +475,7 @@ impl Size {
             leaves: self.leaves.saturating_add(inner.leaves),
             has_lights: self.has_lights || inner.has_lights,
             uses_uv: self.uses_uv || inner.uses_uv,
+            has_cutaways: self.has_cutaways || inner.has_cutaways,
         }
     }
 }
@@ -468,6 +511,7 @@ mod tests {
             leaves: 1 << 20,
             has_lights: true,
             uses_uv: false,
+            has_cutaways: false,
             turns: 0,
         };
         assert_eq!(doubled.size(), size);
@@ -487,6 +531,7 @@ mod tests {
             leaves: 2,
             has_lights: true,
             uses_uv: false,
+            has_cutaways: false,
             turns: 1,
         };
         assert_eq!(object.size(), size);
