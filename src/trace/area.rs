@@ -5,6 +5,7 @@ use super::light::{Coat, Lit, Shining, is_nothing};
 use crate::color::Rgb;
 use crate::compile::Scratch;
 use crate::light::{Area, Arrival, Axes, Light};
+use glam::DVec3;
 
 /// By this much, summed over the channels, corners must differ for the part between them to be divided.
 const DIFFERENCE: f32 = 0.1;
@@ -40,6 +41,16 @@ impl<'a> Lamps<'a> {
             distance: arrival.distance,
             arriving,
         }
+    }
+
+    /// Where a lamp stands from the middle of the light. With jitter it is somewhere else each time it is asked.
+    fn offset(&self, u: u32, v: u32, scratch: &mut Scratch) -> DVec3 {
+        let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
+        if self.area.has_jitter {
+            at_u += scratch.stream.next_number() - 0.5;
+            at_v += scratch.stream.next_number() - 0.5;
+        }
+        self.area.lamp(&self.axes, at_u, at_v)
     }
 }
 
@@ -105,12 +116,7 @@ impl Tracer<'_> {
         if let Some(known) = scratch.lamps[index] {
             return known;
         }
-        let (mut at_u, mut at_v) = (f64::from(u), f64::from(v));
-        if lamps.area.has_jitter {
-            at_u += scratch.stream.next_number() - 0.5;
-            at_v += scratch.stream.next_number() - 0.5;
-        }
-        let centre = lamps.light.centre + lamps.area.lamp(&lamps.axes, at_u, at_v);
+        let centre = lamps.light.centre + lamps.offset(u, v, scratch);
         let arrival = if lamps.light.is_parallel {
             Arrival {
                 to_light: (centre - lamps.light.points_at()).normalize_or_zero(),
@@ -129,7 +135,8 @@ impl Tracer<'_> {
         left
     }
 
-    /// What the lamps give to a layer, each from where it is. The shadows are still those of all lamps together.
+    /// What the lamps give to a layer, each from where it is. The shadows are still those of all lamps together. With jitter
+    /// the lamps stand elsewhere than they did for the shadows.
     pub(super) fn light_up_by_lamps(
         &self,
         mut lamps: Lamps,
@@ -139,15 +146,17 @@ impl Tracer<'_> {
         if self.quality.has_shadows && !lamps.light.is_shadowless() {
             lamps.arriving = self.through_area(&lamps, scratch);
         }
-        let Lamps {
-            light, area, lit, ..
-        } = lamps;
-        let [columns, rows] = area.sizes;
+        // No lamp is placed then, which later random numbers show.
+        if is_nothing(lamps.arriving) {
+            return Rgb::BLACK;
+        }
+        let Lamps { light, lit, .. } = lamps;
+        let [columns, rows] = lamps.area.sizes;
         let each = lamps.arriving * (1.0 / (f64::from(columns) * f64::from(rows)));
         let mut sum = Rgb::BLACK;
-        for u in 0..columns {
-            for v in 0..rows {
-                let lamp = light.lamp(area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
+        for v in 0..rows {
+            for u in 0..columns {
+                let lamp = light.lamp(lamps.offset(u, v, scratch));
                 let arrival = lamp.arrival(lit.at.point);
                 let left = each * lamp.share(lit.at.point, &arrival);
                 if is_nothing(left) {
