@@ -19,9 +19,9 @@ pub const BLOCK: u32 = 32;
 /// The side of the parts of a block that are searched together.
 const SEARCHED: u32 = 16;
 /// So many are searched for, lit and coloured together where it is known what lies around camera and lamps.
-const AROUND: usize = 64;
+pub(super) const AROUND: usize = 64;
 /// The same where there are more lights than this.
-const MANY_LIGHTS: usize = 64;
+pub(super) const MANY_LIGHTS: usize = 64;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
 

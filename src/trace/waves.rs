@@ -3,6 +3,7 @@
 //! ([`super::block`]), then those that go on from what these meet, and so on. What is not plain is left to the way for
 //! single rays.
 
+use super::block::{AROUND, MANY_LIGHTS};
 use super::passage::{Bend, bend};
 use super::plain_four::{Looking, Showing, viewed};
 use super::shadows::Together;
@@ -16,6 +17,9 @@ use crate::math::lanes::with_widest;
 /// So many surfaces that show others are looked at together; behind those rays are followed one by one, which needs no
 /// room for all the branches of a tree at once.
 const MOST_SHOWN: usize = 1 << 13;
+
+/// So many rays of a wave are searched for, lit and coloured together.
+const MOST_AT_ONCE: usize = 1 << 10;
 
 /// Buffers for what surfaces show.
 #[derive(Debug, Default)]
@@ -288,7 +292,16 @@ impl Tracer<'_> {
             if self.stop.is_asked() {
                 waves.rays.clear();
             }
-            self.follow_wave(waves, scratch, &mut take);
+            // The ways to many lights would take much room.
+            let at_once = match self.world.lights.len() > MANY_LIGHTS {
+                true => AROUND,
+                false => MOST_AT_ONCE,
+            };
+            let rays = std::mem::take(&mut waves.rays);
+            for rays in rays.chunks(at_once) {
+                self.follow_wave(rays, waves, scratch, &mut take);
+            }
+            waves.rays = rays;
         }
         waves.insides.clear();
         // Those that are shown come behind those that show them.
@@ -297,14 +310,14 @@ impl Tracer<'_> {
         }
     }
 
-    /// Follows the rays of one wave.
+    /// Follows these rays of one wave.
     fn follow_wave(
         &self,
+        rays: &[Onward],
         waves: &mut Waves,
         scratch: &mut Scratch,
         take: &mut impl FnMut(usize, Sample),
     ) {
-        let rays = std::mem::take(&mut waves.rays);
         let mut all = std::mem::take(&mut waves.all);
         all.hits.resize(rays.len().div_ceil(4), FourHits::NOTHING);
         for (rays, hits) in rays.chunks(4).zip(&mut all.hits) {
@@ -340,7 +353,6 @@ impl Tracer<'_> {
                 }
             },
         );
-        waves.rays = rays;
         waves.all = all;
     }
 
