@@ -10,11 +10,11 @@ use super::sides::Sides;
 use super::slope::Sums;
 use super::strip::Strip;
 
-/// With more samples none for one that a strip crosses.
-const MOST_AT_STRIPS: usize = 16;
 /// So many samples are put on an edge at most, and so many at once.
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
+/// With so many samples the colour of a part is known without those on its edges.
+const ENOUGH: f64 = 4.0;
 /// Twice as many where the variance is so many times what is aimed at.
 const FAR: f64 = 64.0;
 
@@ -83,14 +83,14 @@ impl Dividing {
     pub(super) fn begin(
         &mut self,
         placed: &[Placed],
-        (own, channels): (usize, usize),
+        channels: usize,
         needs_test: bool,
         buffers: &mut Buffers,
     ) -> bool {
         self.needs_test = needs_test;
         self.taken = 0;
         if !self.tell_by_sides(placed, &mut buffers.groups)
-            && !self.tell_by_kinds(placed, (own, channels), buffers)
+            && !self.tell_by_kinds(placed, channels, buffers)
         {
             return false;
         }
@@ -125,7 +125,7 @@ impl Dividing {
     fn tell_by_kinds(
         &mut self,
         placed: &[Placed],
-        (own, channels): (usize, usize),
+        channels: usize,
         Buffers { told, groups }: &mut Buffers,
     ) -> bool {
         let Some(kinds) = Kinds::of(placed.iter().map(|(_, look)| look), channels) else {
@@ -143,9 +143,6 @@ impl Dividing {
         groups.extend(told.iter().map(|told| u8::from(told.1)));
         if self.separate(placed, groups) {
             return true;
-        }
-        if own > MOST_AT_STRIPS {
-            return false;
         }
         let Some(strip) = Strip::between(&self.groups[0], &self.groups[1]) else {
             return false;
@@ -201,7 +198,8 @@ impl Dividing {
         if lines == 2 && second.is_none() {
             return Next::Nothing;
         }
-        let Some(parts) = Parts::of(&first, second.as_ref(), &self.sums) else {
+        let are_alike = self.strip_is_bright.is_some();
+        let Some(parts) = Parts::of(&first, second.as_ref(), &self.sums, are_alike) else {
             return Next::Nothing;
         };
         let (mut rest, mut whole, mut by_line) = (0.0, 0.0, [0.0; 2]);
@@ -256,16 +254,27 @@ impl Dividing {
         looks.iter().all(|look| {
             let place = look.share();
             let is_beyond = self.first.is_some_and(|first| first.is_beyond(place));
-            self.take(look, place, 2 * usize::from(is_beyond))
+            let group = self.take(look, place, 2 * usize::from(is_beyond));
+            group.is_some_and(|group| {
+                self.sums[group].add(place, &look.channels);
+                true
+            })
         })
     }
 
     /// Takes the samples at `places`; false if they show that no lines divide the pixel.
     pub(super) fn take_places(&mut self, looks: &[Look]) -> bool {
-        looks
-            .iter()
-            .enumerate()
-            .all(|(i, look)| self.take(look, self.places[i], 2 * self.line))
+        looks.iter().enumerate().all(|(i, look)| {
+            let place = self.places[i];
+            let group = self.take(look, place, 2 * self.line);
+            group.is_some_and(|group| {
+                // The colours next to a line are not those of the whole part.
+                if self.sums[group].count() < ENOUGH {
+                    self.sums[group].add(place, &look.channels);
+                }
+                true
+            })
+        })
     }
 
     /// The group of a sample: that of its side or kind, or `beside` if it lies beside a strip.
@@ -281,12 +290,9 @@ impl Dividing {
         })
     }
 
-    /// Takes a sample; false if it shows that no lines divide the pixel.
-    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> bool {
-        let Some(group) = self.group(look, beside) else {
-            return false;
-        };
-        self.sums[group].add(place, &look.channels);
+    /// Takes the place of a sample, and gives its group; `None` if it shows that no lines divide the pixel.
+    fn take(&mut self, look: &Look, place: [f64; 2], beside: usize) -> Option<usize> {
+        let group = self.group(look, beside)?;
         for line in 0..self.count_of_lines() {
             let is_behind = group > line;
             let line = &mut self.lines[line];
@@ -295,10 +301,10 @@ impl Dividing {
                 false => (&mut line.before, &line.behind),
             };
             if !line.wedge.take(place, is_behind, others) {
-                return false;
+                return None;
             }
             own.push(place);
         }
-        true
+        Some(group)
     }
 }

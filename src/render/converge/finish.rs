@@ -20,8 +20,6 @@ const UNSEEN: f64 = 0.25;
 pub(super) const HIDDEN: f64 = 0.0625;
 /// No pixel gets more samples.
 const MOST_SAMPLES: usize = 1 << 14;
-/// With more samples a pixel is not taken for one that an edge divides: it has failed to be so too often.
-const MOST_AT_EDGES: usize = 64;
 /// The side of a pixel in the parts that places are counted in.
 const SIDE: i32 = 1 << 16;
 /// First samples so far around a pixel tell how an edge goes on and how colours slope: those within half a pixel let three
@@ -104,6 +102,8 @@ struct Case {
     wish: Wish,
     looks: Vec<Look>,
     dividing: Dividing,
+    /// Whether it was looked for lines among all its samples.
+    is_tried: bool,
     taken: u32,
     /// What all samples together tell.
     found: Estimate,
@@ -177,6 +177,7 @@ impl Case {
     ) -> Option<Outcome> {
         self.pixel = (x, y);
         self.taken = 0;
+        self.is_tried = false;
         self.settles = task == Task::Settle;
         let at = band.at(x, y);
         match task {
@@ -296,14 +297,15 @@ impl Case {
 
     /// What is to be done with all the samples that there are.
     fn refine(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> Option<Outcome> {
-        let count = self.looks.len();
         let error = self.found.error.max(self.hidden(UNSEEN));
-        let is_last = count >= MOST_SAMPLES || band.target.is_over();
+        let is_last = self.looks.len() >= MOST_SAMPLES || band.target.is_over();
         if error <= band.target.error * EVEN || is_last {
             return self.outcome(Some(done(&self.found, error)));
         }
-        // A few samples on lines lower the error far more than many others.
-        if self.hidden(HIDDEN) <= band.target.error && count <= MOST_AT_EDGES {
+        // A few samples on lines lower the error far more than many others. What no line divides will not be divided with
+        // more samples either.
+        if !self.is_tried && self.hidden(HIDDEN) <= band.target.error {
+            self.is_tried = true;
             gather(
                 band,
                 (self.pixel, &self.looks),
@@ -326,7 +328,7 @@ impl Case {
     fn begin_dividing(&mut self, band: &Band<'_>, buffers: &mut Gathered) -> bool {
         self.dividing.begin(
             &buffers.placed,
-            (self.looks.len(), band.eye.channels),
+            band.eye.channels,
             self.settles,
             &mut buffers.dividing,
         )

@@ -11,11 +11,13 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Between the lines; `None` if there are too few samples of a part.
+    /// Between the lines; `None` if there are too few samples of a part. If the first and the last are `alike`, either
+    /// stands in for the other.
     pub(super) fn of(
         first: &Division,
         second: Option<&Division>,
         sums: &[Sums; 3],
+        are_alike: bool,
     ) -> Option<Parts> {
         let last = second.map_or(0.0, |second| 1.0 - second.dark);
         let between = (1.0 - first.dark - last).max(0.0);
@@ -36,7 +38,8 @@ impl Parts {
         };
         let count = if second.is_some() { 3 } else { 2 };
         for part in 0..count {
-            let plane = sums[part].plane()?;
+            let other = (are_alike && part != 1).then(|| sums[2 - part].plane());
+            let plane = sums[part].plane().or(other.flatten())?;
             parts.colors[part] = plane.at(middles[part]);
             parts.variances[part] = plane.variances;
         }

@@ -74,6 +74,11 @@ impl Sums {
         }
     }
 
+    /// How many there are.
+    pub(super) fn count(&self) -> f64 {
+        self.count
+    }
+
     /// The plane, level where there are too few samples for a slope; `None` for less than two samples.
     pub(super) fn plane(&self) -> Option<Plane> {
         let n = self.count;
