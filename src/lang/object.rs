@@ -189,7 +189,7 @@ impl Reader<'_> {
     pub(super) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
-                return Ok(());
+                return self.check_sides(object);
             }
             if let Some(step) = transform_step(self)? {
                 object.steps.push(step);
@@ -205,6 +205,18 @@ impl Reader<'_> {
                 return Err(self.unknown_modifier(of));
             }
         }
+    }
+
+    /// The inner side has no texture of its own where the outer one has none.
+    fn check_sides(&self, object: &Object) -> Parse<()> {
+        if object.texture.is_some() || object.interior_texture().is_none() {
+            return Ok(());
+        }
+        let text = "an object with an `interior_texture` needs a `texture` for its outer side too";
+        let hint = "Give it a texture or a pigment: `texture { pigment { rgb 1 } }`.";
+        Err(Box::new(
+            Diagnostic::error(self.taken_span(), text).with_hint(hint),
+        ))
     }
 
     fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {

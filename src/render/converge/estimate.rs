@@ -96,26 +96,18 @@ impl Reach {
     }
 }
 
-/// What the first samples of a pixel tell, a power of two of them and at least two, on a surface with these slopes.
-/// `grid` is a buffer.
-pub(super) fn estimate(
-    looks: &[Look],
-    channels: usize,
-    slopes: &Slopes,
-    grid: &mut Vec<[f64; 4]>,
-) -> Estimate {
-    let whole = of_all(looks, channels, slopes, grid);
-    let half = of_all(&looks[..looks.len() / 2], channels, slopes, grid);
+/// What samples of a pixel tell whose half told `half`.
+pub(super) fn after_half(whole: Estimate, half: &Estimate, channels: usize) -> Estimate {
     Estimate {
         error: whole
             .error
             .max(half.error * LEAST_LEFT)
-            .max(whole.apart(&half, channels) * STILL_TO_COME),
+            .max(whole.apart(half, channels) * STILL_TO_COME),
         ..whole
     }
 }
 
-/// The same without a look at how it came about.
+/// What the first samples of a pixel tell, a power of two of them, on a surface with these slopes. `grid` is a buffer.
 pub(super) fn of_all(
     looks: &[Look],
     channels: usize,

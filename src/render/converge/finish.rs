@@ -5,7 +5,7 @@
 
 use super::band::{Band, Done};
 use super::dividing::{Aim, Buffers, Dividing, Next, Placed};
-use super::estimate::{Estimate, estimate, of_all};
+use super::estimate::{Estimate, after_half, of_all};
 use super::look::{EyeScratch, Look, TOGETHER, pixel};
 use super::near::first_estimate;
 use super::slope::{Slopes, Sums};
@@ -105,8 +105,9 @@ struct Case {
     /// Whether it was looked for lines among all its samples.
     is_tried: bool,
     taken: u32,
-    /// What all samples together tell.
+    /// What all samples together tell, and the same without a look at how it came about.
     found: Estimate,
+    whole: Estimate,
     contrast: f64,
 }
 
@@ -196,7 +197,8 @@ impl Case {
                 }
                 self.looks.clear();
                 self.looks.extend_from_slice(band.looks_of(at));
-                self.found = self.estimate(band, &Slopes::default(), buffers);
+                self.whole = self.of_half(band, &Slopes::default(), buffers);
+                self.estimate(band, &Slopes::default(), buffers);
                 if !band.is_finer(at) {
                     // The time is over.
                     return self.outcome(Some(done(&self.found, self.found.error)));
@@ -218,13 +220,14 @@ impl Case {
         match self.step {
             Step::Sloped(slopes) => {
                 self.looks.extend_from_slice(looks);
-                let found = self.estimate(band, &slopes, buffers);
-                let is_enough = found.error <= band.target.error * EVEN;
-                self.outcome(is_enough.then(|| done(&found, found.error)))
+                self.whole = self.of_half(band, &slopes, buffers);
+                self.estimate(band, &slopes, buffers);
+                let is_enough = self.found.error <= band.target.error * EVEN;
+                self.outcome(is_enough.then(|| done(&self.found, self.found.error)))
             }
             Step::Sampled => {
                 self.looks.extend_from_slice(looks);
-                self.found = self.estimate(band, &Slopes::default(), buffers);
+                self.estimate(band, &Slopes::default(), buffers);
                 self.refine(band, buffers)
             }
             Step::Divided => {
@@ -378,13 +381,23 @@ impl Case {
         None
     }
 
-    fn estimate(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
-        let found = estimate(&self.looks, band.eye.channels, slopes, &mut buffers.grid);
+    /// What all samples tell on a surface with these slopes, `whole` being what half of them do.
+    fn estimate(&mut self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) {
+        let channels = band.eye.channels;
+        let half = self.whole;
+        self.whole = of_all(&self.looks, channels, slopes, &mut buffers.grid);
+        let found = after_half(self.whole, &half, channels);
         let times = count_of(&self.looks) / band.target.first;
-        Estimate {
+        self.found = Estimate {
             error: found.error * caution(times),
             ..found
-        }
+        };
+    }
+
+    /// What the first half of the samples tells.
+    fn of_half(&self, band: &Band<'_>, slopes: &Slopes, buffers: &mut Gathered) -> Estimate {
+        let half = &self.looks[..self.looks.len() / 2];
+        of_all(half, band.eye.channels, slopes, &mut buffers.grid)
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "what all steps give")]

@@ -9,15 +9,15 @@ const DIRECTIONS: usize = 16;
 /// How often it is looked for: after the first time around the direction in which fewest samples are mixed.
 const ROUNDS: u32 = 3;
 /// Where at most this share of the samples is mixed, a strip may be seen in a direction that lies nearby.
-const MOST_MIXED: f64 = 1.0 / 6.0;
+const MOST_MIXED: f32 = 1.0 / 6.0;
 
 /// A strip of one kind between others.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strip {
-    direction: [f64; 2],
+    direction: [f32; 2],
     /// Whether the strip is the brighter.
     pub(super) is_bright: bool,
-    from: f64,
+    from: f32,
 }
 
 impl Strip {
@@ -25,7 +25,7 @@ impl Strip {
     /// other like that. Of several that are found at once it is the one that lies the widest apart from the others.
     pub(super) fn between(dark: &[[f64; 2]], bright: &[[f64; 2]]) -> Option<Strip> {
         #[allow(clippy::cast_precision_loss, reason = "samples of a pixel are few")]
-        let most = MOST_MIXED * (dark.len() + bright.len()) as f64;
+        let most = MOST_MIXED * (dark.len() + bright.len()) as f32;
         let mut fan = Fan::HALF_TURN;
         for _ in 0..ROUNDS {
             let directions = fan.directions();
@@ -47,7 +47,7 @@ impl Strip {
         let [cos, sin] = self.direction;
         match told.1 == self.is_bright {
             true => 1,
-            false if told.0[0] * cos + told.0[1] * sin < self.from => 0,
+            false if along(single(told.0), [cos, sin]) < self.from => 0,
             false => 2,
         }
     }
@@ -78,13 +78,17 @@ impl Fan {
     }
 
     /// Of each its cosine and its sine.
-    fn directions(self) -> [[f64; DIRECTIONS]; 2] {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "what is found is tested again"
+    )]
+    fn directions(self) -> [[f32; DIRECTIONS]; 2] {
         let mut directions = [[0.0; DIRECTIONS]; 2];
         let (sin_step, cos_step) = self.step.sin_cos();
         let (mut sin, mut cos) = self.first.sin_cos();
         let [cosines, sines] = &mut directions;
         for direction in cosines.iter_mut().zip(sines) {
-            (*direction.0, *direction.1) = (cos, sin);
+            (*direction.0, *direction.1) = (cos as f32, sin as f32);
             (sin, cos) = (
                 sin * cos_step + cos * sin_step,
                 cos * cos_step - sin * sin_step,
@@ -99,7 +103,7 @@ struct Mixed {
     /// The least and the most of how far the dark ones and the bright ones lie in it.
     reaches: [Reaches; 2],
     /// How many samples of the one kind lie where those of the other do, dark and bright.
-    counts: [[f64; DIRECTIONS]; 2],
+    counts: [[f32; DIRECTIONS]; 2],
 }
 
 impl Mixed {
@@ -108,7 +112,7 @@ impl Mixed {
     fn of(
         dark: &[[f64; 2]],
         bright: &[[f64; 2]],
-        directions: &[[f64; DIRECTIONS]; 2],
+        directions: &[[f32; DIRECTIONS]; 2],
     ) -> Option<Mixed> {
         let mut mixed = Mixed {
             reaches: [reaches(dark, directions), reaches(bright, directions)],
@@ -126,14 +130,14 @@ impl Mixed {
     /// between.
     fn is_bright_within(&self, number: usize) -> Option<bool> {
         let [dark, bright] = [0, 1].map(|kind: usize| self.reaches[kind].of(number));
-        let is_within = |a: (f64, f64), b: (f64, f64)| a.0 > b.0 && a.1 < b.1;
+        let is_within = |a: (f32, f32), b: (f32, f32)| a.0 > b.0 && a.1 < b.1;
         let is_bright = is_within(bright, dark);
         (is_bright || is_within(dark, bright)).then_some(is_bright)
     }
 
     /// The least number of samples that lie where those between them do, and a direction in which that is so.
-    fn least(&self) -> Option<(f64, u8)> {
-        let mut best: Option<(f64, u8)> = None;
+    fn least(&self) -> Option<(f32, u8)> {
+        let mut best: Option<(f32, u8)> = None;
         for (number, direction) in (0..DIRECTIONS).zip(0u8..) {
             if let Some(is_bright) = self.is_bright_within(number) {
                 let count = self.counts[usize::from(!is_bright)][number];
@@ -148,11 +152,11 @@ impl Mixed {
     /// Of the directions in which no samples are mixed the one in which the strip lies the widest apart from the others.
     fn widest(
         &self,
-        directions: &[[f64; DIRECTIONS]; 2],
+        directions: &[[f32; DIRECTIONS]; 2],
         dark: &[[f64; 2]],
         bright: &[[f64; 2]],
     ) -> Option<Strip> {
-        let mut best: Option<(f64, Strip)> = None;
+        let mut best: Option<(f32, Strip)> = None;
         for number in 0..DIRECTIONS {
             let Some(is_bright) = self.is_bright_within(number) else {
                 continue;
@@ -164,16 +168,16 @@ impl Mixed {
             let direction = directions.map(|part| part[number]);
             let (from, to) = self.reaches[usize::from(is_bright)].of(number);
             // How far the others reach on either side.
-            let (mut before, mut behind) = (f64::NEG_INFINITY, f64::INFINITY);
-            for place in [dark, bright][others] {
-                let along = place[0] * direction[0] + place[1] * direction[1];
+            let (mut before, mut behind) = (f32::NEG_INFINITY, f32::INFINITY);
+            for &place in [dark, bright][others] {
+                let along = along(single(place), direction);
                 if along < from {
                     before = if along > before { along } else { before };
                 } else {
                     behind = if along < behind { along } else { behind };
                 }
             }
-            let width = f64::min(from - before, behind - to);
+            let width = f32::min(from - before, behind - to);
             if best.is_none_or(|(widest, _)| width > widest) {
                 let strip = Strip {
                     direction,
@@ -187,29 +191,46 @@ impl Mixed {
     }
 }
 
+/// A place in single precision.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "what is found is tested again"
+)]
+fn single(place: [f64; 2]) -> [f32; 2] {
+    place.map(|v| v as f32)
+}
+
+/// How far a place lies in a direction.
+#[inline(always)]
+fn along([x, y]: [f32; 2], [cos, sin]: [f32; 2]) -> f32 {
+    x * cos + y * sin
+}
+
 /// The least and the most of how far places lie in each direction.
 struct Reaches {
-    least: [f64; DIRECTIONS],
-    most: [f64; DIRECTIONS],
+    least: [f32; DIRECTIONS],
+    most: [f32; DIRECTIONS],
 }
 
 impl Reaches {
     /// Those in one direction.
-    fn of(&self, number: usize) -> (f64, f64) {
+    fn of(&self, number: usize) -> (f32, f32) {
         (self.least[number], self.most[number])
     }
 }
 
 #[inline(always)]
-fn reaches(places: &[[f64; 2]], directions: &[[f64; DIRECTIONS]; 2]) -> Reaches {
+fn reaches(places: &[[f64; 2]], directions: &[[f32; DIRECTIONS]; 2]) -> Reaches {
     let [cos, sin] = directions;
     let mut all = Reaches {
-        least: [f64::INFINITY; DIRECTIONS],
-        most: [f64::NEG_INFINITY; DIRECTIONS],
+        least: [f32::INFINITY; DIRECTIONS],
+        most: [f32::NEG_INFINITY; DIRECTIONS],
     };
-    for place in places {
+    for &place in places {
+        let place = single(place);
         for number in 0..DIRECTIONS {
-            let along = place[0] * cos[number] + place[1] * sin[number];
+            let along = along(place, [cos[number], sin[number]]);
             let (least, most) = (all.least[number], all.most[number]);
             // What `min` does about numbers that are none takes longer than all the rest.
             all.least[number] = if along < least { along } else { least };
@@ -224,13 +245,14 @@ fn reaches(places: &[[f64; 2]], directions: &[[f64; DIRECTIONS]; 2]) -> Reaches 
 fn count_within(
     places: &[[f64; 2]],
     others: &Reaches,
-    directions: &[[f64; DIRECTIONS]; 2],
-) -> [f64; DIRECTIONS] {
+    directions: &[[f32; DIRECTIONS]; 2],
+) -> [f32; DIRECTIONS] {
     let [cos, sin] = directions;
     let mut counts = [0.0; DIRECTIONS];
-    for place in places {
+    for &place in places {
+        let place = single(place);
         for number in 0..DIRECTIONS {
-            let along = place[0] * cos[number] + place[1] * sin[number];
+            let along = along(place, [cos[number], sin[number]]);
             let is_within = (along >= others.least[number]) & (along <= others.most[number]);
             counts[number] += if is_within { 1.0 } else { 0.0 };
         }
