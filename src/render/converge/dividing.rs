@@ -13,10 +13,10 @@ use super::strip::Strip;
 /// So many samples are put on an edge at most, and so many at once.
 const MOST_ON_AN_EDGE: u32 = 18;
 const ON_AN_EDGE_TOGETHER: u32 = 3;
-/// With so many samples the colour of a part is known without those on its edges.
-const ENOUGH: f64 = 4.0;
 /// Twice as many where the variance is so many times what is aimed at.
 const FAR: f64 = 64.0;
+/// With so many samples the colour of a part is known without those on its edges.
+const ENOUGH: f64 = 4.0;
 
 /// A sample and its place in pixels.
 pub(super) type Placed = ([f64; 2], Look);

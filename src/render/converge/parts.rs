@@ -11,8 +11,8 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Between the lines; `None` if there are too few samples of a part. If the first and the last are `alike`, either
-    /// stands in for the other.
+    /// Between the lines; `None` if there are too few samples of a part. If the first and the last are
+    /// alike, either stands in for the other.
     pub(super) fn of(
         first: &Division,
         second: Option<&Division>,
@@ -38,8 +38,11 @@ impl Parts {
         };
         let count = if second.is_some() { 3 } else { 2 };
         for part in 0..count {
-            let other = (are_alike && part != 1).then(|| sums[2 - part].plane());
-            let plane = sums[part].plane().or(other.flatten())?;
+            let of_the_other = || match are_alike && part != 1 {
+                true => sums[2 - part].plane(),
+                false => None,
+            };
+            let plane = sums[part].plane().or_else(of_the_other)?;
             parts.colors[part] = plane.at(middles[part]);
             parts.variances[part] = plane.variances;
         }
