@@ -69,7 +69,7 @@ impl Fan {
 
     /// Those between the neighbours of one of them.
     fn around(self, number: u8) -> Fan {
-        // One more than the directions, so that the neighbours, which are known, are left out.
+        // Sixteen between the two neighbours, which are known and left out.
         let step = 2.0 * self.step / 17.0;
         Fan {
             first: self.first + (f64::from(number) - 1.0) * self.step + step,
