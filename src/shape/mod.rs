@@ -29,6 +29,7 @@ mod mesh_looks;
 mod oracle;
 mod ovus;
 mod parametric;
+mod parametric_patch;
 mod placed_mesh;
 mod plane;
 mod poly;

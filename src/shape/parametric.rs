@@ -13,6 +13,7 @@
 //! any accuracy that a ray can be followed to.
 
 use super::container::Container;
+use super::parametric_patch::{Grid, Patch};
 use super::{Crossing, Geometry, Root, Start, read};
 use crate::args::{Args, Parse, Word};
 use crate::function::{self, Function};
@@ -20,14 +21,12 @@ use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A hit is at least so many accuracies from the start of a ray and from the border of the container.
 const LEAST_WAY: f64 = 4.0;
 /// Hits nearer than this to the start of a ray count for nothing, in POV-Ray's units whatever the size of the scene.
 const LEAST_DEPTH: f64 = 1e-3;
-/// Halvings of a rectangle: more than `face` tells apart.
-const MOST_HALVINGS: u32 = 40;
 /// Pieces that one search looks at: with an accuracy or a gradient beyond all measure there is no end to them.
 const MOST_PIECES: u32 = 1 << 18;
 /// Hits of one ray.
@@ -52,6 +51,7 @@ struct Surface {
     /// The length in which lengths along a ray count; POV-Ray has it 1 whatever the transform of the object.
     unit: f64,
     gradient: f64,
+    grid: OnceLock<Grid>,
 }
 
 impl PartialEq for Surface {
@@ -86,6 +86,7 @@ impl Parametric {
             accuracy: ACCURACY,
             unit: 1.0,
             gradient: MAX_GRADIENT,
+            grid: OnceLock::new(),
         };
         loop {
             if args.accept(Word::ContainedBy)? {
@@ -149,31 +150,27 @@ fn positive(args: &mut dyn Args, word: Word) -> Parse<f64> {
     )))
 }
 
-/// A rectangle of parameters.
-#[derive(Clone, Copy)]
-struct Patch {
-    low: DVec2,
-    high: DVec2,
-    /// Halvings that it may still take.
-    left: u32,
-}
-
 impl Surface {
-    fn coordinate(&self, axis: usize, at: DVec2) -> f64 {
-        let function = &self.functions[axis];
-        function.eval(&[at.x, at.y, 0.0][..function.parameters()])
+    fn grid(&self) -> Grid {
+        Grid::new(self.low, self.high, self.accuracy, |at| self.point(at))
+    }
+
+    fn point(&self, at: DVec2) -> DVec3 {
+        let coordinate = |axis: usize| {
+            let function = &self.functions[axis];
+            function.eval(&[at.x, at.y, 0.0][..function.parameters()])
+        };
+        DVec3::from_array([0, 1, 2].map(coordinate))
     }
 
     /// The part of a ray, within limits, on which the piece over a rectangle may lie, and where by its third coordinate
     /// it begins. The bounds lie lower than they are by `accuracy`, as in POV-Ray.
-    fn span(&self, ray: &Ray, low: DVec2, high: DVec2, within: (f64, f64)) -> Option<f64> {
-        let size = high - low;
+    fn span(&self, ray: &Ray, patch: &Patch, within: (f64, f64)) -> Option<f64> {
+        let size = patch.high - patch.low;
         let (mut near, mut far) = within;
         let mut start = near;
         for axis in 0..3 {
-            let corner = |u: f64, v: f64| self.coordinate(axis, DVec2::new(u, v));
-            let (a, b) = (corner(low.x, low.y), corner(low.x, high.y));
-            let (c, d) = (corner(high.x, low.y), corner(high.x, high.y));
+            let [a, b, c, d] = patch.corners.map(|corner| corner[axis]);
             let left = self.between(a, b, size.y);
             let right = self.between(c, d, size.y);
             let least = self.between(left.0, right.0, size.x).0 - self.accuracy;
@@ -217,25 +214,22 @@ impl Surface {
         let least = enter.0.max(start) + LEAST_WAY * self.unit * self.accuracy;
         let mut end = leave.0.min(to);
         let mut best: Option<Root> = None;
-        let mut open: SmallVec<[Patch; 64]> = SmallVec::new();
-        open.push(Patch {
-            low: self.low,
-            high: self.high,
-            left: MOST_HALVINGS,
-        });
+        let mut open: SmallVec<[Patch; 32]> = SmallVec::new();
+        let grid = self.grid.get_or_init(|| self.grid());
+        open.push(grid.whole());
         let mut pieces = 0;
         while let Some(patch) = open.pop() {
             pieces += 1;
             if pieces > MOST_PIECES {
                 break;
             }
-            let Some(at) = self.span(ray, patch.low, patch.high, (least, end)) else {
+            let Some(at) = self.span(ray, &patch, (least, end)) else {
                 continue;
             };
             let size = patch.high - patch.low;
             let is_small = size.max_element() < self.accuracy || patch.left == 0;
             if !is_small {
-                let [lower, upper] = patch.halves();
+                let [lower, upper] = patch.halves(grid, |at| self.point(at));
                 open.extend([upper, lower]);
                 continue;
             }
@@ -275,22 +269,6 @@ impl Surface {
     }
 }
 
-impl Patch {
-    /// Its halves along its longer side, the lower one first.
-    fn halves(self) -> [Patch; 2] {
-        let Patch { low, high, .. } = self;
-        let middle = 0.5 * (low + high);
-        let size = high - low;
-        let (below, above) = if size.y > size.x {
-            (high.with_y(middle.y), low.with_y(middle.y))
-        } else {
-            (high.with_x(middle.x), low.with_x(middle.x))
-        };
-        let left = self.left - 1;
-        [(low, below), (above, high)].map(|(low, high)| Patch { low, high, left })
-    }
-}
-
 impl Geometry for Parametric {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         let mut from = f64::NEG_INFINITY;
@@ -315,11 +293,9 @@ impl Geometry for Parametric {
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
         let surface = &self.0;
         let at = surface.parameters(face);
-        let point =
-            |at: DVec2| DVec3::from_array([0, 1, 2].map(|axis| surface.coordinate(axis, at)));
-        let here = point(at);
-        let along_u = point(at + surface.accuracy * DVec2::X) - here;
-        let along_v = point(at + surface.accuracy * DVec2::Y) - here;
+        let here = surface.point(at);
+        let along_u = surface.point(at + surface.accuracy * DVec2::X) - here;
+        let along_v = surface.point(at + surface.accuracy * DVec2::Y) - here;
         let normal = along_u.cross(along_v);
         if normal.is_finite() && normal != DVec3::ZERO {
             normal
@@ -390,6 +366,7 @@ mod tests {
             accuracy: 1e-4,
             unit: 1.0,
             gradient: 1.0,
+            grid: OnceLock::new(),
         }))
     }
 
