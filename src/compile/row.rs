@@ -8,86 +8,147 @@ use super::lights::LightList;
 use super::model::Item;
 use super::surface::{Flags, Kept, Surface};
 use crate::color::Color;
-use crate::math::Bounds;
-use crate::scene::{Object, Objects, Taken};
+use crate::scene::{Entry, Object, Objects};
 use crate::shape::{Geometry, Shape};
 use crate::texture::{Finish, PreparedTexture};
 use rayon::prelude::*;
+use std::borrow::Cow;
+use std::ptr;
 use std::sync::Arc;
 
-/// So many are taken in together.
-const ROW: usize = 1 << 13;
+/// Fewer objects are not worth asking other threads.
+const FEW: usize = 64;
 
-/// Shapes that stand where their own numbers say, and how they look.
-#[derive(Default)]
+/// Shapes that stand where their own numbers say, and how they look: in pieces, of which all but the last are of one
+/// size.
 struct Row {
-    shapes: Vec<Shape>,
-    looks: Vec<(Color, Arc<Finish>)>,
-    /// What the shapes come to.
-    leaves: Vec<Leaf>,
-    bounds: Vec<Bounds>,
+    pieces: Vec<Vec<Entry>>,
+    size: usize,
+}
+
+/// A finish that is kept once for many objects that have it. Each thread has its own: threads that count who has it
+/// would wait for each other.
+#[derive(Default)]
+struct Finishes {
+    /// Where it was seen last, and the finish.
+    last: Option<(usize, Arc<Finish>)>,
 }
 
 impl Flat {
     /// Takes in all objects of the scene's top level; `let_go` gets those that are needed no more, one by one.
     pub(super) fn take_all(&mut self, objects: Objects, let_go: &mut dyn FnMut(Arc<Object>)) {
-        let mut row = Row::default();
-        for object in objects.taken_apart() {
-            match object {
-                Taken::Colored(shape, color, finish) if self.suits_row(&shape, &finish) => {
-                    row.shapes.push(shape);
-                    row.looks.push((color, finish));
-                    if row.shapes.len() == ROW {
-                        self.take_row(&mut row);
-                    }
+        let (pieces, size) = objects.into_pieces();
+        let suits = |piece: &Vec<Entry>| piece.iter().all(|entry| self.suits_row(entry));
+        let suited: Vec<bool> = pieces.par_iter().map(suits).collect();
+        let mut pieces = pieces.into_iter().zip(suited).peekable();
+        while let Some((piece, is_suited)) = pieces.next() {
+            if is_suited {
+                let mut row = vec![piece];
+                while let Some((piece, _)) = pieces.next_if(|(_, is_suited)| *is_suited) {
+                    row.push(piece);
                 }
-                other => {
-                    self.take_row(&mut row);
-                    if let Some(object) = self.take(other) {
-                        let_go(object);
-                    }
+                self.take_row(&Row { pieces: row, size });
+                continue;
+            }
+            let mut run = Vec::new();
+            for entry in piece {
+                if self.suits_row(&entry) {
+                    run.push(entry);
+                } else {
+                    self.take_run(std::mem::take(&mut run), let_go);
+                    self.take_one(entry, let_go);
                 }
             }
+            self.take_run(run, let_go);
         }
-        self.take_row(&mut row);
     }
 
-    /// Whether a shape takes nothing but a place in the lists. Photons have to know where things stand.
-    fn suits_row(&self, shape: &Shape, finish: &Finish) -> bool {
-        shape.skins().is_empty()
-            && self.targets.is_none()
-            && !finish.has_interior()
-            && !shape.bounds().is_empty()
+    fn take_one(&mut self, entry: Entry, let_go: &mut dyn FnMut(Arc<Object>)) {
+        if let Some(object) = self.take(entry.taken()) {
+            let_go(object);
+        }
     }
 
-    /// Takes in a row of shapes, and leaves it empty.
-    fn take_row(&mut self, row: &mut Row) {
-        let count = index(row.shapes.len());
-        if count == 0 {
-            return;
+    /// Takes in any number of objects that suit.
+    fn take_run(&mut self, run: Vec<Entry>, let_go: &mut dyn FnMut(Arc<Object>)) {
+        if run.len() < FEW {
+            run.into_iter()
+                .for_each(|entry| self.take_one(entry, let_go));
+        } else {
+            self.take_row(&Row {
+                size: run.len(),
+                pieces: vec![run],
+            });
         }
-        let numbers = |first: usize| {
-            let first = index(first);
-            first..first + count
+    }
+
+    /// Whether an object takes nothing but a place in the lists. Photons have to know where things stand.
+    fn suits_row(&self, entry: &Entry) -> bool {
+        let is_plain = |(shape, _, finish): (Cow<Shape>, Color, &Arc<Finish>)| {
+            shape.skins().is_empty() && !finish.has_interior() && !shape.bounds().is_empty()
         };
-        let leaves = numbers(self.parts.leaves.len());
-        let shapes = row.shapes.par_drain(..);
-        let leaf =
-            |(shape, surface)| Leaf::new(shape, (&[], Absorb::AllItCan), surface, Extent::Surface);
-        let made = shapes.zip(numbers(self.surfaces.len())).map(leaf);
+        self.targets.is_none() && entry.colored().is_some_and(is_plain)
+    }
+
+    fn take_row(&mut self, row: &Row) {
+        let count = row.len();
+        let numbers = |first: usize| index(first)..index(first + count);
         let parts = &mut self.parts;
-        made.unzip_into_vecs(&mut row.leaves, &mut row.bounds);
-        parts.leaves.append(&mut row.leaves);
-        parts.bounds.append(&mut row.bounds);
-        parts.items.extend(leaves.map(Item::Leaf));
-        let InteriorId(interior) = self.interiors.unnamed_ones(count);
-        let surface = |((color, finish), interior)| {
-            let texture = Kept::Own(PreparedTexture::colored(color, finish));
+        let (leaves, surfaces) = (numbers(parts.leaves.len()), numbers(self.surfaces.len()));
+        let places = (0..count).into_par_iter();
+        let leaf = |(at, surface)| {
+            let (shape, ..) = row.object(at);
+            let place = (&[][..], Absorb::AllItCan);
+            Leaf::new(shape.into_owned(), place, surface, Extent::Surface).0
+        };
+        let made = places.clone().zip(surfaces).map(leaf);
+        parts.leaves.par_extend(made);
+        let made = parts.leaves[leaves.start as usize..].par_iter();
+        parts
+            .bounds
+            .par_extend(made.map(|leaf| leaf.shape.bounds()));
+        parts
+            .items
+            .par_extend(leaves.into_par_iter().map(Item::Leaf));
+        let InteriorId(first) = self.interiors.unnamed_ones(index(count));
+        let surface = |finishes: &mut Finishes, (at, interior)| {
+            let (_, color, finish) = row.object(at);
+            let texture = Kept::Own(PreparedTexture::colored(color, finishes.kept(finish)));
             let lit = (LightList::default(), Flags::default());
             Surface::new(texture, None, Box::default(), InteriorId(interior), lit)
         };
-        let looks = row.looks.par_drain(..).zip(interior..interior + count);
-        self.surfaces.par_extend(looks.map(surface));
+        let looks = places.zip(first..first + index(count));
+        let looks = looks.map_init(Finishes::default, surface);
+        self.surfaces.par_extend(looks);
         self.last_surface = None;
+    }
+}
+
+impl Row {
+    fn len(&self) -> usize {
+        self.pieces.iter().map(Vec::len).sum()
+    }
+
+    /// The object at a place.
+    fn object(&self, at: usize) -> (Cow<'_, Shape>, Color, &Arc<Finish>) {
+        let entry = &self.pieces[at / self.size][at % self.size];
+        entry.colored().expect("it was found to be of one colour")
+    }
+}
+
+impl Finishes {
+    fn kept(&mut self, finish: &Arc<Finish>) -> Arc<Finish> {
+        let place = ptr::from_ref(&**finish).addr();
+        match &mut self.last {
+            Some((seen, kept)) if *seen == place || **kept == **finish => {
+                *seen = place;
+                Arc::clone(kept)
+            }
+            last => {
+                let kept = Arc::new((**finish).clone());
+                *last = Some((place, Arc::clone(&kept)));
+                kept
+            }
+        }
     }
 }

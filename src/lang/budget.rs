@@ -210,8 +210,13 @@ impl Reader<'_> {
 
     /// Counts an object.
     pub(super) fn count_object(&mut self) -> Parse<()> {
-        self.budget.objects += 1;
-        self.take_memory_at(limits::OBJECT_BYTES, Self::taken_span)
+        self.count_objects(1)
+    }
+
+    /// Counts so many objects.
+    pub(super) fn count_objects(&mut self, count: u64) -> Parse<()> {
+        self.budget.objects += count;
+        self.take_memory_at(count * limits::OBJECT_BYTES, Self::taken_span)
     }
 
     /// Counts what an object of the scene itself comes to.
@@ -223,8 +228,13 @@ impl Reader<'_> {
 
     /// The same for an object that is one shape.
     pub(super) fn count_leaf(&mut self) -> Parse<()> {
-        self.count_object()?;
-        self.count_shapes(1, 1)
+        self.count_leaves_alone(1)
+    }
+
+    /// The same for so many objects that are one shape each.
+    pub(super) fn count_leaves_alone(&mut self, count: u64) -> Parse<()> {
+        self.count_objects(count)?;
+        self.count_shapes(count, count)
     }
 
     /// Counts shapes that are to be prepared, and such that are shown.
@@ -258,23 +268,10 @@ impl Reader<'_> {
 
     /// Checks how deep an object's parts lie in each other, and how many they are.
     pub(super) fn check_size(&mut self, object: &Object, at: Span) -> Parse<()> {
-        let size = object.size();
-        let message = if size.height as usize > limits::HEIGHT {
-            format!(
-                "objects lie inside each other more than {} deep",
-                limits::HEIGHT
-            )
-        } else if size.turns as usize > limits::TURNS {
-            format!(
-                "combinations that differ lie inside each other more than {} deep",
-                limits::TURNS
-            )
-        } else if u64::from(size.leaves) > limits::SHOWN {
-            format!("this object comes to more than {} shapes", limits::SHOWN)
-        } else {
-            return Ok(());
-        };
-        Err(self.with_trace(Diagnostic::error(at, message)))
+        match limits::exceeded(object) {
+            Some(message) => Err(self.with_trace(Diagnostic::error(at, message))),
+            None => Ok(()),
+        }
     }
 
     /// Says that about so many bytes were taken, or will be at once; an error where there are no more.

@@ -1,5 +1,7 @@
 //! The limits of reading: what no scene needs, and what keeps a faulty one from taking the machine.
 
+use crate::scene::Object;
+
 /// Blocks in blocks. Programs write differences of a hundred thousand, one in the other; hands nest about ten.
 pub(super) const NESTING: usize = 120_000;
 /// Directives, conditions, strings and macro arguments that are read while another is being read. Each takes two to
@@ -56,3 +58,21 @@ pub(super) const ROUND_BYTES: u64 = 100;
 pub(super) const FILE_BYTES: u64 = 8;
 /// Warnings kept of one run.
 pub(super) const FINDINGS: usize = 1_000;
+
+/// What an object has too much of, as a message.
+pub(super) fn exceeded(object: &Object) -> Option<String> {
+    let size = object.size();
+    if size.height as usize > HEIGHT {
+        Some(format!(
+            "objects lie inside each other more than {HEIGHT} deep"
+        ))
+    } else if size.turns as usize > TURNS {
+        Some(format!(
+            "combinations that differ lie inside each other more than {TURNS} deep"
+        ))
+    } else if u64::from(size.leaves) > SHOWN {
+        Some(format!("this object comes to more than {SHOWN} shapes"))
+    } else {
+        None
+    }
+}

@@ -1,15 +1,14 @@
 //! Parameters written as plain literals, read straight from the text: data of which no tokens are made.
 //!
-//! Only what can mean nothing else is read: numbers with a sign, vectors and colours of them, reserved words, and
-//! identifiers that hold elements. At anything else, at a fault and at a warning it gives up, without a message: then
+//! Only what can mean nothing else is read: numbers with a sign, vectors and colours of them, axes and their multiples,
+//! reserved words, and identifiers that hold objects or elements. At anything else, at a fault and at a warning it gives up, without a message: then
 //! the same text is read by its tokens, which have the whole of the language.
 
-use super::scope::Scopes;
-use super::value::Value;
+use super::known::{Held, Known};
 use crate::args::{Alike, Args, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, FileId, Span};
-use crate::syntax::{Class, Names, number, word_end};
+use crate::syntax::{Class, number, word_end};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::cell::Cell;
@@ -23,11 +22,10 @@ pub(super) struct Literal<'a> {
     text: &'a str,
     at: usize,
     file: FileId,
-    names: &'a Names,
-    scopes: &'a Scopes,
+    known: Known<'a>,
     version: f64,
     /// The reserved word looked up last, with its first byte and the byte behind it.
-    known: Option<(usize, Word, usize)>,
+    last_word: Option<(usize, Word, usize)>,
     memory: &'a Memory,
     /// Whether something was found that only the tokens can tell.
     is_doubtful: Cell<bool>,
@@ -63,8 +61,7 @@ impl Memory {
 /// The place and the surroundings of a literal.
 pub(super) struct Ground<'a> {
     pub(super) file: FileId,
-    pub(super) names: &'a Names,
-    pub(super) scopes: &'a Scopes,
+    pub(super) known: Known<'a>,
     pub(super) version: f64,
     pub(super) memory: &'a Memory,
 }
@@ -84,11 +81,10 @@ impl<'a> Literal<'a> {
             text,
             at,
             file: ground.file,
-            names: ground.names,
-            scopes: ground.scopes,
+            known: ground.known,
             version: ground.version,
             memory: ground.memory,
-            known: None,
+            last_word: None,
             is_doubtful: Cell::new(false),
         }
     }
@@ -96,6 +92,11 @@ impl<'a> Literal<'a> {
     /// Where it has come to, if all that it read is sure.
     pub(super) fn reached(&self) -> Option<usize> {
         (!self.is_doubtful.get()).then_some(self.at)
+    }
+
+    /// The byte it has come to.
+    pub(super) fn at(&self) -> usize {
+        self.at
     }
 
     /// The next byte that is no blank; 0 at the end.
@@ -135,13 +136,13 @@ impl<'a> Literal<'a> {
         if !is_letter(self.byte()) {
             return None;
         }
-        if let Some((start, word, _)) = self.known
+        if let Some((start, word, _)) = self.last_word
             && start == self.at
         {
             return Some(word);
         }
         let (word, len) = self.memory.word(self.text, self.at)?;
-        self.known = Some((self.at, word, self.at + len));
+        self.last_word = Some((self.at, word, self.at + len));
         Some(word)
     }
 
@@ -149,6 +150,20 @@ impl<'a> Literal<'a> {
     fn spelling(&self) -> &'a str {
         let end = word_end(self.text.as_bytes(), self.at);
         &self.text[self.at..end]
+    }
+
+    /// What the identifier at hand holds.
+    fn held(&mut self) -> Parse<Held> {
+        let spelling = self.spelling();
+        let Some(held) = self.known.get(spelling) else {
+            return give_up();
+        };
+        self.at += spelling.len();
+        if is_letter(self.byte()) && self.reserved().is_none() {
+            // A macro may follow.
+            return give_up();
+        }
+        Ok(held)
     }
 
     /// Whether what is at hand begins something new, so that no expression goes on with it.
@@ -163,7 +178,7 @@ impl<'a> Literal<'a> {
         }
     }
 
-    /// The components of a vector, or a number alone, and how many they are.
+    /// The components of a vector, or of a number alone or times an axis, and how many they are.
     #[inline]
     fn components(&mut self) -> Option<([f64; MOST], usize)> {
         let mut vector = [0.0; MOST];
@@ -172,9 +187,15 @@ impl<'a> Literal<'a> {
         let bytes = self.text.as_bytes();
         let mut at = self.at + usize::from(is_vector);
         loop {
-            (*vector.get_mut(len)?, at) = signed(bytes, at)?;
+            let Some((component, end)) = signed(bytes, at) else {
+                return if is_vector { None } else { self.axis(1.0, at) };
+            };
+            (*vector.get_mut(len)?, at) = (component, end);
             len += 1;
             if !is_vector {
+                if bytes.get(behind_blanks(bytes, at)) == Some(&b'*') {
+                    return self.axis(component, behind_blanks(bytes, at) + 1);
+                }
                 break;
             }
             at = behind_blanks(bytes, at);
@@ -190,6 +211,32 @@ impl<'a> Literal<'a> {
         }
         self.at = at;
         self.is_at_seam().then_some((vector, len))
+    }
+
+    /// So many times the axis that stands at a byte, or minus the axis.
+    #[cold]
+    fn axis(&mut self, mut times: f64, at: usize) -> Option<([f64; MOST], usize)> {
+        let bytes = self.text.as_bytes();
+        let mut at = behind_blanks(bytes, at);
+        if bytes.get(at) == Some(&b'-') {
+            times = -times;
+            at = behind_blanks(bytes, at + 1);
+        }
+        let axis = match bytes.get(at)? {
+            b'x' => 0,
+            b'y' => 1,
+            b'z' => 2,
+            _ => return None,
+        };
+        if word_end(bytes, at) != at + 1 {
+            return None;
+        }
+        self.at = at + 1;
+        let mut vector = [0.0; MOST];
+        for (component, of_axis) in vector.iter_mut().zip([0, 1, 2]) {
+            *component = times * f64::from(u8::from(of_axis == axis));
+        }
+        self.is_at_seam().then_some((vector, 3))
     }
 
     /// A vector of `N` components; a number stands for all of them, and missing ones are zero.
@@ -367,7 +414,7 @@ impl Args for Literal<'_> {
         if self.reserved() != Some(word) {
             return Ok(false);
         }
-        if let Some((_, _, end)) = self.known {
+        if let Some((_, _, end)) = self.last_word {
             self.at = end;
         }
         Ok(true)
@@ -412,21 +459,19 @@ impl Args for Literal<'_> {
         if !is_letter(self.byte()) || self.reserved().is_some() {
             return Ok(None);
         }
-        let spelling = self.spelling();
-        let held = self
-            .names
-            .symbol(spelling)
-            .and_then(|name| self.scopes.get(name));
-        match held {
-            Some(Value::Element(element)) if element.kind() == kind => {
-                self.at += spelling.len();
-                if is_letter(self.byte()) && self.reserved().is_none() {
-                    // A macro may follow.
-                    return give_up();
-                }
-                Ok(Some(Arc::clone(&element.value)))
-            }
+        match self.held()? {
+            Held::Element(element) if (*element).type_id() == kind => Ok(Some(element)),
             _ => give_up(),
+        }
+    }
+
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        if !is_letter(self.byte()) || self.reserved().is_some() {
+            return give_up();
+        }
+        match self.held()? {
+            Held::Object(object) => Ok(object),
+            Held::Element(_) => give_up(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The scene language: runs a file's directives, macros and loops, and gives the scene it describes.
 
+mod ahead;
 mod args;
 mod array;
 mod body;
@@ -25,6 +26,7 @@ mod fuzz;
 mod global_blocks;
 mod hints;
 mod includes;
+mod known;
 mod lexicon;
 mod light;
 mod limits;

@@ -1,5 +1,7 @@
 //! Objects, CSG and what they carry.
 
+use super::ahead::{Defaults, Taker};
+use super::plain::Read;
 use super::reader::Reader;
 use super::value::Value;
 use crate::args::{Args, Parse, Word, transform_step};
@@ -11,6 +13,21 @@ use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind as Tok, Symbol};
 use crate::texture::{Layer, Material, Texture};
 use std::sync::Arc;
+
+/// The parts of an object.
+impl Taker for Vec<Arc<Object>> {
+    type Kept = Arc<Object>;
+
+    fn kept(read: Read, defaults: &Defaults<'_>) -> Arc<Object> {
+        Arc::new(read.into_object(defaults.layer))
+    }
+
+    fn take(&mut self, reader: &mut Reader<'_>, mut piece: Vec<Arc<Object>>) -> Parse<()> {
+        let count = piece.len() as u64;
+        self.append(&mut piece);
+        reader.count_objects(count)
+    }
+}
 
 impl Reader<'_> {
     /// The object that begins at hand, if one does.
@@ -161,10 +178,7 @@ impl Reader<'_> {
         }
         let mut children = Vec::new();
         loop {
-            self.take_literal_objects(|reader, read| {
-                children.push(Arc::new(read.into_object(&reader.default_layer)));
-                reader.count_object()
-            })?;
+            self.take_literal_objects(&mut children)?;
             let Some(child) = self.object()? else { break };
             children.push(child);
             self.count_object()?;

@@ -2,11 +2,13 @@
 //!
 //! What is read here is read as the statements of a scene read it; at anything else it is left to them.
 
+use super::limits;
+use super::literal::{Ground, Literal};
 use super::object::{baked, fold_steps};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::color::Color;
 use crate::interior::Interior;
-use crate::scene::{Kind, Object};
+use crate::scene::{Kind, Object, Operation};
 use crate::shape::Shape;
 use crate::syntax::Class;
 use crate::texture::{Family, Layer, Pigment, Texture};
@@ -24,6 +26,22 @@ pub(super) enum Read {
     /// An object with more to it.
     Object(Object),
 }
+
+/// An object that is written as plain literals.
+pub(super) struct LiteralObject {
+    pub(super) read: Read,
+    /// How many objects there are in it.
+    pub(super) parts: u32,
+    /// The byte behind it.
+    pub(super) end: usize,
+}
+
+/// Longer combinations are read by their tokens, and their parts as literals: not much is read in vain where a
+/// combination is almost, but not quite, all literals.
+const LONGEST_COMBINATION: usize = 1 << 12;
+
+/// Nor are combinations with more combinations inside each other.
+const DEEPEST_COMBINATION: u32 = 8;
 
 impl Read {
     /// It as an object; an object without a texture gets none.
@@ -47,6 +65,65 @@ fn colored(color: Color, default: &Layer) -> Layer {
         pigment: Pigment::plain(color),
         ..default.clone()
     }
+}
+
+/// The object that begins at a byte, if it is written as plain literals.
+pub(super) fn literal_object(
+    text: &str,
+    at: usize,
+    ground: &Ground<'_>,
+    default: &Layer,
+) -> Option<LiteralObject> {
+    let mut args = Literal::new(text, at, ground);
+    let mut parts = 0;
+    let read = shape_or_combination(&mut args, default, (at, &mut parts), 0).ok()??;
+    let end = args.reached()?;
+    Some(LiteralObject { read, parts, end })
+}
+
+/// A shape, a copy or a combination. `start` is where the outermost combination begins, with the number of its parts.
+fn shape_or_combination(
+    args: &mut Literal<'_>,
+    default: &Layer,
+    (start, parts): (usize, &mut u32),
+    depth: u32,
+) -> Parse<Option<Read>> {
+    let word = args.word()?;
+    let operation = match word {
+        Some(Word::Union) => Operation::Union,
+        Some(Word::Merge) => Operation::Merge,
+        Some(Word::Intersection) => Operation::Intersection,
+        Some(Word::Difference) => Operation::Difference,
+        _ => return plain_object(args, default),
+    };
+    if depth == DEEPEST_COMBINATION {
+        return Ok(None);
+    }
+    word.map(|word| args.accept(word)).transpose()?;
+    args.open()?;
+    let mut children = Vec::new();
+    while !args.at_mark('}')?
+        && let Some(word) = args.word()?
+        && (matches!(word.class(), Class::Shape | Class::Csg) || word == Word::Object)
+    {
+        let child = shape_or_combination(args, default, (start, parts), depth + 1)?;
+        let Some(child) = child.filter(|_| args.at() < start + LONGEST_COMBINATION) else {
+            return Ok(None);
+        };
+        children.push(Arc::new(child.into_object(default)));
+        *parts += 1;
+    }
+    if children.len() < 2 {
+        return Ok(None);
+    }
+    let object = Object::new(Kind::Csg {
+        operation,
+        children: Arc::new(children),
+    });
+    if limits::exceeded(&object).is_some() {
+        return Ok(None);
+    }
+    modified(object, args, default)
 }
 
 /// An object with its modifiers: a shape, or a copy of an object with a name. `None` if something else stands here.

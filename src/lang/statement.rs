@@ -1,5 +1,6 @@
 //! The statements of a scene file, and going on after a faulty one.
 
+use super::ahead::{Defaults, Taker};
 use super::cursor::Entered;
 use super::limits;
 use super::plain::Read;
@@ -11,11 +12,50 @@ use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::interior::Media;
-use crate::scene::{Look, Object, Plain};
+use crate::scene::{Entry, Look, Object, Plain};
 use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind};
-use crate::texture::{Layer, Texture};
+use crate::texture::{Finish, Layer, Texture};
 use std::sync::Arc;
+
+/// The objects of the scene itself.
+struct Whole;
+
+impl Taker for Whole {
+    type Kept = Entry;
+
+    fn kept(read: Read, defaults: &Defaults<'_>) -> Entry {
+        match read {
+            Read::Object(object) => {
+                Entry::from(Arc::new(object).with_default_texture(defaults.texture))
+            }
+            Read::Shape { shape, color } => {
+                let look = look(color, &defaults.finish, defaults.texture);
+                Entry::from(Plain { shape, look })
+            }
+        }
+    }
+
+    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Entry>) -> Parse<()> {
+        let mut plain = 0;
+        for entry in &piece {
+            match entry.whole() {
+                Some(object) => reader.count_leaves(object)?,
+                None => plain += 1,
+            }
+        }
+        reader.objects.append(piece);
+        reader.count_leaves_alone(plain)
+    }
+}
+
+/// How a shape looks that says a colour, or nothing.
+fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> Look {
+    match color {
+        Some(color) => Look::Color(color, Arc::clone(finish)),
+        None => Look::Texture(Arc::clone(texture)),
+    }
+}
 
 impl Reader<'_> {
     /// Reads the whole scene; findings are recorded.
@@ -63,7 +103,7 @@ impl Reader<'_> {
         self.blocks.clear();
         self.depth = 0;
         self.has_faulty_directive = false;
-        self.take_literal_objects(Self::add_read)?;
+        self.take_literal_objects(&mut Whole)?;
         let token = self.peek()?;
         self.statement_start = self.start_here();
         if token.kind == Kind::End {
@@ -174,10 +214,7 @@ impl Reader<'_> {
 
     /// How a shape looks that says a colour, or nothing.
     fn look_of(&self, color: Option<Color>) -> Look {
-        match color {
-            Some(color) => Look::Color(color, Arc::clone(&self.default_layer.finish)),
-            None => Look::Texture(Arc::clone(&self.default_texture)),
-        }
+        look(color, &self.default_layer.finish, &self.default_texture)
     }
 
     fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {

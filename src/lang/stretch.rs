@@ -3,12 +3,14 @@
 //! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
 //! tokens are made for the piece at hand.
 
+use super::ahead::{self, Around, Piece, Taker};
 use super::cursor::Place;
-use super::literal::{Ground, Literal};
-use super::plain::{Read, plain_object};
+use super::known::{Known, Told};
+use super::literal::Literal;
 use super::reader::Reader;
-use crate::args::{Args, Parse};
+use crate::args::Parse;
 use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// Tokens are made of pieces of about so many bytes: few where literals are interrupted, more where they end.
@@ -55,11 +57,8 @@ impl Reader<'_> {
         self.here.at = 1;
     }
 
-    /// Takes the objects at hand, as long as they are written as plain literals, and gives them to `take`.
-    pub(super) fn take_literal_objects(
-        &mut self,
-        mut take: impl FnMut(&mut Self, Read) -> Parse<()>,
-    ) -> Parse<()> {
+    /// Gives `taker` the objects at hand, as long as they are written as plain literals.
+    pub(super) fn take_literal_objects(&mut self, taker: &mut impl Taker) -> Parse<()> {
         if !self.is_at_data() {
             return Ok(());
         }
@@ -67,14 +66,7 @@ impl Reader<'_> {
             return Ok(());
         };
         let mut at = range.start;
-        let mut result = Ok(());
-        while let Some((object, end)) = self.literal_object(&text[..range.end], at) {
-            at = end;
-            result = take(self, object);
-            if result.is_err() {
-                break;
-            }
-        }
+        let result = self.take_objects_of(&text[..range.end], &mut at, taker);
         if at > range.start {
             self.go_to(at);
             self.piece = SHORTEST_PIECE;
@@ -82,21 +74,54 @@ impl Reader<'_> {
         result
     }
 
-    /// The object that begins at a byte, and its end, if it is a shape that is written as plain literals.
-    fn literal_object(&self, text: &str, at: usize) -> Option<(Read, usize)> {
-        let ground = Ground {
-            file: self.here.tokens.file,
-            names: &self.names,
-            scopes: &self.scopes,
-            version: self.version,
-            memory: &self.memory,
+    /// Gives `taker` the objects of a text from a byte on, which moves behind what has been taken.
+    fn take_objects_of<T: Taker>(
+        &mut self,
+        text: &str,
+        at: &mut usize,
+        taker: &mut T,
+    ) -> Parse<()> {
+        let told = RefCell::default();
+        let mut take = |reader: &mut Self, piece: Piece<T::Kept>, at: &mut usize| {
+            *at = piece.range.end;
+            reader.count_objects(piece.parts)?;
+            taker.take(reader, piece.read)
         };
-        let mut args = Literal::new(text, at, &ground);
-        let object = plain_object(&mut args, &self.default_layer).ok()??;
-        args.reached().map(|end| (object, end))
+        loop {
+            let first = *at..*at + ahead::FIRST;
+            let around = self.around(&told);
+            let piece = ahead::piece_of_objects::<T>(text, first.clone(), &around, &self.memory);
+            if !piece.range.is_empty() {
+                take(self, piece, at)?;
+            }
+            if *at < first.end {
+                return Ok(());
+            }
+            let mut goes_on = ahead::is_worth_while();
+            while goes_on && text.len() - *at >= ahead::LONG {
+                let pieces = ahead::objects::<T>(text, *at, &told.borrow(), &self.around(&told));
+                for piece in pieces {
+                    goes_on &= piece.range.start == *at;
+                    if !goes_on {
+                        break;
+                    }
+                    take(self, piece, at)?;
+                }
+            }
+        }
     }
 
-    /// Takes the literal vectors at hand as [`Args::literal_vectors`] does, if the data go on here, or behind the comma
+    fn around<'a>(&'a self, told: &'a RefCell<Told>) -> Around<'a> {
+        Around {
+            file: self.here.tokens.file,
+            version: self.version,
+            known: Known::Scopes(&self.names, &self.scopes, told),
+            layer: &self.default_layer,
+            texture: &self.default_texture,
+        }
+    }
+
+    /// Takes the literal vectors at hand as [`crate::args::Args::literal_vectors`] does, if the data go on here, or behind the comma
     /// at hand.
     pub(super) fn take_vectors_of_data(
         &mut self,
@@ -127,21 +152,58 @@ impl Reader<'_> {
         if !text[range.clone()].trim_ascii_start().starts_with(begins) {
             return false;
         }
-        let ground = Ground {
-            file: self.here.tokens.file,
-            names: &self.names,
-            scopes: &self.scopes,
-            version: self.version,
-            memory: &self.memory,
-        };
-        let mut args = Literal::new(&text[..range.end], range.start, &ground);
-        args.literal_vectors(len, take);
-        match args.reached().filter(|end| *end > range.start) {
-            Some(end) => {
-                self.go_to(end);
-                true
+        let mut at = range.start;
+        self.take_vectors_of(&text[..range.end], &mut at, len, take);
+        if at > range.start {
+            self.go_to(at);
+        }
+        at > range.start
+    }
+
+    /// Gives `take` the vectors of a text from a byte on, which moves behind what has been taken.
+    fn take_vectors_of(
+        &self,
+        text: &str,
+        at: &mut usize,
+        len: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) {
+        let told = RefCell::default();
+        let around = self.around(&told);
+        let ground = around.ground(&self.memory);
+        loop {
+            let mut args = Literal::new(text, *at, &ground);
+            let first = *at;
+            while *at < first + ahead::FIRST {
+                if !args.item(len).is_some_and(|vector| take(&vector[..len])) {
+                    return;
+                }
+                *at = args.at();
             }
-            None => false,
+            let mut goes_on = ahead::is_worth_while();
+            while goes_on && text.len() - *at >= ahead::LONG {
+                let pieces = ahead::vectors(text, *at, len, around.file);
+                for piece in pieces {
+                    goes_on &= piece.range.start == *at;
+                    if !goes_on {
+                        break;
+                    }
+                    let taken = piece
+                        .read
+                        .chunks_exact(len)
+                        .take_while(|vector| take(vector));
+                    let taken = taken.count();
+                    if taken < piece.read.len() / len {
+                        let mut args = Literal::new(text, *at, &ground);
+                        for _ in 0..taken {
+                            args.item(len);
+                        }
+                        *at = args.at();
+                        return;
+                    }
+                    *at = piece.range.end;
+                }
+            }
         }
     }
 }
@@ -149,25 +211,22 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lang::literal::Memory;
-    use crate::lang::scope::Scopes;
-    use crate::source::FileId;
-    use crate::syntax::Names;
+    use crate::lang::evaluate;
+    use crate::lang::literal::{Ground, Memory};
+    use crate::lang::plain::literal_object;
+    use crate::options::ReadOptions;
+    use crate::source::{FileId, Sources};
     use crate::texture::Layer;
 
     /// How much of a text is read as one object of literals.
     fn reached(text: &str) -> Option<usize> {
-        let (names, scopes) = (Names::new(), Scopes::default());
         let ground = Ground {
             file: FileId(0),
-            names: &names,
-            scopes: &scopes,
+            known: Known::Told(&Told::default()),
             version: 3.7,
             memory: &Memory::default(),
         };
-        let mut args = Literal::new(text, 0, &ground);
-        plain_object(&mut args, &Layer::default()).ok()??;
-        args.reached()
+        literal_object(text, 0, &ground, &Layer::default()).map(|object| object.end)
     }
 
     #[test]
@@ -179,6 +238,9 @@ mod tests {
             "box { -1, 1 rotate <0, 30, 0> scale 2 translate <1, 2, 3> texture { pigment { rgb 1 } } }",
             "cylinder { <0,0,0>, <0,1,0>, 0.25 open }",
             "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }",
+            "cylinder { -2*x, 2 * y, 0.6 }",
+            "sphere { -z, 1 }",
+            "union { sphere { 0, 1 } difference { box { -1, 1 } sphere { y, 1 } } no_shadow scale 2 }",
         ] {
             assert_eq!(reached(text), Some(text.len()), "{text}");
         }
@@ -187,13 +249,74 @@ mod tests {
     #[test]
     fn what_is_more_than_literals_is_left_to_the_tokens() {
         for text in [
-            "sphere { x, 0.5 }",
+            "sphere { x + y, 0.5 }",
+            "sphere { 2*x*3, 0.5 }",
+            "sphere { 2*xx, 0.5 }",
             "sphere { <1, 2, 3>*2, 0.5 }",
             "sphere { <1, 2, 3>, R }",
             "sphere { <1, 2, 3>, 0.5 hollow }",
             "union { sphere { 0, 1 } }",
+            "union { sphere { 0, 1 } sphere { R, 1 } }",
+            "light_group { sphere { 0, 1 } sphere { 1, 1 } }",
         ] {
             assert_eq!(reached(text), None, "{text}");
         }
+    }
+
+    /// What a text says, told whole.
+    fn told(text: &str) -> String {
+        let mut sources = Sources::new(Vec::new());
+        let file = sources.add_text("test.pov".to_owned(), text);
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let scene = reading
+            .scene
+            .unwrap_or_else(|| panic!("{:?}", reading.findings));
+        let objects = scene.objects.iter();
+        objects.map(|object| format!("{object:?}\n")).collect()
+    }
+
+    #[test]
+    fn long_data_mean_what_they_mean_token_by_token() {
+        let head = "#version 3.7; #declare T = texture { pigment { rgb 0.5 } }
+            #declare S = sphere { 0, 1 } #declare R = 3;";
+        let number = |at: usize| at % 17;
+        let data = |behind: &str| -> String {
+            let object = |at: usize| match at % 7 {
+                0 => format!(
+                    "sphere {{ <{}, 2, -3>, 0.5 texture {{ T }} }}{behind}\n",
+                    number(at)
+                ),
+                1 => format!("object {{ S scale {} }}{behind}\n", 1 + number(at)),
+                2 => format!(
+                    "difference {{ sphere {{ 0, {} }} cylinder {{ -2*x, 2*x, 1 }} pigment {{ rgb 1 }} }}{behind}\n",
+                    1 + number(at)
+                ),
+                3 if at % 1000 == 3 => format!("sphere {{ R*y, {} }}{behind}\n", number(at)),
+                _ => format!("box {{ -1, <1, 2, {}> rotate 3*y }}{behind}\n", number(at)),
+            };
+            (0..6000).map(object).collect()
+        };
+        let (plain, commented) = (data(""), data(" /**/"));
+        assert!(plain.len() > 2 * crate::lang::ahead::LONG);
+        let (one, other) = (
+            told(&(head.to_owned() + &plain)),
+            told(&(head.to_owned() + &commented)),
+        );
+        assert!(one == other);
+    }
+
+    #[test]
+    fn long_lists_mean_what_they_mean_token_by_token() {
+        let mesh = |behind: &str| -> String {
+            let vector = |at: usize| format!("<{}, {}, -0.5>,{behind}\n", at % 19, at % 23);
+            let vectors: String = (0..12_000).map(vector).collect();
+            let face = |at: usize| format!("<{at}, {}, {}>,{behind}\n", at + 1, at + 2);
+            let faces: String = (0..9_000).map(face).collect();
+            format!(
+                "mesh2 {{ vertex_vectors {{ 12000, {vectors} }} face_indices {{ 9000, {faces} }} }}"
+            )
+        };
+        assert!(mesh("").len() > 2 * crate::lang::ahead::LONG);
+        assert!(told(&mesh("")) == told(&mesh(" /**/")));
     }
 }

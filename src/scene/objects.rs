@@ -7,6 +7,7 @@ use super::{Kind, Object};
 use crate::color::Color;
 use crate::shape::{Shape, Sphere};
 use crate::texture::{Finish, Layer, Texture};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Objects are kept in pieces of so many, so that the room of those taken out is free before the last one is.
@@ -48,7 +49,7 @@ pub(crate) enum Taken {
 
 /// An object as it is kept. The numbers of balls stand in the list itself, for there may be millions of them.
 #[derive(Clone, Debug)]
-enum Entry {
+pub(crate) enum Entry {
     Whole(Arc<Object>),
     Ball {
         sphere: Sphere,
@@ -73,29 +74,30 @@ enum Entry {
 impl Objects {
     /// Adds an object.
     pub fn push(&mut self, object: Arc<Object>) {
-        let entry = match plain_parts(&object) {
-            Some((shape, look)) => match &**shape {
-                Shape::Sphere(sphere) => Entry::of_ball(*sphere, look),
-                _ => Entry::of_shape(Arc::clone(shape), look),
-            },
-            None => Entry::Whole(object),
-        };
-        self.push_entry(entry);
+        self.push_entry(object.into());
     }
 
     /// Adds a plain object.
     pub fn push_plain(&mut self, plain: Plain) {
-        let Plain { shape, look } = plain;
-        self.push_entry(match shape {
-            Shape::Sphere(sphere) => Entry::of_ball(sphere, look),
-            shape => Entry::of_shape(Arc::new(shape), look),
-        });
+        self.push_entry(plain.into());
     }
 
     /// Adds a sphere.
     #[inline]
     pub(crate) fn push_ball(&mut self, sphere: Sphere, look: Look) {
         self.push_entry(Entry::of_ball(sphere, look));
+    }
+
+    /// Adds what stands in a list.
+    pub(crate) fn append(&mut self, entries: Vec<Entry>) {
+        let mut entries = entries.into_iter();
+        while let Some(next) = entries.next() {
+            self.push_entry(next);
+            if let Some(piece) = self.pieces.last_mut() {
+                let room = PIECE.saturating_sub(piece.len());
+                piece.extend(entries.by_ref().take(room));
+            }
+        }
     }
 
     fn push_entry(&mut self, entry: Entry) {
@@ -133,17 +135,14 @@ impl Objects {
         self.pieces.into_iter().flatten().map(Entry::into_object)
     }
 
-    /// All of them, each let go before the next, those of one colour as what they are.
-    pub(crate) fn taken_apart(self) -> impl Iterator<Item = Taken> {
-        self.pieces.into_iter().flatten().map(Entry::taken)
+    /// All of them, in pieces of which all but the last are of a size, and this size.
+    pub(crate) fn into_pieces(self) -> (Vec<Vec<Entry>>, usize) {
+        (self.pieces, PIECE)
     }
 
     /// Those that are more than plain shapes, or may be: all others have neither parts nor lights nor an interior.
     pub(crate) fn whole(&self) -> impl Iterator<Item = &Arc<Object>> {
-        self.entries().filter_map(|entry| match entry {
-            Entry::Whole(object) => Some(object),
-            _ => None,
-        })
+        self.entries().filter_map(Entry::whole)
     }
 
     /// The textures of the others, those of one colour left out.
@@ -177,7 +176,36 @@ impl FromIterator<Arc<Object>> for Objects {
     }
 }
 
+impl From<Arc<Object>> for Entry {
+    fn from(object: Arc<Object>) -> Self {
+        match plain_parts(&object) {
+            Some((shape, look)) => match &**shape {
+                Shape::Sphere(sphere) => Entry::of_ball(*sphere, look),
+                _ => Entry::of_shape(Arc::clone(shape), look),
+            },
+            None => Entry::Whole(object),
+        }
+    }
+}
+
+impl From<Plain> for Entry {
+    fn from(Plain { shape, look }: Plain) -> Self {
+        match shape {
+            Shape::Sphere(sphere) => Entry::of_ball(sphere, look),
+            shape => Entry::of_shape(Arc::new(shape), look),
+        }
+    }
+}
+
 impl Entry {
+    /// The object, if it is more than a plain shape, or may be.
+    pub(crate) fn whole(&self) -> Option<&Arc<Object>> {
+        match self {
+            Entry::Whole(object) => Some(object),
+            _ => None,
+        }
+    }
+
     fn of_ball(sphere: Sphere, look: Look) -> Self {
         match look {
             Look::Color(color, finish) => Entry::Ball {
@@ -200,7 +228,25 @@ impl Entry {
         }
     }
 
-    fn taken(self) -> Taken {
+    /// The shape, its colour and its finish, if it is a plain shape of one colour.
+    pub(crate) fn colored(&self) -> Option<(Cow<'_, Shape>, Color, &Arc<Finish>)> {
+        match self {
+            Entry::Ball {
+                sphere,
+                color,
+                finish,
+            } => Some((Cow::Owned(Shape::Sphere(*sphere)), *color, finish)),
+            Entry::Colored {
+                shape,
+                color,
+                finish,
+            } => Some((Cow::Borrowed(&**shape), *color, finish)),
+            _ => None,
+        }
+    }
+
+    /// The object, taken out.
+    pub(crate) fn taken(self) -> Taken {
         match self {
             Entry::Ball {
                 sphere,
