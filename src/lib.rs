@@ -76,6 +76,9 @@ use std::sync::{Arc, Mutex, PoisonError, mpsc};
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 1 << 30;
 
+/// What fewer objects have left free in memory is not worth giving back.
+const SMALL_SCENE: usize = 200;
+
 /// Scenes with so many objects are compiled in a thread of their own.
 const LARGE_SCENE: usize = 4096;
 /// So many objects are let go together.
@@ -352,8 +355,13 @@ impl lang::Probe for OwnObjects {
 
 fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
     let working = scene.working_gamma();
-    let world = if scene.objects.len() < LARGE_SCENE {
-        compile::compile(scene, render)
+    let count = scene.objects.len();
+    let world = if count < LARGE_SCENE {
+        let world = compile::compile(scene, render);
+        if count > SMALL_SCENE {
+            memory::give_back();
+        }
+        world
     } else {
         compiled_apart(scene, render)
     };
