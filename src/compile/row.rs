@@ -1,4 +1,4 @@
-//! Plain coloured shapes that follow each other at the top level of a scene: taken in by all threads, for there may be
+//! Shapes of one colour that follow each other at the top level of a scene: taken in by all threads, for there may be
 //! millions of them.
 
 use super::flatten::{Flat, index};
@@ -7,20 +7,18 @@ use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::LightList;
 use super::model::Item;
 use super::surface::{Flags, Kept, Surface};
-use crate::color::Color;
-use crate::scene::{Entry, Object, Objects};
-use crate::shape::{Geometry, Shape};
+use crate::scene::{Colored, Entry, Object, Objects};
+use crate::shape::Geometry;
 use crate::texture::{Finish, PreparedTexture};
 use rayon::prelude::*;
-use std::borrow::Cow;
+use std::mem::take;
 use std::ptr;
 use std::sync::Arc;
 
 /// Fewer objects are not worth asking other threads.
 const FEW: usize = 64;
 
-/// Shapes that stand where their own numbers say, and how they look: in pieces, of which all but the last are of one
-/// size.
+/// Shapes of one colour: in pieces, of which all but the last are of one size.
 struct Row {
     pieces: Vec<Vec<Entry>>,
     size: usize,
@@ -47,7 +45,7 @@ impl Flat {
                 while let Some((piece, _)) = pieces.next_if(|(_, is_suited)| *is_suited) {
                     row.push(piece);
                 }
-                self.take_row(&Row { pieces: row, size });
+                self.take_row(Row { pieces: row, size });
                 continue;
             }
             let mut run = Vec::new();
@@ -55,7 +53,7 @@ impl Flat {
                 if self.suits_row(&entry) {
                     run.push(entry);
                 } else {
-                    self.take_run(std::mem::take(&mut run), let_go);
+                    self.take_run(take(&mut run), let_go);
                     self.take_one(entry, let_go);
                 }
             }
@@ -75,7 +73,7 @@ impl Flat {
             run.into_iter()
                 .for_each(|entry| self.take_one(entry, let_go));
         } else {
-            self.take_row(&Row {
+            self.take_row(Row {
                 size: run.len(),
                 pieces: vec![run],
             });
@@ -84,35 +82,32 @@ impl Flat {
 
     /// Whether an object takes nothing but a place in the lists. Photons have to know where things stand.
     fn suits_row(&self, entry: &Entry) -> bool {
-        let is_plain = |(shape, _, finish): (Cow<Shape>, Color, &Arc<Finish>)| {
+        let is_plain = |Colored { shape, finish, .. }: Colored<'_>| {
             shape.skins().is_empty() && !finish.has_interior() && !shape.bounds().is_empty()
         };
         self.targets.is_none() && entry.colored().is_some_and(is_plain)
     }
 
-    fn take_row(&mut self, row: &Row) {
+    fn take_row(&mut self, row: Row) {
         let count = row.len();
         let numbers = |first: usize| index(first)..index(first + count);
         let parts = &mut self.parts;
         let (leaves, surfaces) = (numbers(parts.leaves.len()), numbers(self.surfaces.len()));
         let places = (0..count).into_par_iter();
         let leaf = |(at, surface)| {
-            let (shape, ..) = row.object(at);
-            let place = (&[][..], Absorb::AllItCan);
-            Leaf::new(shape.into_owned(), place, surface, Extent::Surface).0
+            let Colored { shape, steps, .. } = row.object(at);
+            let place = (steps, Absorb::AllItCan);
+            Leaf::new(shape.into_owned(), place, surface, Extent::Surface)
         };
-        let made = places.clone().zip(surfaces).map(leaf);
-        parts.leaves.par_extend(made);
-        let made = parts.leaves[leaves.start as usize..].par_iter();
-        parts
-            .bounds
-            .par_extend(made.map(|leaf| leaf.shape.bounds()));
+        let mut lists = (take(&mut parts.leaves), take(&mut parts.bounds));
+        lists.par_extend(places.clone().zip(surfaces).map(leaf));
+        (parts.leaves, parts.bounds) = lists;
         parts
             .items
             .par_extend(leaves.into_par_iter().map(Item::Leaf));
         let InteriorId(first) = self.interiors.unnamed_ones(index(count));
         let surface = |finishes: &mut Finishes, (at, interior)| {
-            let (_, color, finish) = row.object(at);
+            let Colored { color, finish, .. } = row.object(at);
             let texture = Kept::Own(PreparedTexture::colored(color, finishes.kept(finish)));
             let lit = (LightList::default(), Flags::default());
             Surface::new(texture, None, Box::default(), InteriorId(interior), lit)
@@ -121,6 +116,7 @@ impl Flat {
         let looks = looks.map_init(Finishes::default, surface);
         self.surfaces.par_extend(looks);
         self.last_surface = None;
+        row.pieces.into_par_iter().for_each(drop);
     }
 }
 
@@ -130,7 +126,7 @@ impl Row {
     }
 
     /// The object at a place.
-    fn object(&self, at: usize) -> (Cow<'_, Shape>, Color, &Arc<Finish>) {
+    fn object(&self, at: usize) -> Colored<'_> {
         let entry = &self.pieces[at / self.size][at % self.size];
         entry.colored().expect("it was found to be of one colour")
     }

@@ -14,7 +14,7 @@ pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
 pub use object::{
     Attached, Children, Flags, Importance, Kind, LightGroup, Object, Operation, Size,
 };
-pub(crate) use objects::{Entry, Taken};
+pub(crate) use objects::{Colored, Entry, Taken};
 pub use objects::{Look, Objects, Plain};
 
 use crate::atmosphere::Atmosphere;

@@ -277,11 +277,11 @@ impl Object {
         rare.flat_map(|rare| rare.clipped_by.iter_mut().chain(&mut rare.bounded_by))
     }
 
-    /// The texture of an object that has one from its start, and nothing else.
-    pub(super) fn plain_texture(&self) -> Option<&Arc<Texture>> {
+    /// The texture of an object that has one and transforms, and nothing else.
+    pub(super) fn plain_texture(&self) -> Option<&Attached<Arc<Texture>>> {
         let Object {
             kind: _,
-            steps,
+            steps: _,
             texture: Some(texture),
             interior: None,
             flags,
@@ -293,8 +293,7 @@ impl Object {
         else {
             return None;
         };
-        let is_plain = steps.is_empty() && texture.after == 0 && *flags == Flags::default();
-        is_plain.then_some(&texture.what)
+        (*flags == Flags::default()).then_some(texture)
     }
 
     /// Whether it or something in it asks for texture coordinates.

@@ -3,8 +3,9 @@
 //! Programs write scenes of millions of objects, most of them a shape and its colour. Such an object is kept as that, and
 //! made into an [`Object`] when somebody asks for it.
 
-use super::{Kind, Object};
+use super::{Attached, Kind, Object};
 use crate::color::Color;
+use crate::math::Step;
 use crate::shape::{Shape, Sphere};
 use crate::texture::{Finish, Layer, Texture};
 use std::borrow::Cow;
@@ -69,6 +70,20 @@ pub(crate) enum Entry {
         shape: Arc<Shape>,
         texture: Arc<Texture>,
     },
+    Moved {
+        shape: Arc<Shape>,
+        color: Color,
+        finish: Arc<Finish>,
+        steps: Box<[Step]>,
+    },
+}
+
+/// A shape of one colour and how it is moved.
+pub(crate) struct Colored<'a> {
+    pub(crate) shape: Cow<'a, Shape>,
+    pub(crate) color: Color,
+    pub(crate) finish: &'a Arc<Finish>,
+    pub(crate) steps: &'a [Step],
 }
 
 impl Objects {
@@ -156,7 +171,9 @@ impl Objects {
     /// The finishes of those of one colour.
     pub(crate) fn finishes_of_plain(&self) -> impl Iterator<Item = &Arc<Finish>> {
         self.entries().filter_map(|entry| match entry {
-            Entry::Ball { finish, .. } | Entry::Colored { finish, .. } => Some(finish),
+            Entry::Ball { finish, .. }
+            | Entry::Colored { finish, .. }
+            | Entry::Moved { finish, .. } => Some(finish),
             _ => None,
         })
     }
@@ -179,11 +196,17 @@ impl FromIterator<Arc<Object>> for Objects {
 impl From<Arc<Object>> for Entry {
     fn from(object: Arc<Object>) -> Self {
         match plain_parts(&object) {
-            Some((shape, look)) => match &**shape {
+            Some((shape, look)) if object.steps.is_empty() => match &**shape {
                 Shape::Sphere(sphere) => Entry::of_ball(*sphere, look),
                 _ => Entry::of_shape(Arc::clone(shape), look),
             },
-            None => Entry::Whole(object),
+            Some((shape, Look::Color(color, finish))) => Entry::Moved {
+                shape: Arc::clone(shape),
+                color,
+                finish,
+                steps: object.steps.as_slice().into(),
+            },
+            _ => Entry::Whole(object),
         }
     }
 }
@@ -228,21 +251,33 @@ impl Entry {
         }
     }
 
-    /// The shape, its colour and its finish, if it is a plain shape of one colour.
-    pub(crate) fn colored(&self) -> Option<(Cow<'_, Shape>, Color, &Arc<Finish>)> {
-        match self {
+    /// It as a shape of one colour, if it is one.
+    pub(crate) fn colored(&self) -> Option<Colored<'_>> {
+        let (shape, color, finish, steps) = match self {
             Entry::Ball {
                 sphere,
                 color,
                 finish,
-            } => Some((Cow::Owned(Shape::Sphere(*sphere)), *color, finish)),
+            } => (Cow::Owned(Shape::Sphere(*sphere)), color, finish, &[][..]),
             Entry::Colored {
                 shape,
                 color,
                 finish,
-            } => Some((Cow::Borrowed(&**shape), *color, finish)),
-            _ => None,
-        }
+            } => (Cow::Borrowed(&**shape), color, finish, &[][..]),
+            Entry::Moved {
+                shape,
+                color,
+                finish,
+                steps,
+            } => (Cow::Borrowed(&**shape), color, finish, &**steps),
+            _ => return None,
+        };
+        Some(Colored {
+            shape,
+            color: *color,
+            finish,
+            steps,
+        })
     }
 
     /// The object, taken out.
@@ -278,6 +313,16 @@ impl Entry {
                 finish,
             } => (shape, Look::Color(color, finish)),
             Entry::Textured { shape, texture } => (shape, Look::Texture(texture)),
+            Entry::Moved {
+                shape,
+                color,
+                finish,
+                steps,
+            } => {
+                let mut object = object_of(shape, Look::Color(color, finish));
+                object.steps = steps.into_vec();
+                return Arc::new(object);
+            }
         };
         Arc::new(object_of(shape, look))
     }
@@ -299,19 +344,22 @@ fn object_of(shape: Arc<Shape>, look: Look) -> Object {
     object
 }
 
-/// The shape and the looks of an object that has nothing else.
+/// The shape and the looks of an object that has nothing else but transforms. Those do not move a colour.
 fn plain_parts(object: &Object) -> Option<(&Arc<Shape>, Look)> {
     let Kind::Shape(shape) = &object.kind else {
         return None;
     };
-    let texture = object.plain_texture()?;
+    let Attached {
+        what: texture,
+        after,
+    } = object.plain_texture()?;
     // What others have as well is kept once.
     if Arc::strong_count(texture) == 1
         && let Some((color, finish)) = texture.bare()
     {
         return Some((shape, Look::Color(color, Arc::clone(finish))));
     }
-    Some((shape, Look::Texture(Arc::clone(texture))))
+    (*after == 0).then(|| (shape, Look::Texture(Arc::clone(texture))))
 }
 
 #[cfg(test)]
@@ -395,6 +443,28 @@ mod tests {
     }
 
     #[test]
+    fn a_moved_shape_of_one_colour_is_kept_small_and_comes_out_as_it_went_in() {
+        let moved = |look: Look| {
+            let shape = ball(1.0);
+            let mut object = Object::from(Plain { shape, look });
+            object.steps = vec![Step::Rotate(DVec3::X), Step::Translate(DVec3::Y)];
+            object
+        };
+        let object = moved(red());
+        let expected = told(&object);
+        let mut objects = Objects::default();
+        objects.push(Arc::new(object));
+        assert_eq!(objects.whole().count(), 0);
+        let out: Vec<String> = objects.iter().map(|out| told(&out)).collect();
+        assert_eq!(out, [expected]);
+        // A texture that others have as well is kept as it is.
+        let texture = Arc::new(Texture::from(Layer::default()));
+        let shared = moved(Look::Texture(Arc::clone(&texture)));
+        objects.push(Arc::new(shared));
+        assert_eq!(objects.whole().count(), 1);
+    }
+
+    #[test]
     fn they_are_counted_over_all_pieces() {
         let shape = ball(0.0);
         let plain = || Plain {
@@ -407,6 +477,9 @@ mod tests {
             objects.push_plain(plain());
             assert_eq!(objects.len(), count);
         }
-        assert_eq!(objects.iter().count(), 2 * PIECE + 3);
+        let more = vec![Entry::from(plain()); PIECE + 10];
+        objects.append(more);
+        assert_eq!(objects.len(), 3 * PIECE + 13);
+        assert_eq!(objects.iter().count(), objects.len());
     }
 }
