@@ -121,8 +121,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the literal vectors at hand as [`crate::args::Args::literal_vectors`] does, if the data go on here, or behind the comma
-    /// at hand.
+    /// Takes the literal vectors at hand as [`crate::args::Args::literal_vectors`] does, if the data go on here, or
+    /// behind the comma at hand.
     pub(super) fn take_vectors_of_data(
         &mut self,
         len: usize,
