@@ -17,7 +17,8 @@
 //!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
-//!   two of them; readers of elements never see a directive.
+//!   two of them; readers of elements never see a directive. Long data in plain numbers need no tokens: all threads read
+//!   them from the text, and what they come to is taken in the order of the file.
 //! * An object keeps its transforms as the list of steps that the file writes. Compiling folds them: first into the
 //!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, kept as the product of the
 //!   elementary inverses. The forward matrix is gone then.
