@@ -50,7 +50,7 @@ pub(super) const MESSAGES: usize = 16 << 20;
 pub(super) const MEMORY_STEP: u64 = 16 << 20;
 /// Bytes that a shape takes in the compiled scene, measured: 405 for a plain sphere.
 pub(super) const LEAF_BYTES: u64 = 500;
-/// Bytes that an object takes while it is read, measured: 64 for a sphere of one colour, 620 for one that is moved.
+/// Bytes that an object takes while it is read, measured: 64 for a sphere of one colour, 620 for a moved one kept whole.
 pub(super) const OBJECT_BYTES: u64 = 600;
 /// Bytes that a round of a loop may leave behind: a few values.
 pub(super) const ROUND_BYTES: u64 = 100;

@@ -1,8 +1,8 @@
 //! Parameters written as plain literals, read straight from the text: data of which no tokens are made.
 //!
 //! Only what can mean nothing else is read: numbers with a sign, vectors and colours of them, axes and their multiples,
-//! reserved words, and identifiers that hold objects or elements. At anything else, at a fault and at a warning it gives up, without a message: then
-//! the same text is read by its tokens, which have the whole of the language.
+//! reserved words, and identifiers that hold objects or elements. At anything else, at a fault and at a warning it gives
+//! up, without a message: then the same text is read by its tokens, which have the whole of the language.
 
 use super::known::{Held, Known};
 use crate::args::{Alike, Args, Parse, Word};
@@ -232,6 +232,7 @@ impl<'a> Literal<'a> {
             return None;
         }
         self.at = at + 1;
+        // A product, as in an expression: its zeros have a sign.
         let mut vector = [0.0; MOST];
         for (component, of_axis) in vector.iter_mut().zip([0, 1, 2]) {
             *component = times * f64::from(u8::from(of_axis == axis));
