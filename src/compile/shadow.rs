@@ -115,15 +115,17 @@ impl World {
         }
         // Neighbouring points are often in the shadow of the same object.
         let last = scratch.blockers[light];
-        if let Some(&item) = self.items.get(last as usize)
-            && self.blocks(
-                Numbered { number: last, item },
-                asked,
-                &mut Way::Free,
-                scratch,
-            )
-        {
-            return Way::Blocked;
+        // It need not be asked again if it is known not to lie there.
+        let mut passed = u32::MAX;
+        if let Some(&item) = self.items.get(last as usize) {
+            let mut way = Way::Free;
+            let item = Numbered { number: last, item };
+            if self.blocks(item, asked, &mut way, scratch) {
+                return Way::Blocked;
+            }
+            if way == Way::Free {
+                passed = last;
+            }
         }
         let mut way = Way::Free;
         scratch.among.clear();
@@ -140,6 +142,9 @@ impl World {
             #[inline(always)]
             |place| {
                 let item = self.model.finder.bounded[place as usize];
+                if passed == item.number {
+                    return false;
+                }
                 let blocks = self.stops(item, asked, &mut way, scratch);
                 if blocks {
                     scratch.blockers[light] = item.number;
