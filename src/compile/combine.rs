@@ -97,7 +97,9 @@ impl Flat {
         if end - first > 1 && around.is_finite() && !around.is_empty() {
             self.boxed.push((first..end, around));
         }
-        if is_gated(object) {
+        // Parts keep theirs whatever they are (measured with POV-Ray).
+        let is_part = above.place != Place::Whole && !object.bounded_by().is_empty();
+        if is_part || is_gated(object) {
             let operands = first..index(program.operands.len());
             for bound in object.bounded_by() {
                 let around = Heritage {

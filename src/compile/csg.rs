@@ -110,8 +110,10 @@ pub(super) struct Sweep {
     state: State,
     before: Vec<u32>,
     kept: Vec<bool>,
-    /// Which operands are missed, since what bounds them is.
+    /// Which operands are missed, since the boxes around them are.
     missed: Vec<bool>,
+    /// Which of them do not show, since the ray misses what bounds them.
+    unseen: Vec<bool>,
     /// For bounding objects, which are combinations too.
     inner: Option<Box<Sweep>>,
 }
@@ -217,7 +219,9 @@ impl Program {
     fn collect(&self, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) -> Option<f64> {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
-        self.try_gates(passing.leaves, passing.ray, sweep);
+        if !self.try_gates(passing.leaves, passing.ray, sweep) {
+            return None;
+        }
         self.try_boxes(passing.ray, (from, to), sweep);
         let (mut from, mut to) = (from, to);
         for &number in &self.order.required {
@@ -289,32 +293,38 @@ impl Program {
                 passing.ray.dir,
             );
         }
+        if sweep.unseen.get(number as usize) == Some(&true) {
+            sweep
+                .roots
+                .iter_mut()
+                .for_each(|root| root.is_visible = false);
+        }
         let event = |&root: &Root| Event { root, leaf: number };
         sweep.events.extend(sweep.roots.iter().map(event));
         start
     }
 
-    /// Notes which operands the ray cannot meet because it misses what bounds them.
-    fn try_gates(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) {
+    /// Notes which operands do not show because the ray misses what bounds them; the others are cut by them all the same
+    /// (measured with POV-Ray). Says whether any are left.
+    fn try_gates(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
         sweep.missed.clear();
+        sweep.unseen.clear();
         if self.gates.is_empty() {
-            return;
+            return true;
         }
         let mut inner = sweep.inner.take().unwrap_or_default();
-        for gate in &self.gates {
-            let hit =
-                gate.bound
-                    .nearest(leaves, ray, (0.0, f64::INFINITY), None, &mut inner, |_| {
-                        true
-                    });
-            if hit.is_none() {
-                self.miss(&gate.operands, &mut sweep.missed);
+        for Gate { operands, bound } in &self.gates {
+            let span = (0.0, f64::INFINITY);
+            let hit = bound.nearest(leaves, ray, span, None, &mut inner, |_| true);
+            if hit.is_none() && !bound.contains(leaves, ray.origin) {
+                self.mark(operands, &mut sweep.unseen);
             }
         }
         sweep.inner = Some(inner);
+        sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// The same where it misses boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of
+    /// Notes which operands it misses because it misses boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of
     /// it, whatever it is made of.
     fn try_boxes(&self, ray: &Ray, (from, to): (f64, f64), sweep: &mut Sweep) {
         let Some(boxed) = &self.order.boxed else {
@@ -327,14 +337,14 @@ impl Program {
         });
         for (part, operands) in boxed.operands.iter().enumerate() {
             if met >> part & 1 == 0 {
-                self.miss(operands, &mut sweep.missed);
+                self.mark(operands, &mut sweep.missed);
             }
         }
     }
 
-    fn miss(&self, operands: &Range<u32>, missed: &mut Vec<bool>) {
-        missed.resize(self.operands.len(), false);
-        missed[operands.start as usize..operands.end as usize].fill(true);
+    fn mark(&self, operands: &Range<u32>, marked: &mut Vec<bool>) {
+        marked.resize(self.operands.len(), false);
+        marked[operands.start as usize..operands.end as usize].fill(true);
     }
 
     /// Completes the counts of nodes from those of their leaves: each node that holds the ray counts in its parent.
