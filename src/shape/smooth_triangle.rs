@@ -3,7 +3,8 @@
 //!
 //! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` leaves
 //! unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them, and so change
-//! their shares in the mean (measured with `trace`).
+//! their shares in the mean (measured with `trace`). A step after which the normals do not all lie on one side leaves
+//! nothing of the triangle, as in POV-Ray: `scale` can do so, for it turns them another way than the face.
 
 use super::{Geometry, Root, Start, Triangle, read};
 use crate::args::{Args, Parse};
@@ -118,7 +119,12 @@ impl Geometry for SmoothTriangle {
             return false;
         };
         *self.normals = [first, second, third];
-        self.flat.absorb(step)
+        let is_absorbed = self.flat.absorb(step);
+        let face = self.flat.normal(self.flat.corners[0], 0);
+        if !are_on_one_side(face, &self.normals) {
+            self.flat = self.flat.collapsed();
+        }
+        is_absorbed
     }
 
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
@@ -187,6 +193,30 @@ mod tests {
         let expected = DVec3::new(-0.5, 0.0, -2.0).normalize();
         assert!((triangle.normals[0] - expected).length() < 1e-15);
         assert_eq!(triangle.flat.corners[1], DVec3::new(2.0, -1.0, 0.0));
+    }
+
+    #[test]
+    fn a_scale_that_brings_a_normal_to_the_other_side_leaves_nothing() {
+        // Measured with POV-Ray 3.7.
+        let text =
+            "<-1,-0.5,0>, <-0.3,0.5,-1>, <1,-0.3,0.3>, <0.3,0.5,-1>, <0.1,0.9,-0.2>, <0,1,-0.5>";
+        let scaled = |by: [f64; 3]| {
+            let mut triangle = smooth(text);
+            assert!(triangle.absorb(&Step::Scale(DVec3::from(by))));
+            assert!(triangle.absorb(&Step::Rotate(DVec3::X * 20.0)));
+            triangle.bounds()
+        };
+        for is_left in [
+            [1.1, 1.0, 1.0],
+            [1.0, 1.0, 0.9],
+            [1.0, 2.0, 1.0],
+            [1.0, 0.999, 1.0],
+        ] {
+            assert!(!scaled(is_left).is_empty(), "{is_left:?}");
+        }
+        for is_gone in [[1.0, 0.7, 1.0], [1.0, 1.0, 2.0]] {
+            assert!(scaled(is_gone).is_empty(), "{is_gone:?}");
+        }
     }
 
     #[test]
