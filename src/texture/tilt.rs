@@ -60,12 +60,24 @@ impl PreparedNormal {
     /// The form for drawing, with the transforms of what carries the bumps after their own; `None` where there are none.
     #[must_use]
     pub fn new(normal: &Normal, after: &[Step], settings: &Settings) -> Option<Self> {
+        PreparedNormal::within_normal(normal, after, settings, true)
+    }
+
+    /// The same; what `no_bump_scale` says of a map it says of all its entries (measured with POV-Ray).
+    fn within_normal(
+        normal: &Normal,
+        after: &[Step],
+        settings: &Settings,
+        is_unit: bool,
+    ) -> Option<Self> {
+        let is_unit = is_unit && !normal.has_no_bump_scale;
         let modifiers: &Modifiers = &normal.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
         let pattern = |pattern| modifiers.prepare(pattern, after, settings);
         // No other transforms act on the entries of a map.
         let entry = |normal: &Normal| {
-            PreparedNormal::new(normal, &[], settings).unwrap_or_else(PreparedNormal::flat)
+            PreparedNormal::within_normal(normal, &[], settings, is_unit)
+                .unwrap_or_else(PreparedNormal::flat)
         };
         let relief = match &normal.kind {
             NormalKind::None | NormalKind::Average(None) => return None,
@@ -96,7 +108,7 @@ impl PreparedNormal {
             turns,
             amount: normal.amount,
             accuracy: normal.accuracy,
-            is_unit: !normal.has_no_bump_scale,
+            is_unit,
         })
     }
 
@@ -126,9 +138,17 @@ impl PreparedNormal {
         self.tilted_and_seen(point, normal, spot).0
     }
 
-    /// The same, and as slope patterns see it: turned as on the way to what carries the bumps.
+    /// The same, and as slope patterns see it: turned as on the way to what carries the bumps, and with
+    /// `no_bump_scale` as long as the bumps make it (measured with POV-Ray).
     #[must_use]
     pub fn tilted_and_seen(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
+        let (tilted, seen) = self.bumped(point, normal, spot);
+        let unit = tilted.normalize_or_zero();
+        (if unit == DVec3::ZERO { normal } else { unit }, seen)
+    }
+
+    /// The same; with `no_bump_scale` neither is a unit vector.
+    fn bumped(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
         let here = self.around.to_pattern(normal, self.is_unit);
         let tilted = self.tilted_here(point, here, spot);
         (self.around.back(tilted, self.is_unit), tilted)
@@ -154,7 +174,7 @@ impl PreparedNormal {
             }
             Relief::Normals(pattern, map) => {
                 let moved = pattern.moved(point);
-                let of = |entry: &PreparedNormal| entry.tilted(moved, own, spot);
+                let of = |entry: &PreparedNormal| entry.bumped(moved, own, spot).0;
                 match map.between(pattern.value(moved, spot)) {
                     Between::One(entry) => of(entry),
                     Between::Two(from, to, share) => (1.0 - share) * of(from) + share * of(to),
@@ -166,18 +186,22 @@ impl PreparedNormal {
                 let mut total = 0.0;
                 for (weight, entry) in map.entries() {
                     let weight = f64::from(*weight);
-                    sum += weight * entry.tilted(moved, own, spot);
+                    sum += weight * entry.bumped(moved, own, spot).0;
                     total += weight;
                 }
                 sum / total
             }
             Relief::Image(chain, source) => self.by_picture(own, chain.moved(point), source),
             Relief::Facets(chain, facets) => facet(own, chain.moved(point), facets),
-            Relief::Uv(mapped) => mapped.tilted(spot.on_the_map(), own, spot),
+            Relief::Uv(mapped) => mapped.bumped(spot.on_the_map(), own, spot).0,
         };
         let tilted = self.turns.back(tilted, self.is_unit);
-        let unit = tilted.normalize_or_zero();
-        if unit == DVec3::ZERO { normal } else { unit }
+        let kept = if self.is_unit {
+            tilted.normalize_or_zero()
+        } else {
+            tilted
+        };
+        if kept == DVec3::ZERO { normal } else { kept }
     }
 
     pub(super) fn uses_uv(&self) -> bool {
