@@ -458,14 +458,15 @@ pub(super) fn mirror<'f>(
         };
         reflection.max * share + reflection.min * (1.0 - share)
     };
-    if reflection.metallic != 0.0 {
-        reflectivity *= metallic(reflection.metallic, pigment, cosine);
-    }
+    // What metal takes away does not count here (measured with POV-Ray).
     let weight = if reflection.is_fresnel {
         reflectivity.max()
     } else {
         reflection.min.max().max(reflection.max.max())
     };
+    if reflection.metallic != 0.0 {
+        reflectivity *= metallic(reflection.metallic, pigment, cosine);
+    }
     Mirror {
         reflectivity,
         weight: f64::from(weight),
