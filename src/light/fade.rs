@@ -34,12 +34,14 @@ impl Fade {
         self.power > 0.0 && self.distance != 0.0
     }
 
-    /// The share of light that arrives over a distance.
+    /// The share of light that arrives over a distance. Behind a parallel light distances are negative, and have no powers
+    /// that are not whole: nothing arrives there (measured with POV-Ray).
     #[must_use]
     #[inline]
     pub fn share(&self, distance: f64) -> f64 {
         if self.fades() {
-            2.0 / (1.0 + (distance / self.distance).powf(self.power))
+            let share = 2.0 / (1.0 + (distance / self.distance).powf(self.power));
+            if share.is_nan() { 0.0 } else { share }
         } else {
             1.0
         }
@@ -57,6 +59,15 @@ mod tests {
             power: 2.0,
         };
         assert_eq!((fade.share(4.0), fade.share(12.0)), (1.0, 0.2));
+    }
+
+    #[test]
+    fn nothing_arrives_from_before_the_light_where_the_distance_has_no_power() {
+        let fade = |power| {
+            let distance = 4.0;
+            Fade { distance, power }.share(-2.0)
+        };
+        assert_eq!((fade(2.0), fade(1.5)), (1.6, 0.0));
     }
 
     #[test]
