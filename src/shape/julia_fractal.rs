@@ -14,6 +14,9 @@
 //! Hypercomplex numbers are pairs of complex ones, on which every function acts by itself. For functions other than
 //! `sqr` and `cube` POV-Ray 3.7 halves its steps with a wrong third coordinate, so that its surfaces are rough; here they
 //! are smooth.
+//!
+//! In a combination that is moved as a whole POV-Ray 3.7 forgets that a `julia_fractal` is inverse or taken away, so that a
+//! difference shows what an intersection would; here it stays a difference.
 
 mod complex;
 mod places;
