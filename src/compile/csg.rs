@@ -1,9 +1,10 @@
 //! CSG along a ray: all roots of all leaves in order, and a count of what the ray is inside of.
 //!
 //! A combination is a tree of n-ary nodes over leaves, kept as a flat list. For a ray every leaf gives its roots on
-//! the whole line (spans, see `shape`; leaves that cannot matter are left out), they are sorted by `t`, and a sweep toggles one leaf at a time; each toggle
-//! climbs only as far as something changes. No point is ever tested for being inside, so there is nothing to be
-//! rounded to the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18; here n-ary, with one sort).
+//! the whole line (spans, see `shape`; leaves that cannot matter are left out), they are sorted by `t`, and a sweep
+//! toggles one leaf at a time; each toggle climbs only as far as something changes. No point is ever tested for being
+//! inside, so there is nothing to be rounded to the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18;
+//! here n-ary, with one sort).
 //!
 //! What is shown follows POV-Ray: a union shows all surfaces of its children, inner ones too; a merge those outside
 //! of its other children; an intersection those inside of all its other children. Surfaces at exactly the same `t`
@@ -324,8 +325,8 @@ impl Program {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Notes which operands it misses because it misses boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of
-    /// it, whatever it is made of.
+    /// Notes which operands the ray misses since it misses the boxes around parts: outside of its box nothing of a part
+    /// shows, and the ray is not inside of it, whatever it is made of.
     fn try_boxes(&self, ray: &Ray, (from, to): (f64, f64), sweep: &mut Sweep) {
         let Some(boxed) = &self.order.boxed else {
             return;
