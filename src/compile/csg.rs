@@ -17,7 +17,7 @@ use super::state::{Rest, State};
 use crate::math::Ray;
 use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 use std::ops::Range;
 
 /// How a node combines its children.
@@ -469,7 +469,7 @@ impl Program {
 
     /// Whether a point lies in the combination, by each leaf's own rule for points on its surface.
     pub(super) fn contains(&self, leaves: &[Leaf], point: DVec3) -> bool {
-        let mut counts = vec![0; self.nodes.len()];
+        let mut counts: SmallVec<[u32; 8]> = smallvec![0; self.nodes.len()];
         for (index, operand) in self.operands.iter().enumerate() {
             let holds = leaves[self.first as usize + index].contains(point);
             if holds != operand.is_inverse && operand.parent != NONE {

@@ -143,6 +143,9 @@ impl PreparedNormal {
     #[must_use]
     pub fn tilted_and_seen(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
         let (tilted, seen) = self.bumped(point, normal, spot);
+        if self.is_unit {
+            return (tilted, seen);
+        }
         let unit = tilted.normalize_or_zero();
         (if unit == DVec3::ZERO { normal } else { unit }, seen)
     }
