@@ -10,6 +10,10 @@ use std::f64::consts::{PI, TAU};
 /// What POV-Ray adds to coordinates, in pixels.
 const NUDGE: f64 = 1e-10;
 
+/// The index of what has no palette: the colour counts instead, as it does where indices interpolated beyond their
+/// range come to just this number.
+pub(super) const NO_INDEX: i64 = -1;
+
 /// `map_type`: the surface that the picture is wrapped about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MapType {
@@ -122,7 +126,7 @@ impl Mapping {
             return None;
         }
         let size = DVec2::new(bitmap.width as f64, bitmap.height as f64);
-        let at = at * size + NUDGE;
+        let at = (at * size) % size + NUDGE;
         Some(DVec2::new(wrapped(at.x, size.x), wrapped(-at.y, size.y)))
     }
 
@@ -136,22 +140,42 @@ impl Mapping {
     /// The colour at a place in pixels from the left and from the top, which may lie outside.
     #[must_use]
     pub fn color_at(&self, bitmap: &Bitmap, at: DVec2) -> Color {
-        match self.interpolation {
-            Interpolation::None => {
-                let [x, y] = self.pixel(bitmap, at);
-                bitmap.color(x, y)
-            }
-            Interpolation::Bilinear => self.weighted(bitmap, at, bilinear),
-            Interpolation::NormalisedDistance => self.weighted(bitmap, at, normalised_distance),
-            Interpolation::Bicubic => self.bicubic(bitmap, at),
+        if self.interpolation == Interpolation::None {
+            let [x, y] = self.pixel(bitmap, at);
+            return bitmap.color(x, y);
         }
+        let mut sum = Sum::default();
+        self.about(bitmap, at, |weight, x, y| {
+            sum.add(weight, bitmap.color(x, y));
+        });
+        sum.color()
     }
 
-    /// The index in the palette of the pixel at such a place, 0 without a palette.
+    /// The index in the palette at such a place, interpolated like a colour and cut off behind the point. Without a
+    /// palette all pixels count as -1, which rounding may spoil.
     #[must_use]
-    pub fn index_at(&self, bitmap: &Bitmap, at: DVec2) -> u8 {
-        let [x, y] = self.pixel(bitmap, at);
-        bitmap.index(x, y).unwrap_or(0)
+    pub fn index_at(&self, bitmap: &Bitmap, at: DVec2) -> i64 {
+        let index = |x, y| bitmap.index(x, y).map_or(NO_INDEX, i64::from);
+        if self.interpolation == Interpolation::None {
+            let [x, y] = self.pixel(bitmap, at);
+            return index(x, y);
+        }
+        let mut sum = 0.0;
+        self.about(bitmap, at, |weight, x, y| {
+            sum += weight * index(x, y) as f64;
+        });
+        trunc(sum)
+    }
+
+    /// Visits the pixels whose middles lie about a place, with what each weighs.
+    fn about(&self, bitmap: &Bitmap, at: DVec2, visit: impl FnMut(f64, usize, usize)) {
+        match self.interpolation {
+            Interpolation::None | Interpolation::Bilinear => {
+                self.four(bitmap, at, bilinear, visit);
+            }
+            Interpolation::NormalisedDistance => self.four(bitmap, at, normalised_distance, visit),
+            Interpolation::Bicubic => self.sixteen(bitmap, at, visit),
+        }
     }
 
     /// Column and row of the pixel at such a place.
@@ -175,34 +199,37 @@ impl Mapping {
         }
     }
 
-    /// A sum over the pixels whose middles lie about a place: weights of left and right above, left and right below.
-    fn weighted(&self, bitmap: &Bitmap, at: DVec2, weights: fn(f64, f64) -> [f64; 4]) -> Color {
+    /// Four pixels by the weights of right and left below, right and left above.
+    fn four(
+        &self,
+        bitmap: &Bitmap,
+        at: DVec2,
+        weights: fn(f64, f64) -> [f64; 4],
+        mut visit: impl FnMut(f64, usize, usize),
+    ) {
         let at = at + 0.5;
         let [x, y] = [at.x, at.y].map(trunc);
         let (p, q) = (at.x - x as f64, at.y - y as f64);
-        let mut sum = Sum::default();
         for (corner, weight) in (0_i64..).zip(weights(p, q)) {
-            let column = self.kept(x - 1 + corner % 2, bitmap.width);
-            let row = self.kept(y - 1 + corner / 2, bitmap.height);
-            sum.add(weight, bitmap.color(column, row));
+            let column = self.kept(x - corner % 2, bitmap.width);
+            let row = self.kept(y - corner / 2, bitmap.height);
+            visit(weight, column, row);
         }
-        sum.color()
     }
 
-    fn bicubic(&self, bitmap: &Bitmap, at: DVec2) -> Color {
+    /// Sixteen pixels, column by column.
+    fn sixteen(&self, bitmap: &Bitmap, at: DVec2, mut visit: impl FnMut(f64, usize, usize)) {
         let at = at + 0.5;
         let [x, y] = [at.x, at.y].map(trunc);
         let of_columns = cubic(at.x - x as f64);
         let of_rows = cubic(at.y - y as f64);
-        let mut sum = Sum::default();
-        for (row, of_row) in (y - 2..).zip(of_rows) {
-            for (column, of_column) in (x - 2..).zip(of_columns) {
+        for (column, of_column) in (x - 2..).zip(of_columns) {
+            for (row, of_row) in (y - 2..).zip(of_rows) {
                 let column = self.kept(column, bitmap.width);
                 let row = self.kept(row, bitmap.height);
-                sum.add(of_row * of_column, bitmap.color(column, row));
+                visit(of_row * of_column, column, row);
             }
         }
-        sum.color()
     }
 }
 
@@ -251,13 +278,13 @@ fn trunc(at: f64) -> i64 {
 
 fn bilinear(p: f64, q: f64) -> [f64; 4] {
     let (left, above) = (1.0 - p, 1.0 - q);
-    [left * above, p * above, left * q, p * q]
+    [p * q, left * q, p * above, left * above]
 }
 
 fn normalised_distance(p: f64, q: f64) -> [f64; 4] {
     let near = |a: f64, b: f64| 1.0 / (a * a + b * b).max(f64::MIN_POSITIVE);
     let (left, above) = (1.0 - p, 1.0 - q);
-    let weights = [near(p, q), near(left, q), near(p, above), near(left, above)];
+    let weights = [near(left, above), near(p, above), near(left, q), near(p, q)];
     let total: f64 = weights.iter().sum();
     weights.map(|weight| weight / total)
 }

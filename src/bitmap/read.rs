@@ -2,7 +2,7 @@
 
 use super::decode::{Handling, decode};
 use super::format::Format;
-use super::{Bitmap, Mapping, Samples};
+use super::{Bitmap, Mapping, Samples, mapping::NO_INDEX};
 use crate::args::{Args, Parse, Sampled, Word, not_built};
 use crate::color::{Color, Gamma, Rgb};
 use crate::source::{Diagnostic, Span};
@@ -65,36 +65,41 @@ impl Source {
         color
     }
 
-    /// The height of a `bump_map` at a place in pixels from the left and from the top: the grey of the colour, or with
-    /// `use_index` the index.
+    /// The heights of a `bump_map` at three places in the picture, in pixels from the left and from the top: the greys
+    /// of the colours, or with `use_index` the indices where all three have one.
     #[must_use]
-    pub fn height(&self, at: DVec2) -> f64 {
-        let at = self.bitmap.wrapped(at);
+    pub fn heights(&self, places: [DVec2; 3]) -> [f64; 3] {
         if self.uses_index {
-            f64::from(self.mapping.index_at(&self.bitmap, at))
-        } else {
-            f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey())
+            let indices = places.map(|at| self.mapping.index_at(&self.bitmap, at));
+            if !indices.contains(&NO_INDEX) {
+                return indices.map(|index| index as f64);
+            }
         }
+        places.map(|at| f64::from(self.mapping.color_at(&self.bitmap, at).rgb.grey()))
     }
 
-    /// The number that `material_map` reads at a point: the index in the palette, or the red of the colour as a byte; 0
-    /// outside of a picture that is there once.
+    /// Which of so many textures `material_map` takes at a point: the one numbered like the index in the palette, or
+    /// like the red of the colour as a byte. A number beyond the textures is divided by their count and the remainder
+    /// counts, but the count itself is the last one. The first outside of a picture that is there once.
     #[must_use]
-    pub fn material(&self, point: DVec3) -> usize {
+    pub fn material(&self, point: DVec3, textures: usize) -> usize {
         let Some(at) = self.mapping.place(&self.bitmap, point) else {
             return 0;
         };
-        if self.bitmap.palette_len().is_some() {
-            return usize::from(self.mapping.index_at(&self.bitmap, at));
+        let number = self.mapping.index_at(&self.bitmap, at);
+        #[allow(clippy::cast_possible_truncation, reason = "the cast saturates")]
+        let number = if number == NO_INDEX {
+            let red = self.mapping.color_at(&self.bitmap, at).rgb.r;
+            (red * 255.0) as i64
+        } else {
+            number
+        };
+        let number = usize::try_from(number).unwrap_or(0);
+        if number > textures {
+            number % textures.max(1)
+        } else {
+            number.min(textures.saturating_sub(1))
         }
-        let red = self.mapping.color_at(&self.bitmap, at).rgb.r;
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the cast saturates"
-        )]
-        let number = (red * 255.0) as usize;
-        number
     }
 
     /// Whether light passes somewhere.

@@ -163,8 +163,7 @@ impl Choice {
             Choice::Uv(mapped) => mapped.look(to.spot.on_the_map(), weight, to),
             Choice::Material(chain, source, textures) => {
                 let moved = chain.moved(point);
-                if let Some(texture) = textures.get(source.material(moved) % textures.len().max(1))
-                {
+                if let Some(texture) = textures.get(source.material(moved, textures.len())) {
                     texture.look(moved, weight, to);
                 }
             }

@@ -232,10 +232,15 @@ impl PreparedNormal {
         let Some(at) = source.mapping.place(&source.bitmap, point) else {
             return normal;
         };
-        let height = |right, down| self.amount * source.height(at + DVec2::new(right, down));
-        let first = DVec3::new(0.0, height(0.0, 0.0), 0.0);
-        let left = DVec3::new(-1.0, height(-1.0, 1.0), 1.0);
-        let right = DVec3::new(1.0, height(1.0, 1.0), 1.0);
+        // From one to the next, each taken into the picture: the last digits of a place count where indices are
+        // interpolated.
+        let to_the_left = source.bitmap.wrapped(at + DVec2::new(-1.0, 1.0));
+        let to_the_right = source.bitmap.wrapped(to_the_left + DVec2::new(2.0, 0.0));
+        let heights = source.heights([at, to_the_left, to_the_right]);
+        let [first, left, right] = heights.map(|height| self.amount * height);
+        let first = DVec3::new(0.0, first, 0.0);
+        let left = DVec3::new(-1.0, left, 1.0);
+        let right = DVec3::new(1.0, right, 1.0);
         let bump = (right - left).cross(first - left).normalize_or_zero();
         let (across, upward) = match normal.cross(DVec3::Y).try_normalize() {
             Some(across) => (across, normal),
