@@ -40,6 +40,22 @@ impl Pixel {
     }
 }
 
+/// Makes of samples pixels for a file, as [`Pixel::new`] does.
+pub(crate) fn tell_all(pixels: &mut [Pixel]) {
+    // The difference is no number where one is not finite.
+    let mut off = [0.0; 4];
+    for Pixel { rgb, transmit } in &*pixels {
+        for (off, c) in off.iter_mut().zip([rgb.r, rgb.g, rgb.b, *transmit]) {
+            *off += c - c;
+        }
+    }
+    if off.iter().any(|off| off.is_nan()) {
+        for pixel in pixels {
+            *pixel = Pixel::new(pixel.rgb, pixel.transmit);
+        }
+    }
+}
+
 /// A picture in the working space, row by row from the top.
 ///
 /// A partial drawing is a picture of full size whose other pixels are opaque black, as POV-Ray leaves them.
@@ -101,7 +117,7 @@ impl Film {
 
 #[cfg(test)]
 mod tests {
-    use super::{Film, Pixel};
+    use super::{Film, Pixel, tell_all};
     use crate::color::Rgb;
 
     #[test]
@@ -116,5 +132,21 @@ mod tests {
         let pixel = Pixel::new(Rgb::new(f32::NAN, f32::INFINITY, -0.5), f32::NAN);
         assert_eq!(pixel.rgb, Rgb::new(0.0, f32::MAX, -0.5));
         assert_eq!(pixel.transmit, 0.0);
+        let some = Pixel {
+            rgb: Rgb::new(0.5, f32::MAX, f32::MAX),
+            transmit: 0.25,
+        };
+        let odd = [
+            (f32::NAN, 0.0),
+            (f32::INFINITY, f32::MAX),
+            (f32::NEG_INFINITY, f32::MIN),
+        ];
+        for (light, told) in odd {
+            let rgb = Rgb::new(light, 1.0, -1.0);
+            let mut pixels = [some, Pixel { rgb, ..some }, some];
+            tell_all(&mut pixels);
+            let rgb = Rgb::new(told, 1.0, -1.0);
+            assert_eq!(pixels, [some, Pixel { rgb, ..some }, some]);
+        }
     }
 }

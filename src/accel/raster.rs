@@ -309,6 +309,26 @@ impl Raster {
         &self.items[begin as usize..end as usize]
     }
 
+    /// Whether there are no items in any of the cells of a rectangle, all of which are there.
+    pub(super) fn is_empty(&self, rect: &Rect) -> bool {
+        let grid = &self.grid;
+        let is_within = |side: usize| {
+            let cell =
+                |slope: f64| slope * f64::from(grid.rate[side]) + f64::from(grid.start[side]);
+            // Not a number is not within.
+            cell(rect.low[side]) >= MARGIN
+                && cell(rect.high[side]) <= f64::from(grid.size[side]) - MARGIN
+        };
+        if !(is_within(0) && is_within(1)) {
+            return false;
+        }
+        let [columns, rows] = grid.cells(rect);
+        (rows[0]..=rows[1]).all(|row| {
+            let first = |column: u32| row as usize * grid.size[0] as usize + column as usize;
+            self.begins[first(columns[0])] == self.begins[first(columns[1]) + 1]
+        })
+    }
+
     /// The memory it takes beyond itself.
     pub(super) fn bytes(&self) -> usize {
         (self.begins.capacity() + self.items.capacity()) * size_of::<u32>()

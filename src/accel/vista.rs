@@ -213,6 +213,12 @@ impl Vista {
         })
     }
 
+    /// Whether nothing is seen between these slopes.
+    #[must_use]
+    pub fn is_empty(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        self.around.is_empty() && self.raster.is_empty(&Rect { low, high })
+    }
+
     /// The memory it takes.
     #[must_use]
     pub fn bytes(&self) -> usize {

@@ -2,28 +2,50 @@
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
-use crate::math::lanes::three::{dot, plus, same, scaled, sizes, store};
-use crate::math::lanes::{Four, FourKernel, Lanes, four};
+use crate::math::lanes::three::{Three, dot, plus, same, scaled, sizes, store};
+use crate::math::lanes::{Four, FourWork, Lanes, Row, fours};
 
-/// Four points of a picture: columns and rows.
-struct FourPoints<'a> {
+/// The directions of four rays.
+type FourDirs = [[f64; 4]; 3];
+
+/// Points of a picture, four by four: columns and rows.
+struct Points<'a, T> {
     frame: &'a Frame,
-    x: &'a [f64; 4],
-    y: &'a [f64; 4],
+    places: &'a [(f64, f64)],
     width: f64,
     height: f64,
+    take: T,
 }
 
-impl FourKernel for FourPoints<'_> {
-    type Answer = ([[f64; 4]; 3], u32);
+impl<T: FnMut(usize, FourDirs)> FourWork for Points<'_, T> {
+    type Answer = bool;
 
-    /// The directions, and which of them need no care, one bit each.
+    /// Hands the directions to `take`; false as soon as one needs care.
     #[inline(always)]
-    fn run<F: Four>(&self) -> ([[f64; 4]; 3], u32) {
+    fn run<F: Row>(mut self) -> bool {
+        for (number, places) in self.places.chunks(4).enumerate() {
+            let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
+            for lane in 0..4 {
+                (x[lane], y[lane]) = places[lane.min(places.len() - 1)];
+            }
+            let (dir, is_sure) = self.dirs(F::load(&x), F::load(&y));
+            if F::bits(is_sure) != 0b1111 {
+                return false;
+            }
+            (self.take)(number, store(dir));
+        }
+        true
+    }
+}
+
+impl<T> Points<'_, T> {
+    /// The directions, and which of them need no care.
+    #[inline(always)]
+    fn dirs<F: Four>(&self, x: F, y: F) -> (Three<F>, F::Mask) {
         let half = F::all(0.5);
         let (width, height) = (F::all(self.width), F::all(self.height));
-        let u = F::load(self.x).plus(half).over(width).minus(half);
-        let down = F::load(self.y).minus(half);
+        let u = x.plus(half).over(width).minus(half);
+        let down = y.minus(half);
         let v = F::all(self.height - 1.0)
             .minus(down)
             .over(height)
@@ -46,35 +68,33 @@ impl FourKernel for FourPoints<'_> {
             F::all(f64::MIN_POSITIVE).not_above(length),
             length.below(F::all(f64::INFINITY)),
         );
-        (
-            store(scaled(dir, F::all(1.0).over(length))),
-            F::bits(is_normal),
-        )
+        (scaled(dir, F::all(1.0).over(length)), is_normal)
     }
 }
 
 impl Camera {
-    /// The unit directions of the rays through four points of a picture of this width and height, which start at
-    /// [`Camera::location`]; `None` where they must be asked for singly.
+    /// Hands the unit directions of the rays through points of a picture of this width and height, which start at
+    /// [`Camera::location`], to `take`, four by four with their number; where there are fewer the last stands again. False
+    /// where they must be asked for singly.
     #[inline(always)]
-    pub(crate) fn four_dirs(
+    pub(crate) fn aim_all(
         &self,
         lanes: Lanes,
-        (x, y): (&[f64; 4], &[f64; 4]),
+        places: &[(f64, f64)],
         (width, height): (u32, u32),
-    ) -> Option<[[f64; 4]; 3]> {
+        take: impl FnMut(usize, FourDirs),
+    ) -> bool {
         if self.projection != Projection::Perspective || self.bumps.is_some() {
-            return None;
+            return false;
         }
-        let points = FourPoints {
+        let points = Points {
             frame: &self.frame,
-            x,
-            y,
+            places,
             width: f64::from(width),
             height: f64::from(height),
+            take,
         };
-        let (dirs, sure) = four(lanes, &points);
-        (sure == 0b1111).then_some(dirs)
+        fours(lanes, points)
     }
 }
 
@@ -84,6 +104,19 @@ mod tests {
     use crate::args::text::TextArgs;
     use crate::math::random::Random;
     use glam::DVec3;
+
+    /// The directions at four points.
+    fn dirs(
+        camera: &Camera,
+        lanes: Lanes,
+        (x, y): (&[f64; 4], &[f64; 4]),
+        size: (u32, u32),
+    ) -> Option<FourDirs> {
+        let mut dirs = FourDirs::default();
+        let places = [0, 1, 2, 3].map(|lane| (x[lane], y[lane]));
+        let are_sure = camera.aim_all(lanes, &places, size, |_, four| dirs = four);
+        are_sure.then_some(dirs)
+    }
 
     #[test]
     fn four_rays_are_those_of_each() {
@@ -97,10 +130,10 @@ mod tests {
             let x = [0.0, 1.25, 2.0, 800.0];
             let y = [f64::from(case), 0.75, -0.5, 3.0];
             for lanes in [Lanes::widest(), Lanes::NARROW] {
-                let dirs = camera.four_dirs(lanes, (&x, &y), (801, 604)).unwrap();
+                let found = dirs(&camera, lanes, (&x, &y), (801, 604)).unwrap();
                 for lane in 0..4 {
                     let ray = camera.primary_ray(x[lane], y[lane], 801, 604).unwrap();
-                    let dir = DVec3::new(dirs[0][lane], dirs[1][lane], dirs[2][lane]);
+                    let dir = DVec3::new(found[0][lane], found[1][lane], found[2][lane]);
                     assert_eq!(dir, ray.dir);
                 }
             }
@@ -117,9 +150,9 @@ mod tests {
         let ray = camera.primary_ray(x[0], y[0], 160, 120).expect("a ray");
         assert_eq!(ray.dir.y, 0.0);
         for lanes in [Lanes::widest(), Lanes::NARROW] {
-            let dirs = camera.four_dirs(lanes, (&x, &y), (160, 120)).unwrap();
-            assert_eq!(dirs[1], [0.0; 4]);
-            assert_eq!(dirs[0][0], ray.dir.x);
+            let found = dirs(&camera, lanes, (&x, &y), (160, 120)).unwrap();
+            assert_eq!(found[1], [0.0; 4]);
+            assert_eq!(found[0][0], ray.dir.x);
         }
     }
 
@@ -130,17 +163,11 @@ mod tests {
             ..Camera::default()
         };
         let at = [0.0; 4];
-        assert_eq!(
-            camera.four_dirs(Lanes::widest(), (&at, &at), (10, 10)),
-            None
-        );
+        assert_eq!(dirs(&camera, Lanes::widest(), (&at, &at), (10, 10)), None);
         let mut camera = Camera::default();
         camera.frame.direction = DVec3::ZERO;
         camera.frame.right = DVec3::ZERO;
         camera.frame.up = DVec3::ZERO;
-        assert_eq!(
-            camera.four_dirs(Lanes::widest(), (&at, &at), (10, 10)),
-            None
-        );
+        assert_eq!(dirs(&camera, Lanes::widest(), (&at, &at), (10, 10)), None);
     }
 }

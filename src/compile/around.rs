@@ -210,9 +210,12 @@ impl World {
             );
         }
         scratch.lot = lot;
-        each_bit(asked, |ray| {
-            ways[ray / 4].ways[ray % 4] = Some(shadows.way(ray));
-        });
+        for (half, ways) in ways.iter_mut().enumerate() {
+            let of_half = |bits: u32| bits >> (4 * half) & 0b1111;
+            ways.asked = of_half(asked);
+            ways.blocked = of_half(shadows.blocked);
+            ways.filtered = of_half(shadows.filtered & !shadows.blocked);
+        }
     }
 
     /// Finds out for some of eight rays whether an item lies on them.
@@ -266,17 +269,4 @@ struct Shadows {
     filtered: u32,
     /// Whether the rays are in the lot: most meet nothing that they must be asked about.
     are_in_lot: bool,
-}
-
-impl Shadows {
-    #[inline(always)]
-    fn way(self, ray: usize) -> Way {
-        if self.blocked >> ray & 1 == 1 {
-            Way::Blocked
-        } else if self.filtered >> ray & 1 == 1 {
-            Way::Filtered
-        } else {
-            Way::Free
-        }
-    }
 }

@@ -155,8 +155,12 @@ pub struct FourWays {
     pub far: [f64; 4],
     /// Which of them go to the outer side of the surface, one bit each.
     pub goes_out: u32,
-    /// What lies on them; nothing is known where the light does not matter.
-    pub ways: [Option<Way>; 4],
+    /// On which of them it is known what lies there, one bit each; nothing is where the light does not matter.
+    pub asked: u32,
+    /// Which of those something opaque blocks.
+    pub blocked: u32,
+    /// Which of the others something filters.
+    pub filtered: u32,
 }
 
 impl FourWays {
@@ -168,8 +172,41 @@ impl FourWays {
         share: [0.0; 4],
         far: [0.0; 4],
         goes_out: 0,
-        ways: [None; 4],
+        asked: 0,
+        blocked: 0,
+        filtered: 0,
     };
+
+    /// Forgets what lies on them.
+    #[inline(always)]
+    pub fn forget(&mut self) {
+        (self.asked, self.blocked, self.filtered) = (0, 0, 0);
+    }
+
+    /// Notes what lies on one of them.
+    #[inline(always)]
+    pub fn note(&mut self, lane: usize, way: Way) {
+        let bit = 1 << lane;
+        self.asked |= bit;
+        self.blocked |= if way == Way::Blocked { bit } else { 0 };
+        self.filtered |= if way == Way::Filtered { bit } else { 0 };
+    }
+
+    /// What lies on one of them, if that is known.
+    #[must_use]
+    #[inline(always)]
+    pub fn way(&self, lane: usize) -> Option<Way> {
+        let has = |bits: u32| bits >> lane & 1 == 1;
+        has(self.asked).then(|| {
+            if has(self.blocked) {
+                Way::Blocked
+            } else if has(self.filtered) {
+                Way::Filtered
+            } else {
+                Way::Free
+            }
+        })
+    }
 
     /// The direction to the lamp.
     #[must_use]

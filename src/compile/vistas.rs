@@ -44,6 +44,13 @@ impl World {
         self.vistas.are_all_known()
     }
 
+    /// Whether it is known that the camera meets nothing between these slopes, across and up the picture from -0.5 to 0.5.
+    #[must_use]
+    pub fn shows_nothing(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let camera = self.vistas.camera.as_ref();
+        self.finder().unbounded.is_empty() && camera.is_some_and(|vista| vista.is_empty(low, high))
+    }
+
     /// Finds out what camera and lamps see, if the picture has so many pixels that this is worth while.
     pub(super) fn look_around(&mut self, options: &RenderOptions) {
         let items = self.finder().bounded.len() as u64;

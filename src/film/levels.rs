@@ -193,35 +193,42 @@ pub(crate) fn to_linear(working: Option<Gamma>) -> impl Fn(f32) -> f32 {
     move |c| working.decode(c)
 }
 
-fn fill<T>(
+fn fill<T: Copy>(
     pixels: &[Pixel],
     channels: Channels,
     out: &mut [T],
     level: impl Fn(f32) -> T,
     alpha_level: impl Fn(f32) -> T,
 ) {
-    for (stored, &pixel) in out.chunks_exact_mut(channels.count()).zip(pixels) {
-        match stored {
-            [grey] => *grey = level(pixel.rgb.grey()),
-            [grey, alpha] => {
-                let (rgb, a) = straight(pixel);
-                *grey = level(rgb.grey());
-                *alpha = alpha_level(a);
-            }
-            [r, g, b] => {
-                *r = level(pixel.rgb.r);
-                *g = level(pixel.rgb.g);
-                *b = level(pixel.rgb.b);
-            }
-            [r, g, b, alpha] => {
-                let (rgb, a) = straight(pixel);
-                *r = level(rgb.r);
-                *g = level(rgb.g);
-                *b = level(rgb.b);
-                *alpha = alpha_level(a);
-            }
-            _ => {}
-        }
+    match channels {
+        Channels::Grey => each(pixels, out, |pixel| [level(pixel.rgb.grey())]),
+        Channels::GreyAlpha => each(pixels, out, |pixel| {
+            let (rgb, alpha) = straight(pixel);
+            [level(rgb.grey()), alpha_level(alpha)]
+        }),
+        Channels::Rgb => each(pixels, out, |Pixel { rgb, .. }| {
+            [level(rgb.r), level(rgb.g), level(rgb.b)]
+        }),
+        Channels::RgbAlpha => each(pixels, out, |pixel| {
+            let (rgb, alpha) = straight(pixel);
+            [level(rgb.r), level(rgb.g), level(rgb.b), alpha_level(alpha)]
+        }),
+    }
+}
+
+/// Stores the levels of each pixel. Often one looks like that before it.
+fn each<T: Copy, const CHANNELS: usize>(
+    pixels: &[Pixel],
+    out: &mut [T],
+    levels: impl Fn(Pixel) -> [T; CHANNELS],
+) {
+    let mut last = None;
+    for (stored, &pixel) in out.as_chunks_mut().0.iter_mut().zip(pixels) {
+        *stored = match last {
+            Some((seen, levels)) if seen == pixel => levels,
+            _ => levels(pixel),
+        };
+        last = Some((pixel, *stored));
     }
 }
 

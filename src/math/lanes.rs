@@ -14,7 +14,7 @@
 mod four;
 pub(crate) mod three;
 
-pub(crate) use four::{Four, FourKernel, Row, four};
+pub(crate) use four::{Four, FourKernel, FourWork, Row, four, fours};
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// Which lanes the machine has. Work that is compiled for them knows the answer when it is compiled: so a kernel within
@@ -43,7 +43,7 @@ impl Lanes {
 enum Machine {
     /// What all can.
     Any,
-    /// AVX2.
+    /// AVX2, and the instructions for bits that came with it.
     Wide,
     /// AVX-512 for lanes of 256 bits.
     Masked,
@@ -70,7 +70,11 @@ impl Machine {
     #[cold]
     fn asked() -> Self {
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
+        if std::arch::is_x86_feature_detected!("avx2")
+            && std::arch::is_x86_feature_detected!("bmi1")
+            && std::arch::is_x86_feature_detected!("bmi2")
+            && std::arch::is_x86_feature_detected!("lzcnt")
+        {
             let is_masked = std::arch::is_x86_feature_detected!("avx512f")
                 && std::arch::is_x86_feature_detected!("avx512vl")
                 && std::arch::is_x86_feature_detected!("avx512dq")
@@ -101,13 +105,13 @@ pub(crate) fn with_widest<R>(work: impl FnOnce(Lanes) -> R) -> R {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt")]
 fn with_wide<R>(work: impl FnOnce(Lanes) -> R) -> R {
     work(Lanes { are_wide: true })
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq,avx512bw")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,avx512f,avx512vl,avx512dq,avx512bw")]
 fn with_masks<R>(work: impl FnOnce(Lanes) -> R) -> R {
     work(Lanes { are_wide: true })
 }
@@ -148,7 +152,7 @@ pub(crate) fn eight<K: Kernel>(lanes: Lanes, kernel: &K) -> K::Answer {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt")]
 #[inline]
 fn eight_wide<K: Kernel>(kernel: &K) -> K::Answer {
     kernel.run::<std::arch::x86_64::__m256>()

@@ -11,9 +11,9 @@ pub use shot::Shot;
 pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, World};
-use crate::film::{Film, Leveller, Levels, Pixel};
+use crate::film::{self, Film, Leveller, Levels, Pixel};
 use crate::options::{RadiosityTaken, Reached, RenderOptions, Sampling};
-use crate::trace::{BLOCK, BlockScratch, Tracer};
+use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use antialias::Sampler;
 use gathered::Gathered;
 use rayon::prelude::*;
@@ -298,12 +298,16 @@ fn draw_blocks(
     for rows in blocks(&wanted.rows) {
         for columns in blocks(&wanted.columns) {
             let size = (options.width, options.height);
-            tracer.block(&columns, &rows, size, scratch, |x, y, sample| {
-                let (x, y) = (x - wanted.columns.start, y - wanted.rows.start);
-                pixels[y as usize * width + x as usize] = Pixel::new(sample.rgb, sample.transmit);
+            let above = (rows.start - wanted.rows.start) as usize;
+            let first = above * width + (columns.start - wanted.columns.start) as usize;
+            let pixels = &mut pixels[first..];
+            tracer.block(&columns, &rows, size, scratch, |[right, down], sample| {
+                let Sample { rgb, transmit } = sample;
+                pixels[usize::from(down) * width + usize::from(right)] = Pixel { rgb, transmit };
             });
         }
     }
+    film::tell_all(&mut pixels);
     (pixels, scratch.take_rays())
 }
 

@@ -208,6 +208,9 @@ impl Shape {
         there: u32,
     ) -> FourNearest<F> {
         match self {
+            Shape::Sphere(sphere) if left == [0, 0] && ANY => {
+                sphere.any_of_four(rays, (from, far), there)
+            }
             Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
             Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
             _ => self.roots_of_four(rays).nearest(from, far, left),

@@ -12,12 +12,15 @@ use super::four::{
 };
 use super::{Geometry, Root, Start, WELL_INSIDE, even_scale, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
-use crate::math::chord::ball_chord;
+use crate::math::chord::{MARGIN, ball_chord};
 use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
 use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step, rotation};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
+
+/// What is entered after so many times the distance up to which nothing counts is not what the ray starts on.
+const SURELY_AFTER: f64 = 17.0;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,6 +85,47 @@ impl Sphere {
         far: F,
     ) -> FourNearest<F> {
         self.four(rays).nearest(from, far)
+    }
+
+    /// The same; instead of a surface some place in the ball before that where it is left will do. What is no near thing
+    /// is told without a root.
+    #[inline(always)]
+    pub(crate) fn any_of_four<F: Four>(
+        &self,
+        rays: &FourRays<F>,
+        (from, far): (F, F),
+        there: u32,
+    ) -> FourNearest<F> {
+        let p = minus(rays.origin, same(self.centre));
+        let (a, b, from_centre_sq) = (dot(rays.dir, rays.dir), dot(p, rays.dir), dot(p, p));
+        let r_sq = F::all(self.radius * self.radius);
+        let size = from_centre_sq.times(a);
+        let slack = size.times(F::all(MARGIN));
+        let (off, limit) = (size.minus(b.times(b)), r_sq.times(a));
+        let is_missed = limit.below(off.minus(slack));
+        // What starts outside and goes on to the middle of its chord enters before that, and no sooner than at c / 2|b|.
+        let ahead = b.negated();
+        let middle = ahead.over(a);
+        let soon = from.times(ahead).times(F::all(2.0 * SURELY_AFTER));
+        let is_outside = soon
+            .plus(from_centre_sq.times(F::all(MARGIN)))
+            .below(from_centre_sq.minus(r_sq));
+        let is_on_its_way = F::both(F::all(0.0).below(ahead), middle.below(far));
+        let is_entered = F::both(off.plus(slack).below(limit), is_outside);
+        let is_met = F::both(is_entered, is_on_its_way);
+        let is_clear = F::both(
+            F::either(is_missed, is_met),
+            are_comfortable(a, from_centre_sq),
+        );
+        if there & !F::bits(is_clear) != 0 {
+            return self.nearest_of_four(rays, from, far);
+        }
+        FourNearest {
+            t: middle,
+            leaves: 0,
+            met: F::bits(is_met),
+            unknown: 0,
+        }
     }
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.

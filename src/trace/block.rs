@@ -3,14 +3,14 @@
 //! ([`super::plain_four`]). What plain surfaces show of others is looked for together again ([`super::waves`]). Everything else
 //! goes one pixel at a time, as for a single one.
 
+use super::coats::Coats;
 use super::plain_four::Looking;
 use super::shadows::Together;
 use super::waves::Waves;
 use super::{Path, Sample, Tracer, begin_sample};
-use crate::camera::Camera;
 use crate::compile::{FourHits, Rays, Scratch, Seen};
 use crate::math::Ray;
-use crate::math::lanes::{Lanes, with_widest};
+use crate::math::lanes::with_widest;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -35,9 +35,12 @@ pub struct BlockScratch {
     /// Where each part of the places that are searched together ends.
     parts: Vec<usize>,
     parts_of_block: Vec<usize>,
+    /// How far to the right and down of the first pixel of its block each place lies.
+    offsets: Vec<[u8; 2]>,
     /// What the camera sees at the places.
     all: Together,
     waves: Waves,
+    coats: Coats,
 }
 
 /// Rays of a camera all of which start in one point.
@@ -103,6 +106,16 @@ impl BlockScratch {
             *last = self.whole.len();
         }
         self.parts_of_block.clone_from(&self.parts);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a block has few columns and rows"
+        )]
+        let offset = |&(x, y): &(f64, f64)| {
+            [x - f64::from(columns.start), y - f64::from(rows.start)].map(|off| off as u8)
+        };
+        self.offsets.clear();
+        self.offsets.extend(self.whole.iter().map(offset));
     }
 
     /// Whether random numbers go on from sample to sample.
@@ -123,27 +136,28 @@ impl BlockScratch {
 
 impl Tracer<'_> {
     /// What the camera sees at the whole pixels of a block no larger than [`BLOCK`] on a side, of a picture of `size`
-    /// (width, height). `take` gets column, row and sample in any order. To the bit what [`Tracer::pixel`] gives.
+    /// (width, height). `take` gets how far to the right and down of the first pixel one lies, and its sample, in any
+    /// order. To the bit what [`Tracer::pixel`] gives.
     pub fn block(
         &self,
         columns: &Range<u32>,
         rows: &Range<u32>,
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(u32, u32, Sample),
+        mut take: impl FnMut([u8; 2], Sample),
     ) {
         scratch.lay_out(columns, rows);
         let whole = std::mem::take(&mut scratch.whole);
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "they were made of such numbers"
-        )]
-        self.seen_at(&whole, size, scratch, |number, sample, _| {
-            let (x, y) = whole[number];
-            take(x as u32, y as u32, sample);
-        });
+        let offsets = std::mem::take(&mut scratch.offsets);
+        self.seen_at(
+            &whole,
+            size,
+            scratch,
+            #[inline(always)]
+            |number, sample, _| take(offsets[number], sample),
+        );
         scratch.whole = whole;
+        scratch.offsets = offsets;
     }
 
     /// What the camera sees at places of a picture of `size`, no more than a block has pixels and such that neighbours
@@ -186,11 +200,46 @@ impl Tracer<'_> {
         for (piece, places) in places.chunks(at_once).enumerate() {
             let whole = [places.len()];
             let parts = if are_few { &whole } else { &parts[..] };
-            self.seen_together((places, parts), size, scratch, |number, sample, hits| {
-                take(at_once * piece + number, sample, hits);
-            });
+            if let Some(background) = self.nothing_at(places, size).filter(|_| are_few) {
+                scratch.single.rays.camera += places.len() as u64;
+                for number in 0..places.len() {
+                    take(at_once * piece + number, background, None);
+                }
+                continue;
+            }
+            self.seen_together(
+                (places, parts),
+                size,
+                scratch,
+                #[inline(always)]
+                |number, sample, hits| {
+                    take(at_once * piece + number, sample, hits);
+                },
+            );
         }
         scratch.parts = parts;
+    }
+
+    /// The background, if nothing else is seen at places between which there is nothing, and it is the same everywhere.
+    fn nothing_at(&self, places: &[(f64, f64)], (width, height): (u32, u32)) -> Option<Sample> {
+        let world = self.world;
+        let is_even = self.takes_plain && world.sky.is_none() && world.lens.is_none();
+        if !is_even || self.stop.is_asked() {
+            return None;
+        }
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        // Two instructions a place, unlike `f64::min`, which asks whether both are numbers.
+        for &(x, y) in places {
+            for (side, at) in [x, y].into_iter().enumerate() {
+                low[side] = if at < low[side] { at } else { low[side] };
+                high[side] = if at > high[side] { at } else { high[side] };
+            }
+        }
+        let (width, height) = (f64::from(width), f64::from(height));
+        let slopes = |[x, y]: [f64; 2]| [(x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height];
+        let (low, high) = (slopes(low), slopes(high));
+        let is_empty = world.shows_nothing([low[0], high[1]], [high[0], low[1]]);
+        is_empty.then(|| self.background_of(Seen::Image).seen)
     }
 
     /// The same for places in parts that end where `parts` tells.
@@ -214,8 +263,17 @@ impl Tracer<'_> {
             #[inline(always)]
             |_| {
                 for (four, places) in places.chunks(4).enumerate() {
-                    let BlockScratch { single, all, .. } = scratch;
-                    let seen = self.plain_four(&FromCamera(self), (four, count), all, single);
+                    let BlockScratch {
+                        single, all, coats, ..
+                    } = scratch;
+                    let kept = (single, coats);
+                    let seen = self.plain_four(&FromCamera(self), (four, count), all, kept);
+                    if seen.is_known(places.len()) {
+                        for lane in 0..places.len() {
+                            take(4 * four + lane, seen.known(lane), all.hits.get(four));
+                        }
+                        continue;
+                    }
                     for (lane, &place) in places.iter().enumerate() {
                         let number = 4 * four + lane;
                         let showing = seen.showing(lane).filter(|_| scratch.waves.have_room());
@@ -234,9 +292,13 @@ impl Tracer<'_> {
             },
         );
         let BlockScratch {
-            single, all, waves, ..
+            single,
+            all,
+            waves,
+            coats,
+            ..
         } = scratch;
-        self.follow_waves(waves, single, |number, sample| {
+        self.follow_waves(waves, (single, coats), |number, sample| {
             take(number, sample, all.hits.get(number / 4));
         });
     }
@@ -274,10 +336,14 @@ impl Tracer<'_> {
         let are_aimed = with_widest(
             #[inline(always)]
             |lanes| {
-                let fours = places.chunks(4).zip(&mut *hits);
-                fours.fold(true, |are_aimed, (places, hits)| {
-                    are_aimed && aim(lanes, camera, places, size, hits)
-                })
+                camera.aim_all(lanes, places, size, |four, dirs| hits[four].dir = dirs)
+                    || places.chunks(4).zip(&mut *hits).all(|(places, hits)| {
+                        (0..4).all(|lane| {
+                            let (x, y) = places[lane.min(places.len() - 1)];
+                            let ray = camera.primary_ray(x, y, size.0, size.1);
+                            ray.inspect(|ray| hits.aim(lane, ray.dir)).is_some()
+                        })
+                    })
             },
         );
         if !are_aimed {
@@ -293,33 +359,6 @@ impl Tracer<'_> {
         }
         true
     }
-}
-
-/// Aims four rays of a camera at up to four places; the last stands again for those that are missing. False if there is
-/// no ray to some of them.
-#[inline(always)]
-fn aim(
-    lanes: Lanes,
-    camera: &Camera,
-    places: &[(f64, f64)],
-    size: (u32, u32),
-    hits: &mut FourHits,
-) -> bool {
-    let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
-    for lane in 0..4 {
-        (x[lane], y[lane]) = places[lane.min(places.len() - 1)];
-    }
-    if let Some(dirs) = camera.four_dirs(lanes, (&x, &y), size) {
-        hits.dir = dirs;
-        return true;
-    }
-    for lane in 0..4 {
-        let Some(ray) = camera.primary_ray(x[lane], y[lane], size.0, size.1) else {
-            return false;
-        };
-        hits.aim(lane, ray.dir);
-    }
-    true
 }
 
 /// A range in pieces of this length; the last may be shorter.

@@ -1,23 +1,25 @@
-//! How plain surfaces take light, worked out once for those of one colour: most of most pictures.
+//! How plain surfaces take light. What is worked out of those of one colour, which are most of most pictures, is kept for
+//! a while: neighbours mostly see the same few.
 
 use super::Tracer;
 use super::light::Coat;
 use crate::color::{Color, Rgb};
 use crate::compile::{LightList, Surface};
-use crate::texture::{Finish, PreparedPigment};
+use crate::texture::PreparedPigment;
 
-/// So many surfaces are worked out beforehand, some 80 bytes each; where there are more, each may be seen once at most.
-const MOST_SURFACES: usize = 1 << 17;
+/// So many are kept, a few more than a block of places shows of surfaces.
+const KEPT: usize = 128;
+/// No surface has this number.
+const NO_SURFACE: u32 = u32::MAX;
 
 /// How a plain surface takes light where diffuse light and highlights are all that there is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PlainCoat<'w> {
+pub(super) struct PlainCoat {
     /// What it shines of itself.
     pub(super) own: Rgb,
     pub(super) rgb: Rgb,
     /// How much of white light from straight above it scatters.
     pub(super) diffuse: f64,
-    pub(super) finish: &'w Finish,
     /// Whether it has highlights.
     pub(super) is_shiny: bool,
     /// Whether it has a mirror image or something shines through: there is more to be seen than the surface itself.
@@ -28,30 +30,66 @@ pub(super) struct PlainCoat<'w> {
     pub(super) lights: LightList,
 }
 
-impl<'w> Tracer<'w> {
-    /// The same with the coats of all plain surfaces of one colour worked out.
-    pub(super) fn with_coats(mut self) -> Self {
-        let surfaces = &self.world.surfaces;
-        if self.takes_plain && surfaces.len() <= MOST_SURFACES {
-            self.coats = surfaces
-                .iter()
-                .map(|surface| match surface.texture.layers().first()?.pigment {
-                    PreparedPigment::Plain(color) => self.plain_coat(surface, |_| color),
-                    _ => None,
-                })
-                .collect();
-        }
-        self
-    }
+impl PlainCoat {
+    const NOTHING: PlainCoat = PlainCoat {
+        own: Rgb::BLACK,
+        rgb: Rgb::BLACK,
+        diffuse: 0.0,
+        is_shiny: false,
+        shows_more: false,
+        through: Rgb::BLACK,
+        lights: LightList::OUTSIDE,
+    };
+}
 
+/// The coats of surfaces of one colour that a thread has seen last, each where the end of its number says.
+#[derive(Debug)]
+pub(super) struct Coats {
+    kept: Box<[(u32, PlainCoat); KEPT]>,
+    /// One that is not to be kept.
+    other: PlainCoat,
+}
+
+impl Default for Coats {
+    fn default() -> Self {
+        Coats {
+            kept: Box::new([(NO_SURFACE, PlainCoat::NOTHING); KEPT]),
+            other: PlainCoat::NOTHING,
+        }
+    }
+}
+
+impl Coats {
+    /// The coat of the surface of this number: the one kept, or else what `coat` says, which is kept if it has one colour.
+    #[inline(always)]
+    pub(super) fn of(
+        &mut self,
+        number: u32,
+        coat: impl FnOnce() -> (Option<PlainCoat>, bool),
+    ) -> Option<&PlainCoat> {
+        let at = number as usize % KEPT;
+        if self.kept[at].0 == number {
+            return Some(&self.kept[at].1);
+        }
+        let (coat, has_one_color) = coat();
+        if has_one_color {
+            self.kept[at] = (number, coat?);
+            return Some(&self.kept[at].1);
+        }
+        self.other = coat?;
+        Some(&self.other)
+    }
+}
+
+impl Tracer<'_> {
     /// How a surface takes light where its pigment has the colour that `color` tells; `None` if it is not plain but for
     /// what it shows of others, or scatters light in another way.
     #[inline(always)]
     pub(super) fn plain_coat(
         &self,
-        surface: &'w Surface,
+        surface: &Surface,
         color: impl FnOnce(&PreparedPigment) -> Color,
-    ) -> Option<PlainCoat<'w>> {
+    ) -> Option<PlainCoat> {
         let layer = surface.texture.layers().first()?;
         let finish = &*layer.finish;
         let shows_more = !surface.is_plain();
@@ -65,7 +103,6 @@ impl<'w> Tracer<'w> {
             own,
             rgb,
             diffuse: f64::from(finish.diffuse) * opacity,
-            finish,
             is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
             shows_more,
             through: color.transmission(),

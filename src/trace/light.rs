@@ -87,7 +87,8 @@ impl Known {
 
     /// What is known of one of four ways.
     pub(super) fn of(ways: &FourWays, lane: usize) -> Known {
-        if ways.ways[lane].is_none() {
+        let way = ways.way(lane);
+        if way.is_none() {
             return Known::NOTHING;
         }
         Known {
@@ -97,7 +98,7 @@ impl Known {
             },
             cosine: ways.cosine[lane],
             share: ways.share[lane],
-            way: ways.ways[lane],
+            way,
         }
     }
 

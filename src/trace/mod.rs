@@ -40,7 +40,6 @@ use crate::photons::Kept;
 use crate::radiosity::{Mode, Session};
 use air::Air;
 pub use block::{BLOCK, BlockScratch, Met};
-use coats::PlainCoat;
 use glam::DVec3;
 use light::Known;
 use smallvec::SmallVec;
@@ -142,8 +141,6 @@ pub struct Tracer<'w> {
     sends_waves: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
-    /// How plain surfaces take light, by number; nothing where that differs from place to place, or is not worked out.
-    coats: Vec<Option<PlainCoat<'w>>>,
     /// The interiors around the camera, if all rays start in one point.
     around_camera: Inside,
     background: Background,
@@ -195,9 +192,7 @@ impl<'w> Tracer<'w> {
             samples: None,
             kept: None,
             stop: Stop::default(),
-            coats: Vec::new(),
         }
-        .with_coats()
     }
 
     /// What is traced.

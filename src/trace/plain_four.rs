@@ -2,15 +2,15 @@
 //! show others ([`super::waves`]). A place that needs more than diffuse light and highlights is left to the way for single
 //! ones.
 
-use super::coats::PlainCoat;
+use super::coats::{Coats, PlainCoat};
 use super::light::{Known, Lit, NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
 use super::{Path, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{FourHits, FourWays, LightList, Scratch, Seen, Way};
+use crate::compile::{FourHits, FourWays, LightList, Scratch, Seen};
 use crate::light::Light;
 use crate::pattern::Spot;
-use crate::texture::Finish;
+use crate::texture::{Finish, PreparedPigment};
 use glam::DVec2;
 
 /// What is seen at four places.
@@ -68,10 +68,22 @@ impl<'w> FourSeen<'w> {
     /// What is seen at one of them, if that is known.
     #[inline(always)]
     pub(super) fn sample(&self, lane: usize) -> Option<Sample> {
-        (self.known >> lane & 1 == 1).then(|| Sample {
+        (self.known >> lane & 1 == 1).then(|| self.known(lane))
+    }
+
+    /// Whether it is known what is seen at so many of them from the first on.
+    #[inline(always)]
+    pub(super) fn is_known(&self, count: usize) -> bool {
+        self.known == (1 << count) - 1
+    }
+
+    /// What is seen at one of them where that is known.
+    #[inline(always)]
+    pub(super) fn known(&self, lane: usize) -> Sample {
+        Sample {
             rgb: one_of(&self.rgb, lane),
             transmit: self.transmit[lane],
-        })
+        }
     }
 
     /// What is seen of a surface itself at one of them, if that shows others and is known.
@@ -148,7 +160,7 @@ impl<'w> Tracer<'w> {
         rays: &(impl Looking + ?Sized),
         (four, count): (usize, usize),
         all: &Together,
-        scratch: &mut Scratch,
+        (scratch, kept): (&mut Scratch, &mut Coats),
     ) -> FourSeen<'w> {
         let mut seen = FourSeen::NOTHING;
         if !self.takes_plain || self.stop.is_asked() {
@@ -172,22 +184,21 @@ impl<'w> Tracer<'w> {
         if meets_nothing {
             return seen;
         }
-        let (coats, mut lit) = self.coats(hits, there & hits.met);
+        let (coats, mut lit) = self.coats(hits, there & hits.met, kept);
         let mut sum = [[0.0; 4]; 3];
         for &number in self.world.lights.of(coats.lights) {
             let ways = &all.ways[number as usize * all.hits.len() + four];
-            let (mut free, mut filtered) = (0, 0);
-            for (lane, way) in ways.ways.iter().enumerate() {
-                let is_lit_from_behind = || self.minds_backs && ways.cosine[lane] < NOTHING;
-                match way {
-                    Some(Way::Free | Way::Filtered) if is_lit_from_behind() => lit &= !(1 << lane),
-                    Some(Way::Free) => free |= 1 << lane,
-                    Some(Way::Filtered) => filtered |= 1 << lane,
-                    Some(Way::Blocked) | None => {}
-                }
+            let arrives = ways.asked & !ways.blocked;
+            if self.minds_backs {
+                each_lane(arrives, |lane| {
+                    if ways.cosine[lane] < NOTHING {
+                        lit &= !(1 << lane);
+                    }
+                });
             }
             let light = self.world.lights.get(number);
-            let (free, filtered) = (free & lit, filtered & lit);
+            let filtered = arrives & ways.filtered & lit;
+            let free = arrives & !ways.filtered & lit;
             if free | filtered == 0 {
                 continue;
             }
@@ -245,7 +256,7 @@ impl<'w> Tracer<'w> {
 
     /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.
     #[inline(always)]
-    fn coats(&self, hits: &FourHits, asked: u32) -> (FourCoats<'w>, u32) {
+    fn coats(&self, hits: &FourHits, asked: u32, kept: &mut Coats) -> (FourCoats<'w>, u32) {
         let first = hits.surface[asked.trailing_zeros() as usize % 4];
         let mut coats = FourCoats {
             lights: self.world.surfaces[first as usize].lights,
@@ -256,23 +267,23 @@ impl<'w> Tracer<'w> {
             asked,
             #[inline(always)]
             |lane| {
-                let number = hits.surface[lane] as usize;
-                let found;
-                let known = match self.coats.get(number) {
-                    Some(Some(coat)) => Some(coat),
-                    _ => {
-                        found = self.coat_at(hits, lane);
-                        found.as_ref()
-                    }
-                };
-                let Some(coat) = known.filter(|coat| coat.lights == coats.lights) else {
+                let number = hits.surface[lane];
+                let coat = kept.of(
+                    number,
+                    #[inline(always)]
+                    || self.coat_at(hits, lane),
+                );
+                let Some(coat) = coat.filter(|coat| coat.lights == coats.lights) else {
                     return;
                 };
                 put(&mut coats.own, lane, coat.own);
                 put(&mut coats.rgb, lane, coat.rgb);
                 coats.diffuse[lane] = coat.diffuse;
-                coats.finishes[lane] = Some(coat.finish);
                 coats.shiny |= u32::from(coat.is_shiny) << lane;
+                if coat.is_shiny || coat.shows_more {
+                    let layers = self.world.surfaces[number as usize].texture.layers();
+                    coats.finishes[lane] = layers.first().map(|layer| &*layer.finish);
+                }
                 if coat.shows_more {
                     coats.showing |= 1 << lane;
                     coats.through[lane] = coat.through;
@@ -283,18 +294,21 @@ impl<'w> Tracer<'w> {
         (coats, plain)
     }
 
-    /// The layer at one of four hits, if it is plain.
+    /// The layer at one of four hits, if it is plain, and whether it is so everywhere on its surface.
     #[inline(never)]
-    fn coat_at(&self, hits: &FourHits, lane: usize) -> Option<PlainCoat<'w>> {
+    fn coat_at(&self, hits: &FourHits, lane: usize) -> (Option<PlainCoat>, bool) {
         let surface = &self.world.surfaces[hits.surface[lane] as usize];
-        self.plain_coat(surface, |pigment| {
+        let mut has_one_color = false;
+        let coat = self.plain_coat(surface, |pigment| {
+            has_one_color = matches!(pigment, PreparedPigment::Plain(_));
             pigment.color(&Spot {
                 point: hits.point(lane),
                 normal: hits.facing(lane),
                 dir: hits.dir(lane),
                 uv: DVec2::ZERO,
             })
-        })
+        });
+        (coat, has_one_color)
     }
 }
 

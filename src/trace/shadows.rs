@@ -132,7 +132,7 @@ impl Tracer<'_> {
         let fours = all.hits.len();
         all.ways.resize(lights.len() * fours, FourWays::NOTHING);
         for ways in &mut all.ways {
-            ways.ways = [None; 4];
+            ways.forget();
         }
         for number in (0u32..).take(lights.len()) {
             let light = lights.get(number);
@@ -213,7 +213,7 @@ impl Tracer<'_> {
         }
         for (&place, way) in order.sorted.iter().zip(&order.answers) {
             let place = usize::from(place);
-            ways[place / 4].ways[place % 4] = Some(*way);
+            ways[place / 4].note(place % 4, *way);
         }
     }
 
@@ -226,7 +226,7 @@ impl Tracer<'_> {
                 for (at, (hits, ways)) in all.hits.iter().zip(ways).enumerate() {
                     let asked = self.light_four(lanes, (number, light), hits, ways);
                     for lane in (0..(count - 4 * at).min(4)).filter(|lane| asked >> lane & 1 == 1) {
-                        ways.ways[lane] = Some(Way::Filtered);
+                        ways.note(lane, Way::Filtered);
                     }
                 }
             },

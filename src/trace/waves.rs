@@ -4,6 +4,7 @@
 //! single rays.
 
 use super::block::{AROUND, MANY_LIGHTS};
+use super::coats::Coats;
 use super::passage::{Bend, bend};
 use super::plain_four::{Looking, Showing, viewed};
 use super::shadows::Together;
@@ -275,7 +276,7 @@ impl Tracer<'_> {
     pub(super) fn follow_waves(
         &self,
         waves: &mut Waves,
-        scratch: &mut Scratch,
+        (scratch, coats): (&mut Scratch, &mut Coats),
         mut take: impl FnMut(usize, Sample),
     ) {
         while !waves.next.is_empty() {
@@ -299,7 +300,7 @@ impl Tracer<'_> {
             };
             let rays = std::mem::take(&mut waves.rays);
             for rays in rays.chunks(at_once) {
-                self.follow_wave(rays, waves, scratch, &mut take);
+                self.follow_wave(rays, waves, (scratch, coats), &mut take);
             }
             waves.rays = rays;
         }
@@ -315,7 +316,7 @@ impl Tracer<'_> {
         &self,
         rays: &[Onward],
         waves: &mut Waves,
-        scratch: &mut Scratch,
+        (scratch, coats): (&mut Scratch, &mut Coats),
         take: &mut impl FnMut(usize, Sample),
     ) {
         let mut all = std::mem::take(&mut waves.all);
@@ -334,7 +335,8 @@ impl Tracer<'_> {
                         rays: onwards,
                         insides: &waves.insides,
                     };
-                    let seen = self.plain_four(&few, (four, rays.len()), &all, scratch);
+                    let kept = (&mut *scratch, &mut *coats);
+                    let seen = self.plain_four(&few, (four, rays.len()), &all, kept);
                     for (lane, onward) in onwards.iter().enumerate() {
                         let showing = seen.showing(lane).filter(|_| waves.have_room());
                         let sample = match (seen.sample(lane), showing) {

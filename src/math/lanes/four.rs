@@ -63,10 +63,35 @@ pub(crate) fn four<K: FourKernel>(lanes: Lanes, kernel: &K) -> K::Answer {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt")]
 #[inline]
 fn four_wide<K: FourKernel>(kernel: &K) -> K::Answer {
     kernel.run::<std::arch::x86_64::__m256d>()
+}
+
+/// Work on one four after the other, written once for every machine.
+pub(crate) trait FourWork {
+    type Answer;
+    fn run<F: Row>(self) -> Self::Answer;
+}
+
+/// Does such work in these lanes.
+#[inline(always)]
+pub(crate) fn fours<W: FourWork>(lanes: Lanes, work: W) -> W::Answer {
+    #[cfg(target_arch = "x86_64")]
+    if lanes.are_wide {
+        // SAFETY: lanes are wide only where the machine has the instructions.
+        return unsafe { fours_wide(work) };
+    }
+    debug_assert!(!lanes.are_wide, "wide lanes are known on x86-64 alone");
+    work.run::<[f64; 4]>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt")]
+#[inline]
+fn fours_wide<W: FourWork>(work: W) -> W::Answer {
+    work.run::<std::arch::x86_64::__m256d>()
 }
 
 /// Anywhere.

@@ -18,11 +18,18 @@ fn assert_same(text: &str) {
         for left in (0..SIZE.0).step_by(BLOCK as usize) {
             let columns = left..(left + BLOCK).min(SIZE.0);
             let rows = top..(top + BLOCK).min(SIZE.1);
-            tracer.block(&columns, &rows, SIZE, &mut scratch, |x, y, sample| {
-                let alone = long.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
-                assert_eq!(sample, alone, "at {x}, {y}");
-                drawn += 1;
-            });
+            tracer.block(
+                &columns,
+                &rows,
+                SIZE,
+                &mut scratch,
+                |[right, down], sample| {
+                    let (x, y) = (left + u32::from(right), top + u32::from(down));
+                    let alone = long.pixel(f64::from(x), f64::from(y), SIZE.0, SIZE.1, &mut single);
+                    assert_eq!(sample, alone, "at {x}, {y}");
+                    drawn += 1;
+                },
+            );
         }
     }
     assert_eq!(drawn, SIZE.0 * SIZE.1);
@@ -228,7 +235,7 @@ fn what_takes_no_light_asks_for_none() {
         false,
     );
     let mut scratch = BlockScratch::default();
-    Tracer::new(&world, 9).block(&(0..16), &(0..16), (16, 16), &mut scratch, |_, _, _| {});
+    Tracer::new(&world, 9).block(&(0..16), &(0..16), (16, 16), &mut scratch, |_, _| {});
     let rays = scratch.take_rays();
     assert_eq!((rays.camera, rays.shadow), (256, 0));
 }
