@@ -201,6 +201,9 @@ impl FourKernel for Passing<'_> {
         let Some(held) = self.narrowed(&rays) else {
             return FoundByFour::NOTHING;
         };
+        if let Some(found) = self.found_at_once(&held, &rays) {
+            return found;
+        }
         let endless = F::all(f64::INFINITY);
         let mut unknown = held.unknown;
         let mut ends = [(endless, endless.negated()); MOST_OPERANDS];
@@ -313,6 +316,40 @@ impl Passing<'_> {
             }
         }
         Some(held)
+    }
+
+    /// What is found if each ray either passes by what must all hold, or enters it where nothing is near that is taken away:
+    /// that needs no ends of what is.
+    #[inline(always)]
+    fn found_at_once<F: Four>(
+        &self,
+        held: &Narrowed<F>,
+        rays: &FourRays<F>,
+    ) -> Option<FoundByFour> {
+        let t = held.enter.shown();
+        let passes = F::bits(held.high.below(held.low));
+        let is_plain = F::both(
+            F::both(F::load(&self.rays.from).below(t), t.below(held.high)),
+            F::both(t.equals(held.low), held.enter.tied.equals(F::all(0.0))),
+        );
+        let mut clear = F::bits(is_plain) & !passes;
+        for &number in self.others {
+            if (clear | passes) & self.there != self.there {
+                break;
+            }
+            let leaf = &self.leaves[(self.program.first + number) as usize];
+            clear &= F::bits(match &leaf.object_from_world {
+                None => leaf.shape.four_clear(rays, t),
+                Some(matrix) => leaf.shape.four_clear(&rays.to_object(matrix), t),
+            });
+        }
+        let is_known = held.unknown == 0 && (clear | passes) & self.there == self.there;
+        is_known.then(|| FoundByFour {
+            t: t.store(),
+            operand: held.enter.operand.store(),
+            met: clear & self.there,
+            unknown: 0,
+        })
     }
 
     /// The nearest surface that is shown of the one at `best` and one at `t`, with what is taken away. No closure: that

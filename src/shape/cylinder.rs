@@ -8,7 +8,7 @@
 //! its size (`shape/roundings.rs`).
 
 use super::axial::{APEX, Axis, BASE};
-use super::four::{self, FourRays, FourSpans, Three, chords, dot, minus, same, scaled};
+use super::four::{self, FourRays, FourSpans, across, chords, dot, minus, same};
 use super::{Geometry, Root, Start, first_visible, push_span, read, unease};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
@@ -148,12 +148,6 @@ impl Cylinder {
         let roots = small.comfortable_span(&eased.ray)?;
         unease(&eased, roots)
     }
-}
-
-/// The parts of four vectors across an axis.
-#[inline(always)]
-fn across<F: Four>(unit: Three<F>, v: Three<F>) -> Three<F> {
-    minus(v, scaled(unit, dot(unit, v)))
 }
 
 impl Geometry for Cylinder {

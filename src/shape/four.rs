@@ -1,13 +1,13 @@
 //! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
 
-use super::Shape;
+use super::{Cuboid, Shape};
 use crate::math::Ray;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::math::lanes::Four;
 pub(crate) use crate::math::lanes::three::Three;
 pub(super) use crate::math::lanes::three::{dot, minus, plus, same, scaled};
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 /// Places for roots: a torus has up to four on each of two stretches.
 pub(super) const MOST_ROOTS: usize = 8;
@@ -268,6 +268,69 @@ impl Shape {
     }
 }
 
+/// Outside of a solid by this share of its size a point is outside by any rounding of rays that come from no farther away
+/// than [`NEAR_ENOUGH`].
+const CLEARLY: f64 = 1e-6;
+/// In sizes of a solid.
+const NEAR_ENOUGH: f64 = 1e6;
+
+impl Shape {
+    /// Which places at `t` on four rays lie clearly outside; nothing is known of those that are not.
+    #[inline(always)]
+    pub(crate) fn four_clear<F: Four>(&self, rays: &FourRays<F>, t: F) -> F::Mask {
+        match self {
+            Shape::Sphere(sphere) => {
+                let (p, place) = seen_from(rays, t, sphere.centre);
+                let size = sphere.radius;
+                F::both(
+                    F::all(size * size * (1.0 + CLEARLY)).below(dot(place, place)),
+                    is_near(p, size),
+                )
+            }
+            Shape::Cylinder(cylinder) => {
+                let (base, unit, size) = cylinder.rod();
+                let (p, place) = seen_from(rays, t, base);
+                let aside = across(same(unit), place);
+                let is_beside = F::all(size * size * (1.0 + CLEARLY)).below(dot(aside, aside));
+                F::both(is_beside, is_near(p, size))
+            }
+            Shape::Cuboid(Cuboid { min, max }) => {
+                let (p, place) = seen_from(rays, t, *min);
+                let size = (*max - *min).max_element();
+                let (below, above) = (-CLEARLY * size, *max - *min + CLEARLY * size);
+                let is_beside = |axis: usize| {
+                    let place = place[axis];
+                    let is_above = F::all(above[axis]).below(place);
+                    F::either(place.below(F::all(below)), is_above)
+                };
+                let is_beside = F::either(F::either(is_beside(0), is_beside(1)), is_beside(2));
+                F::both(is_beside, is_near(p, size))
+            }
+            _ => F::mask(0),
+        }
+    }
+}
+
+/// Where four rays start, and where they are at `t`, both from a point.
+#[inline(always)]
+fn seen_from<F: Four>(rays: &FourRays<F>, t: F, from: DVec3) -> (Three<F>, Three<F>) {
+    let p = minus(rays.origin, same(from));
+    (p, plus(p, scaled(rays.dir, t)))
+}
+
+/// Whether four places are near enough to a solid of this size for [`CLEARLY`] to hold.
+#[inline(always)]
+fn is_near<F: Four>(place: Three<F>, size: f64) -> F::Mask {
+    let limit = F::all(NEAR_ENOUGH * size);
+    dot(place, place).below(limit.times(limit))
+}
+
+/// The parts of four vectors across an axis.
+#[inline(always)]
+pub(super) fn across<F: Four>(unit: Three<F>, v: Three<F>) -> Three<F> {
+    minus(v, scaled(unit, dot(unit, v)))
+}
+
 /// Whether four rays can be worked on without rescaling, besides the size of the body.
 #[inline(always)]
 pub(super) fn is_comfortable<F: Four>(dir_sq: F, origin_sq: F) -> F::Mask {
@@ -315,8 +378,7 @@ mod tests {
     use crate::math::Bounds;
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
-    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
-    use glam::DVec3;
+    use crate::shape::{Crossing, Cylinder, Geometry, Plane, Root, Sphere, Torus};
 
     /// What is known of the roots of four rays, as single rays know it.
     struct Asked<'a> {
