@@ -3,9 +3,6 @@
 use std::env;
 use std::process::ExitCode;
 
-#[global_allocator]
-static MEMORY: povr::memory::LargePages = povr::memory::LargePages;
-
 fn main() -> ExitCode {
     povr::memory::keep_large_pieces_apart();
     let arguments = env::args_os().skip(1);
