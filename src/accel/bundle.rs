@@ -336,6 +336,12 @@ pub(super) struct Slab {
 }
 
 impl Slab {
+    /// Of nothing.
+    pub(super) const NOTHING: Slab = Slab {
+        low: [f32::INFINITY; 3],
+        high: [f32::NEG_INFINITY; 3],
+    };
+
     // Spelt out: `map` is not always inlined.
     #[inline(always)]
     pub(super) fn new(cell: &Cell, origin: DVec3) -> Self {

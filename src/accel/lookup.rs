@@ -116,9 +116,10 @@ impl Vista {
             radius: known.radius,
         };
         let mut may_meet = eight(lanes, &ball);
-        let Some(form) = self.forms.get(item as usize).filter(|_| may_meet != 0) else {
-            return may_meet;
-        };
+        if may_meet == 0 {
+            return 0;
+        }
+        let form = self.form(item);
         if form.slab != NONE {
             let slab = &self.slabs[form.slab as usize];
             may_meet &= eight(lanes, &GroupAndBox { group, slab });
@@ -170,9 +171,10 @@ impl Vista {
         dir.cross(centre).length_squared() <= limit
             && along - known.radius <= end
             && along + known.radius >= 0.0
-            && self.forms.get(item as usize).is_none_or(|form| {
-                form.slab == NONE || self.slabs[form.slab as usize].is_met(dir, end)
-            })
+            && match self.form(item).slab {
+                NONE => true,
+                slab => self.slabs[slab as usize].is_met(dir, end),
+            }
     }
 }
 

@@ -276,8 +276,13 @@ impl Bvh {
     }
 
     /// Calls `visit` with each item and its box.
-    fn each_item(&self, mut visit: impl FnMut(u32, Cell)) {
-        for node in &self.nodes {
+    fn each_item(&self, visit: impl FnMut(u32, Cell)) {
+        self.some_items(1, visit);
+    }
+
+    /// The same with the items of one in so many nodes.
+    fn some_items(&self, step: usize, mut visit: impl FnMut(u32, Cell)) {
+        for node in self.nodes.iter().step_by(step) {
             for place in 0..WIDTH {
                 let child = node.child(place);
                 if child != Child::NOTHING && child.node().is_none() {

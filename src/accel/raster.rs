@@ -1,6 +1,10 @@
 //! The grid of a [`super::Vista`]: which items each cell may show, in the order of their distance.
 
+use super::node::{larger, smaller};
 use crate::math::rounding::nearest;
+
+/// Of an item that is not seen.
+const NO_CELLS: Span = [[u16::MAX, 0]; 2];
 
 /// Slopes, or cells, between which something lies.
 #[derive(Clone, Copy, Debug)]
@@ -8,6 +12,16 @@ pub(super) struct Rect {
     pub(super) low: [f64; 2],
     pub(super) high: [f64; 2],
 }
+
+/// The slopes between which an item lies, kept until the grid is made: their rounding is nothing against [`MARGIN`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Narrow {
+    low: [f32; 2],
+    high: [f32; 2],
+}
+
+/// The cells that an item may share something with: the first and the last column, then rows.
+type Span = [[u16; 2]; 2];
 
 /// Cells of a grid, and the items in each.
 #[derive(Clone, Debug)]
@@ -91,8 +105,34 @@ impl Rect {
         around
     }
 
+    /// The same in few bytes.
+    #[inline(always)]
+    pub(super) fn narrow(&self) -> Narrow {
+        Narrow {
+            low: self.low.map(nearest),
+            high: self.high.map(nearest),
+        }
+    }
+}
+
+impl Narrow {
+    /// Of an item that is not seen.
+    pub(super) const EMPTY: Narrow = Narrow {
+        low: [f32::INFINITY; 2],
+        high: [f32::NEG_INFINITY; 2],
+    };
+
+    #[inline(always)]
     fn is_empty(&self) -> bool {
-        self.low[0] == f64::INFINITY
+        self.low[0] == f32::INFINITY
+    }
+
+    #[inline(always)]
+    fn rect(&self) -> Rect {
+        Rect {
+            low: self.low.map(f64::from),
+            high: self.high.map(f64::from),
+        }
     }
 }
 
@@ -159,23 +199,33 @@ impl Grid {
         })
     }
 
+    /// Calls `visit` with the number of each cell of a span.
     #[inline(always)]
-    fn each(&self, rect: &Rect, mut visit: impl FnMut(usize)) {
-        let [columns, rows] = self.cells(rect);
+    fn each(&self, [columns, rows]: &Span, mut visit: impl FnMut(usize)) {
         for row in rows[0]..=rows[1] {
             for column in columns[0]..=columns[1] {
-                visit(row as usize * self.size[0] as usize + column as usize);
+                visit(usize::from(row) * self.size[0] as usize + usize::from(column));
             }
         }
     }
 
-    fn entries(&self, rects: &[Rect]) -> usize {
-        let seen = rects.iter().filter(|rect| !rect.is_empty());
-        let entries = seen.map(|rect| {
-            let [columns, rows] = self.cells(rect).map(|[first, last]| last + 1 - first);
-            columns as usize * rows as usize
-        });
-        entries.sum()
+    /// Finds the cells of items that are seen; says how many they are together.
+    fn find(&self, rects: &[Narrow], spans: &mut [Span]) -> usize {
+        let mut entries = 0;
+        for (rect, span) in rects.iter().zip(spans) {
+            if rect.is_empty() {
+                *span = NO_CELLS;
+                continue;
+            }
+            #[allow(clippy::cast_possible_truncation, reason = "a row has few cells")]
+            let cells = self
+                .cells(&rect.rect())
+                .map(|ends| ends.map(|end| end as u16));
+            *span = cells;
+            let [columns, rows] = cells.map(|[first, last]| usize::from(last - first) + 1);
+            entries += columns * rows;
+        }
+        entries
     }
 
     fn count(&self) -> usize {
@@ -187,7 +237,7 @@ impl Raster {
     /// The grid over a window that items are seen in, each in a rectangle, an empty one if it is not seen, and at a
     /// distance. Cells are multiples of `together` if that is given. `None` if none is seen.
     pub(super) fn new(
-        rects: &[Rect],
+        rects: Vec<Narrow>,
         near: impl Fn(usize) -> f32,
         window: Rect,
         together: Option<[f64; 2]>,
@@ -201,10 +251,10 @@ impl Raster {
             }
             seen += 1;
             for (side, sum) in sum.iter_mut().enumerate() {
-                *sum += rect.high[side] - rect.low[side];
+                *sum += f64::from(rect.high[side] - rect.low[side]);
             }
-            least = least.min(near(item));
-            most = most.max(near(item));
+            least = smaller(near(item), least);
+            most = larger(near(item), most);
         }
         if seen == 0 || !least.is_finite() || !most.is_finite() {
             return None;
@@ -213,14 +263,16 @@ impl Raster {
         let number = seen as f64;
         let mut cell = sum.map(|sum| FINENESS * sum / number);
         let mut grid = Grid::new(&window, cell, together);
+        let mut spans = vec![NO_CELLS; rects.len()];
         loop {
             #[allow(clippy::cast_precision_loss, reason = "a ratio has few digits")]
             let excess = grid.count() as f64 / (CELLS_OF_ITEM * number + SOME_CELLS);
             let is_dense = excess > 1.0;
-            if !is_dense && grid.entries(rects) <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES {
-                break;
-            }
-            if grid.count() == 1 {
+            let is_single = grid.count() == 1;
+            if (!is_dense || is_single)
+                && (grid.find(&rects, &mut spans) <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES
+                    || is_single)
+            {
                 break;
             }
             let factor = if is_dense {
@@ -234,6 +286,7 @@ impl Raster {
             }
             grid = Grid::new(&window, cell, together);
         }
+        drop(rects);
         let mut raster = Raster {
             grid,
             begins: Vec::new(),
@@ -241,7 +294,7 @@ impl Raster {
             least,
             step: (most - least) / LAST_STEP,
         };
-        raster.fill(rects, near);
+        raster.fill(&spans, near);
         Some(raster)
     }
 
@@ -249,34 +302,37 @@ impl Raster {
         clippy::cast_possible_truncation,
         reason = "items and entries are counted in 31 bits"
     )]
-    fn fill(&mut self, rects: &[Rect], near: impl Fn(usize) -> f32) {
+    fn fill(&mut self, spans: &[Span], near: impl Fn(usize) -> f32) {
         let grid = self.grid;
         // By distance, coarsely: counting sort.
+        let steps: Vec<u8> = (0..spans.len())
+            .map(|item| self.step_of(near(item)) as u8)
+            .collect();
+        let is_seen = |item: &usize| spans[*item] != NO_CELLS;
         let mut places = vec![0u32; STEPS + 1];
-        let is_seen = |item: &usize| !rects[*item].is_empty();
-        for item in (0..rects.len()).filter(is_seen) {
-            places[self.step_of(near(item)) + 1] += 1;
+        for item in (0..spans.len()).filter(is_seen) {
+            places[usize::from(steps[item]) + 1] += 1;
         }
         for step in 0..STEPS {
             places[step + 1] += places[step];
         }
         let mut order = vec![0u32; places[STEPS] as usize];
-        for item in (0..rects.len()).filter(is_seen) {
-            let place = &mut places[self.step_of(near(item))];
+        for item in (0..spans.len()).filter(is_seen) {
+            let place = &mut places[usize::from(steps[item])];
             order[*place as usize] = item as u32;
             *place += 1;
         }
         // Then into the cells, in that order.
         let mut begins = vec![0u32; grid.count() + 2];
-        for rect in rects.iter().filter(|rect| !rect.is_empty()) {
-            grid.each(rect, |cell| begins[cell + 2] += 1);
+        for span in spans.iter().filter(|span| **span != NO_CELLS) {
+            grid.each(span, |cell| begins[cell + 2] += 1);
         }
         for cell in 1..begins.len() {
             begins[cell] += begins[cell - 1];
         }
         let mut items = vec![0u32; begins[begins.len() - 1] as usize];
         for &item in &order {
-            grid.each(&rects[item as usize], |cell| {
+            grid.each(&spans[item as usize], |cell| {
                 let at = &mut begins[cell + 1];
                 items[*at as usize] = item;
                 *at += 1;

@@ -1,9 +1,12 @@
 //! Where in the view from a point things lie: by the slopes of the ways there.
 
-use super::bundle::{Ball, DOUBT};
+use super::bundle::DOUBT;
 use super::node::Cell;
 use super::raster::{Grid, Rect};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
+
+/// The centre of a ball as seen from a point, its radius, and its distance.
+type Seen = (Vec3, f32, f32);
 
 /// No rounding of a ray may move it by more than this share of a cell.
 const SHARP: f64 = 1.0 / 32.0;
@@ -18,10 +21,11 @@ pub(super) struct View {
 }
 
 impl View {
-    /// The slopes between which lies what is in a box, and in a ball if one is given.
-    pub(super) fn rect(&self, ball: Option<&Ball>, cell: &Cell) -> Extent {
-        let of_ball = ball.map_or(Extent::Everywhere, |ball| self.rect_of_ball(ball));
-        if ball.is_some_and(|ball| ball.is_filled) {
+    /// The slopes between which lies what is in a box, and in a ball if one is given, as seen from here, and whether all of
+    /// that is.
+    pub(super) fn rect(&self, (ball, is_filled): (Option<Seen>, bool), cell: &Cell) -> Extent {
+        let of_ball = ball.map_or(Extent::Everywhere, |ball| self.rect_of_ball(&ball));
+        if is_filled {
             return of_ball;
         }
         match (of_ball, self.rect_of_cell(cell)) {
@@ -32,8 +36,8 @@ impl View {
     }
 
     /// Tangent planes of a ball: those of slope `s` have the normal `n = axis - s · axes[2]`, and `n · centre = ± radius · |n|`.
-    fn rect_of_ball(&self, ball: &Ball) -> Extent {
-        let (centre, radius, _) = ball.seen_from(self.origin);
+    #[inline(always)]
+    pub(super) fn rect_of_ball(&self, &(centre, radius, _): &Seen) -> Extent {
         let (centre, radius) = (centre.as_dvec3(), f64::from(radius));
         let along = self.axes[2];
         let depth = along.dot(centre);
@@ -45,13 +49,14 @@ impl View {
             return Extent::Everywhere;
         }
         let mut rect = Rect::EMPTY;
+        let share = 1.0 / a;
         for (side, axis) in self.axes[..2].iter().enumerate() {
             let place = axis.dot(centre);
             let b = place * depth - radius * radius * axis.dot(along);
             let c = place * place - radius * radius * axis.length_squared();
             let spread = (b * b - a * c).max(0.0).sqrt();
-            rect.low[side] = (b - spread) / a;
-            rect.high[side] = (b + spread) / a;
+            rect.low[side] = (b - spread) * share;
+            rect.high[side] = (b + spread) * share;
         }
         Extent::Within(rect)
     }

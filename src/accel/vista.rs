@@ -8,11 +8,11 @@
 use super::Bvh;
 use super::bundle::{Ball, DOUBT, FARTHEST, Slab};
 use super::node::Frame;
-use super::raster::{Raster, Rect};
+use super::raster::{Narrow, Raster, Rect};
 use super::rod::{Rod, SeenRod};
 use super::view::{Extent, View};
 use crate::math::rounding::nearest;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 /// The view of a camera goes on beside the picture for so many times as many pixels as lie together.
 const BESIDE: f64 = 2.0;
@@ -20,6 +20,8 @@ const BESIDE: f64 = 2.0;
 const LEAST_COSINE: f64 = 0.4;
 /// So many items may lie around the point or beside the grid: every ray asks about them.
 const MOST_AROUND: usize = 8;
+/// So many nodes tell well enough in which direction the items lie.
+const NODES_THAT_TELL: usize = 1024;
 
 /// What lies around a point.
 #[derive(Clone, Debug)]
@@ -33,8 +35,8 @@ pub struct Vista {
     /// The items that are no part of the picture that the grid holds: those around the point, and beside it.
     pub(super) around: Vec<u32>,
     pub(super) known: Vec<Known>,
-    /// More of items that are not balls; empty if all are.
-    pub(super) forms: Vec<Form>,
+    /// More of items that are not balls; empty if all are, or if of each no more is known than its slab.
+    forms: Vec<Form>,
     pub(super) slabs: Vec<Slab>,
     pub(super) rods: Vec<SeenRod>,
 }
@@ -73,8 +75,9 @@ impl Known {
         near: f32::INFINITY,
     };
 
-    fn new(ball: &Ball, origin: DVec3) -> Self {
-        let (centre, radius, distance) = ball.seen_from(origin);
+    /// Within a ball of this centre and radius at such a distance.
+    #[inline(always)]
+    fn new((centre, radius, distance): (Vec3, f32, f32)) -> Self {
         Known {
             centre: centre.to_array(),
             radius,
@@ -93,7 +96,8 @@ impl Vista {
     ) -> Option<Vista> {
         let origin = tree.frame.place(point);
         let mut sum = DVec3::ZERO;
-        tree.each_item(|_, cell| {
+        let step = (tree.nodes.len() / NODES_THAT_TELL).max(1);
+        tree.some_items(step, |_, cell| {
             let (low, high) = cell.ends();
             if !(low.cmple(origin) & origin.cmple(high)).all() {
                 sum += (0.5 * low + 0.5 * high - origin).normalize_or_zero();
@@ -148,49 +152,81 @@ impl Vista {
             axes: axes.map(|axis| DVec3::from(axis.map(f64::from))),
             ..*view
         };
-        let mut count = 0;
-        tree.each_item(|item, _| count = count.max(item as usize + 1));
-        let mut rects = vec![Rect::EMPTY; count];
-        let mut known = vec![Known::NOTHING; count];
         let is_ball = |ball: &Option<Ball>| ball.is_some_and(|ball| ball.is_filled);
-        let are_balls = tree.balls.len() >= count && tree.balls.iter().all(is_ball);
-        let mut forms = vec![Form::BALL; if are_balls { 0 } else { count }];
-        let (mut slabs, mut seen_rods, mut around) = (Vec::new(), Vec::new(), Vec::new());
+        let mut count = tree.balls.len();
+        let are_balls = count > 0 && tree.balls.iter().all(is_ball);
+        if !are_balls {
+            tree.each_item(|item, _| count = count.max(item as usize + 1));
+        }
+        let mut rects = vec![Narrow::EMPTY; count];
+        let mut known = vec![Known::NOTHING; count];
+        let mut around = Vec::new();
         let mut seen = Rect::EMPTY;
         let reach = (1.0 / (LEAST_COSINE * LEAST_COSINE) - 1.0).sqrt();
-        tree.each_item(|item, cell| {
-            let ball = tree.balls.get(item as usize).copied().flatten();
-            match (view.rect(ball.as_ref(), &cell), &window) {
-                (Extent::Nowhere, Some(_)) => return,
+        // Takes note of an item that is seen there; says whether it is.
+        let mut note = |item: u32, extent: Extent| {
+            match (extent, &window) {
+                (Extent::Nowhere, Some(_)) => return false,
                 (Extent::Within(rect), Some(window)) => match rect.shared(window) {
-                    Some(rect) => rects[item as usize] = rect,
-                    None => return,
+                    Some(rect) => rects[item as usize] = rect.narrow(),
+                    None => return false,
                 },
                 (Extent::Within(rect), None) if rect.is_within(reach) => {
-                    rects[item as usize] = rect;
+                    rects[item as usize] = rect.narrow();
                     seen = seen.around(&rect);
                 }
                 _ => around.push(item),
             }
-            let around_it = ball.unwrap_or_else(|| Ball::around(&cell));
-            known[item as usize] = Known::new(&around_it, view.origin);
-            if is_ball(&ball) {
-                return;
+            true
+        };
+        let mut forms = Vec::new();
+        let (mut slabs, mut seen_rods) = (Vec::new(), Vec::new());
+        if are_balls {
+            for (item, ball) in (0..).zip(tree.balls.iter().flatten()) {
+                let ball = ball.seen_from(view.origin);
+                if note(item, view.rect_of_ball(&ball)) {
+                    known[item as usize] = Known::new(ball);
+                }
             }
-            let form = &mut forms[item as usize];
-            form.slab = number_of_next(&slabs);
-            slabs.push(Slab::new(&cell, view.origin));
-            let rod = rods(item).and_then(|rod| SeenRod::new(rod, &tree.frame, view.origin));
-            if let Some(rod) = rod {
-                form.rod = number_of_next(&seen_rods);
-                seen_rods.push(rod);
+        } else {
+            let is_mixed = tree.balls.iter().any(is_ball)
+                || (0..).take(count).any(|item: u32| rods(item).is_some());
+            if is_mixed {
+                forms.resize(count, Form::BALL);
+            } else {
+                slabs.resize(count, Slab::NOTHING);
             }
-        });
+            tree.each_item(|item, cell| {
+                let ball = tree.balls.get(item as usize).copied().flatten();
+                let from_here = ball.map(|ball| ball.seen_from(view.origin));
+                let is_filled = is_ball(&ball);
+                if !note(item, view.rect((from_here, is_filled), &cell)) {
+                    return;
+                }
+                let around_it = || Ball::around(&cell).seen_from(view.origin);
+                known[item as usize] = Known::new(from_here.unwrap_or_else(around_it));
+                if is_filled {
+                    return;
+                }
+                let slab = Slab::new(&cell, view.origin);
+                let Some(form) = forms.get_mut(item as usize) else {
+                    slabs[item as usize] = slab;
+                    return;
+                };
+                form.slab = number_of_next(&slabs);
+                slabs.push(slab);
+                let rod = rods(item).and_then(|rod| SeenRod::new(rod, &tree.frame, view.origin));
+                if let Some(rod) = rod {
+                    form.rod = number_of_next(&seen_rods);
+                    seen_rods.push(rod);
+                }
+            });
+        }
         if around.len() > MOST_AROUND {
             return None;
         }
         let window = window.unwrap_or(seen);
-        let raster = Raster::new(&rects, |item| known[item].near, window, together)?;
+        let raster = Raster::new(rects, |item| known[item].near, window, together)?;
         if !view.is_sharp(&window, &raster.grid) {
             return None;
         }
@@ -217,6 +253,19 @@ impl Vista {
     #[must_use]
     pub fn is_empty(&self, low: [f64; 2], high: [f64; 2]) -> bool {
         self.around.is_empty() && self.raster.is_empty(&Rect { low, high })
+    }
+
+    /// What more is known of an item than its ball.
+    #[inline(always)]
+    pub(super) fn form(&self, item: u32) -> Form {
+        match self.forms.get(item as usize) {
+            Some(form) => *form,
+            None if self.slabs.is_empty() => Form::BALL,
+            None => Form {
+                slab: item,
+                rod: NONE,
+            },
+        }
     }
 
     /// The memory it takes.
