@@ -123,3 +123,10 @@ fn few_copies_are_taken_apart() {
     assert_eq!(world.leaves().len(), 1000);
     assert_eq!(world.plan().instances, 0);
 }
+
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn a_surface_is_small_for_there_may_be_a_million() {
+    assert!(size_of::<povr::compile::Surface>() <= 112);
+    assert!(size_of::<Leaf>() <= 112);
+}

@@ -181,25 +181,38 @@ impl Overview {
             all.has_fresnel |= surface.has_fresnel();
             all.minds_backs |= surface.is_lit_from_behind() || surface.is_bumpy();
             all.has_unlit |= !surface.takes_light();
-            all.is_grainy |= surface.traits.is_grainy;
+            all.is_grainy |= surface.traits.has(Traits::GRAINY);
         }
         all
     }
 }
 
-/// Answers about the textures of a surface that every ray may ask for: the textures lie elsewhere in memory.
+/// Answers about the textures of a surface that every ray may ask for, a bit each: the textures lie elsewhere in memory.
 #[derive(Clone, Copy, Debug, Default)]
-struct Traits {
-    is_opaque: bool,
-    takes_light: bool,
-    is_lit_from_behind: bool,
-    has_fresnel: bool,
-    is_plain: bool,
-    is_nearly_plain: bool,
-    is_bumpy: bool,
-    is_grainy: bool,
-    uses_uv: bool,
-    filters_evenly: bool,
+struct Traits(u16);
+
+impl Traits {
+    const OPAQUE: u16 = 1;
+    const TAKES_LIGHT: u16 = 1 << 1;
+    const LIT_FROM_BEHIND: u16 = 1 << 2;
+    const FRESNEL: u16 = 1 << 3;
+    const PLAIN: u16 = 1 << 4;
+    const NEARLY_PLAIN: u16 = 1 << 5;
+    const BUMPY: u16 = 1 << 6;
+    const GRAINY: u16 = 1 << 7;
+    const USES_UV: u16 = 1 << 8;
+    const FILTERS_EVENLY: u16 = 1 << 9;
+
+    /// Those that hold.
+    fn new(all: [(u16, bool); 10]) -> Self {
+        let held = all.into_iter().filter(|(_, holds)| *holds);
+        Traits(held.fold(0, |bits, (bit, _)| bits | bit))
+    }
+
+    #[inline(always)]
+    fn has(self, bit: u16) -> bool {
+        self.0 & bit != 0
+    }
 }
 
 impl Rare {
@@ -234,18 +247,34 @@ impl Surface {
             textures().any(|texture| texture.has_layer(is_such))
         };
         let uses_uv = flags.uv_mapping || textures().any(|texture| texture.uses_uv());
-        let traits = Traits {
-            uses_uv,
-            is_opaque: textures().all(|texture| texture.is_opaque()),
-            takes_light: has(&|layer| layer.finish.takes_light()),
-            is_lit_from_behind: has(&|layer| layer.finish.diffuse_back != 0.0),
-            has_fresnel: has(&|layer| layer.finish.reflection.is_fresnel),
-            is_plain: textures().count() == 1 && texture.is_plain() && !uses_uv,
-            is_nearly_plain: textures().count() == 1 && texture.is_nearly_plain() && !uses_uv,
-            is_bumpy: has(&|layer| layer.normal.is_some()),
-            is_grainy: has(&|layer| layer.finish.crand > 0.0),
-            filters_evenly: textures().count() == 1 && texture.is_even(),
-        };
+        let is_one = textures().count() == 1;
+        let traits = Traits::new([
+            (Traits::USES_UV, uses_uv),
+            (
+                Traits::OPAQUE,
+                textures().all(|texture| texture.is_opaque()),
+            ),
+            (
+                Traits::TAKES_LIGHT,
+                has(&|layer| layer.finish.takes_light()),
+            ),
+            (
+                Traits::LIT_FROM_BEHIND,
+                has(&|layer| layer.finish.diffuse_back != 0.0),
+            ),
+            (
+                Traits::FRESNEL,
+                has(&|layer| layer.finish.reflection.is_fresnel),
+            ),
+            (Traits::PLAIN, is_one && texture.is_plain() && !uses_uv),
+            (
+                Traits::NEARLY_PLAIN,
+                is_one && texture.is_nearly_plain() && !uses_uv,
+            ),
+            (Traits::BUMPY, has(&|layer| layer.normal.is_some())),
+            (Traits::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
+            (Traits::FILTERS_EVENLY, is_one && texture.is_even()),
+        ]);
         let is_rare = inside_texture.is_some() || !skins.is_empty();
         let rare = is_rare.then(|| {
             Box::new(Rare {
@@ -316,44 +345,44 @@ impl Surface {
     /// Whether something in its looks asks for texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
-        self.traits.uses_uv
+        self.traits.has(Traits::USES_UV)
     }
 
     /// Whether light of lamps can be seen on it.
     #[must_use]
     #[inline]
     pub fn takes_light(&self) -> bool {
-        self.traits.takes_light
+        self.traits.has(Traits::TAKES_LIGHT)
     }
 
     /// Whether light that comes from behind can be seen on it.
     #[must_use]
     pub fn is_lit_from_behind(&self) -> bool {
-        self.flags.double_illuminate || self.traits.is_lit_from_behind
+        self.flags.double_illuminate || self.traits.has(Traits::LIT_FROM_BEHIND)
     }
 
     /// Whether it is one opaque layer all over, with nothing to it but light and highlights.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.traits.is_plain
+        self.traits.has(Traits::PLAIN)
     }
 
     /// Whether it is that but for a mirror image and what shines through.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
-        self.traits.is_nearly_plain
+        self.traits.has(Traits::NEARLY_PLAIN)
     }
 
     /// Whether bumps tilt its normal somewhere.
     #[must_use]
     pub fn is_bumpy(&self) -> bool {
-        self.traits.is_bumpy
+        self.traits.has(Traits::BUMPY)
     }
 
     /// Whether the same share of light passes its textures everywhere.
     #[must_use]
     pub fn filters_evenly(&self) -> bool {
-        self.traits.filters_evenly
+        self.traits.has(Traits::FILTERS_EVENLY)
     }
 
     /// That share.
@@ -370,7 +399,7 @@ impl Surface {
     /// Whether the view through it matters to its mirror images.
     #[must_use]
     pub fn has_fresnel(&self) -> bool {
-        self.traits.has_fresnel
+        self.traits.has(Traits::FRESNEL)
     }
 
     /// Whether the two need not be told apart. Into what is opaque no ray goes, so that all interiors are alike there
@@ -392,6 +421,6 @@ impl Surface {
     /// Whether nothing can be seen through it.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.traits.is_opaque
+        self.traits.has(Traits::OPAQUE)
     }
 }

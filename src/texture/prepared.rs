@@ -10,19 +10,31 @@ use crate::pattern::{
     Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot, Turns,
 };
 use glam::DVec3;
-use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// A texture ready for rays.
 #[derive(Debug, Default)]
 pub struct PreparedTexture {
-    layers: SmallVec<[PreparedLayer; 1]>,
-    /// What chooses among other textures; the layers do not count then.
-    choice: Option<Box<Choice>>,
+    layers: Layers,
     is_opaque: bool,
     has_reflection: bool,
     uses_uv: bool,
     minds_normal: bool,
+}
+
+/// The layers of a texture. There may be a million textures, most of which have one.
+#[derive(Debug)]
+enum Layers {
+    One(PreparedLayer),
+    Some(Vec<PreparedLayer>),
+    /// What chooses among other textures; the layers do not count then.
+    Chosen(Box<(Choice, Vec<PreparedLayer>)>),
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Layers::Some(Vec::new())
+    }
 }
 
 /// A layer ready for rays.
@@ -69,8 +81,7 @@ impl PreparedTexture {
                 .and_then(|normal| PreparedNormal::new(normal, after, settings))
                 .map(|normal| Box::new(normal.within(far))),
         };
-        let layers: SmallVec<[PreparedLayer; 1]> =
-            texture.layers().iter().rev().map(prepare).collect();
+        let mut layers: Vec<PreparedLayer> = texture.layers().iter().rev().map(prepare).collect();
         let choice = texture.pattern();
         let choice = choice.and_then(|choice| Choice::new(choice, after, far, settings));
         let (is_opaque, has_reflection) = match &choice {
@@ -91,8 +102,11 @@ impl PreparedTexture {
         };
         let minds_normal = choice.as_ref().is_some_and(Choice::minds_normal);
         PreparedTexture {
-            layers,
-            choice: choice.map(Box::new),
+            layers: match choice {
+                Some(choice) => Layers::Chosen(Box::new((choice, layers))),
+                None if layers.len() == 1 => layers.pop().map(Layers::One).unwrap_or_default(),
+                None => Layers::Some(layers),
+            },
             is_opaque,
             has_reflection,
             uses_uv,
@@ -106,13 +120,12 @@ impl PreparedTexture {
         PreparedTexture {
             is_opaque: !color.is_transparent(),
             has_reflection: finish.has_reflection(),
-            layers: SmallVec::from_buf([PreparedLayer {
+            layers: Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(color),
                 quick_color: None,
                 finish,
                 normal: None,
-            }]),
-            choice: None,
+            }),
             uses_uv: false,
             minds_normal: false,
         }
@@ -120,27 +133,40 @@ impl PreparedTexture {
 
     /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
     #[must_use]
+    #[inline]
     pub fn layers(&self) -> &[PreparedLayer] {
-        &self.layers
+        match &self.layers {
+            Layers::One(layer) => std::slice::from_ref(layer),
+            Layers::Some(layers) => layers,
+            Layers::Chosen(chosen) => &chosen.1,
+        }
+    }
+
+    /// What chooses among other textures, if that is done.
+    fn choice(&self) -> Option<&Choice> {
+        match &self.layers {
+            Layers::Chosen(chosen) => Some(&chosen.0),
+            Layers::One(_) | Layers::Some(_) => None,
+        }
     }
 
     /// Whether a pattern chooses among other textures.
     #[must_use]
     pub fn is_patterned(&self) -> bool {
-        self.choice.is_some()
+        self.choice().is_some()
     }
 
     /// Whether some layer is of this kind, of the texture itself or of any that it chooses from.
     pub fn has_layer(&self, is_such: &dyn Fn(&PreparedLayer) -> bool) -> bool {
-        match &self.choice {
-            None => self.layers.iter().any(is_such),
+        match self.choice() {
+            None => self.layers().iter().any(is_such),
             Some(choice) => choice.textures().any(|texture| texture.has_layer(is_such)),
         }
     }
 
     /// Adds the textures that are seen of it, whose patterns are asked at `point`.
     pub fn look<'t>(&'t self, point: DVec3, weight: f32, to: &mut Choosing<'t>) {
-        if let Some(choice) = &self.choice {
+        if let Some(choice) = self.choice() {
             return choice.look(point, weight, to);
         }
         to.looks.push(Look {
@@ -158,10 +184,10 @@ impl PreparedTexture {
     /// The normal that the bumps of its layers have made last once all that can be seen of them are drawn, as slope patterns
     /// see it.
     fn normal_left(&self, point: DVec3, flat: &Spot) -> Option<DVec3> {
-        let mut layers = self.layers.iter();
+        let mut layers = self.layers().iter();
         let lowest = layers.position(|layer| !layer.pigment.can_be_transparent());
-        let seen = lowest.map_or(self.layers.len(), |lowest| lowest + 1);
-        let mut bumps = self.layers[..seen].iter().rev();
+        let seen = lowest.map_or(self.layers().len(), |lowest| lowest + 1);
+        let mut bumps = self.layers()[..seen].iter().rev();
         let bumps = bumps.find_map(|layer| layer.normal.as_ref())?;
         Some(bumps.tilted_and_seen(point, flat.normal, flat).1)
     }
@@ -194,8 +220,8 @@ impl PreparedTexture {
     /// Whether it is that but for a mirror image and what shines through.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
-        match self.layers.as_slice() {
-            [layer] if self.choice.is_none() => {
+        match self.layers() {
+            [layer] if self.choice().is_none() => {
                 let finish = &layer.finish;
                 layer.normal.is_none()
                     && finish.crand <= 0.0
@@ -210,7 +236,7 @@ impl PreparedTexture {
     #[must_use]
     pub fn is_even(&self) -> bool {
         let is_plain = |layer: &PreparedLayer| matches!(layer.pigment, PreparedPigment::Plain(_));
-        self.choice.is_none() && self.layers.iter().all(is_plain)
+        self.choice().is_none() && self.layers().iter().all(is_plain)
     }
 
     /// Whether some layer has a mirror image.
@@ -222,7 +248,7 @@ impl PreparedTexture {
     /// The only layer and its colour, if there is one layer and it is of one colour.
     #[must_use]
     pub fn plain(&self) -> Option<(Color, &Finish)> {
-        match self.layers.as_slice() {
+        match self.layers() {
             [
                 PreparedLayer {
                     pigment: PreparedPigment::Plain(color),
@@ -230,7 +256,7 @@ impl PreparedTexture {
                     normal: None,
                     ..
                 },
-            ] if self.choice.is_none() => Some((*color, finish)),
+            ] if self.choice().is_none() => Some((*color, finish)),
             _ => None,
         }
     }
