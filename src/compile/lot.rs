@@ -99,7 +99,7 @@ impl Lot {
     }
 
     /// The ray of the query of this number.
-    #[inline(always)]
+    #[cfg(test)]
     pub(super) fn ray(&self, number: usize) -> Ray {
         self.fours[number / 4].ray(number % 4)
     }

@@ -2,17 +2,19 @@
 
 use super::csg::Found;
 use super::leaf::Leaf;
-use super::lot::Lot;
+use super::lot::{FourQueries, Lot};
 use super::model::Item;
 use super::order::Numbered;
 use super::query::{Best, Query, Scratch, Way};
 use super::together::each_bit;
 use super::world::World;
 use crate::accel::Bundle;
-use crate::math::lanes::Lanes;
+use crate::math::Ray;
+use crate::math::lanes::three::{Three, dot, minus, over, same, scaled, store};
+use crate::math::lanes::{Four, FourKernel, Lanes, four};
 use crate::math::watertight::{FourFrames, RayFrame};
 use crate::shape::{Mesh, Shape};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// Meshes of fewer triangles are asked by one ray at a time, as all other shapes.
 const LEAST_TRIANGLES: usize = 256;
@@ -23,9 +25,90 @@ const MOST_MESHES: usize = 8;
 #[derive(Debug, Default)]
 pub(super) struct MeshScratch {
     bundle: Bundle,
-    frames: Vec<RayFrame>,
-    /// Them, four by four, where they are longest along the same axis.
-    fours: Vec<Option<FourFrames>>,
+    /// The rays in the space of the mesh.
+    rays: Vec<FourInMesh>,
+    /// What triangles ask of them, once some of four have come to one.
+    frames: Vec<Option<Frames>>,
+}
+
+/// Four rays made ready for triangles.
+#[derive(Debug)]
+struct Frames {
+    each: [RayFrame; 4],
+    /// Them together, where they are longest along the same axis.
+    four: Option<FourFrames>,
+}
+
+/// Four rays in the space of a mesh.
+#[derive(Clone, Copy, Debug)]
+struct FourInMesh {
+    origin: [[f64; 4]; 3],
+    dir: [[f64; 4]; 3],
+    /// The unit directions from the common point.
+    unit_dir: [[f64; 4]; 3],
+    /// How far the rays go in a unit of their parameter.
+    speed: [f64; 4],
+    /// How far from the common point they start.
+    distance: [f64; 4],
+}
+
+impl FourInMesh {
+    fn frames(&self) -> Frames {
+        let one_of = |of: &[[f64; 4]; 3], lane: usize| of.map(|axis| axis[lane]).into();
+        let frame = |lane| {
+            RayFrame::new(&Ray::new(
+                one_of(&self.origin, lane),
+                one_of(&self.dir, lane),
+            ))
+        };
+        let each = [frame(0), frame(1), frame(2), frame(3)];
+        Frames {
+            four: FourFrames::new(&each),
+            each,
+        }
+    }
+}
+
+impl MeshScratch {
+    /// Four rays made ready.
+    #[inline(always)]
+    fn ready(&mut self, number: usize) -> &Frames {
+        let rays = &self.rays[number];
+        self.frames[number].get_or_insert_with(|| rays.frames())
+    }
+}
+
+/// Four queries on their way into a mesh. They have the point `origin` in common, and go from there, or come from there
+/// (`sign` -1).
+struct Entering<'a> {
+    queries: &'a FourQueries,
+    matrix: Option<&'a DAffine3>,
+    origin: DVec3,
+    sign: f64,
+}
+
+impl FourKernel for Entering<'_> {
+    type Answer = FourInMesh;
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> FourInMesh {
+        let mut rays = self.queries.load::<F>();
+        let mut speed = F::all(1.0);
+        let mut unit_dir = rays.dir;
+        if let Some(matrix) = self.matrix {
+            rays = rays.to_object(matrix);
+            speed = dot(rays.dir, rays.dir).root();
+            unit_dir = over(rays.dir, speed);
+        }
+        let way: Three<F> = minus(rays.origin, same(self.origin));
+        FourInMesh {
+            origin: store(rays.origin),
+            dir: store(rays.dir),
+            unit_dir: store(scaled(unit_dir, F::all(self.sign))),
+            speed: speed.store(),
+            distance: dot(way, way).root().store(),
+        }
+    }
 }
 
 /// A mesh of a world, for rays that go together.
@@ -91,7 +174,8 @@ impl World {
             let mut own = std::mem::take(&mut scratch.mesh);
             let count = bests.len();
             let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let is_done = asked.enter((&mut own, &mut bundle_of_mesh), (origin, 1.0), count, lot)
+            let entering = (lanes, &mut own, &mut bundle_of_mesh);
+            let is_done = asked.enter(entering, (origin, 1.0), count, lot)
                 && asked.mesh.tree().together(
                     lanes,
                     &mut bundle_of_mesh,
@@ -99,10 +183,10 @@ impl World {
                     |face, first, rays, ended| {
                         asked.meet(
                             lanes,
-                            (&own, lot),
+                            (&mut own, lot),
                             (face, first, rays),
                             #[inline(always)]
-                            |lot, ray, t| {
+                            |lot, ray, t, speed| {
                                 let found = asked.found(t, face);
                                 let far = lot.far(ray);
                                 let best = &mut bests[ray];
@@ -124,7 +208,7 @@ impl World {
                                 if new < far {
                                     lot.shorten(ray, new);
                                     bundle.shorten(ray, new);
-                                    ended.note(ray - first, asked.way(new, &own.frames[ray]));
+                                    ended.note(ray - first, new * speed);
                                 }
                             },
                         );
@@ -156,7 +240,8 @@ impl World {
             let mut own = std::mem::take(&mut scratch.mesh);
             let count = ways.len();
             let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let is_done = asked.enter((&mut own, &mut bundle_of_mesh), (centre, -1.0), count, lot)
+            let entering = (lanes, &mut own, &mut bundle_of_mesh);
+            let is_done = asked.enter(entering, (centre, -1.0), count, lot)
                 && asked.mesh.tree().together(
                     lanes,
                     &mut bundle_of_mesh,
@@ -164,10 +249,10 @@ impl World {
                     |face, first, rays, ended| {
                         asked.meet(
                             lanes,
-                            (&own, lot),
+                            (&mut own, lot),
                             (face, first, rays),
                             #[inline(always)]
-                            |_, ray, t| {
+                            |_, ray, t, _| {
                                 if ways[ray] == Way::Blocked {
                                     return;
                                 }
@@ -209,53 +294,56 @@ impl Asked<'_> {
     #[inline(always)]
     fn enter(
         &self,
-        (own, bundle): (&mut MeshScratch, &mut Bundle),
+        (lanes, own, bundle): (Lanes, &mut MeshScratch, &mut Bundle),
         (origin, sign): (DVec3, f64),
         count: usize,
         lot: &Lot,
     ) -> bool {
         let origin = self.leaf.point_to_object(origin);
+        own.rays.clear();
         own.frames.clear();
-        for ray in 0..count {
-            let ray = self.leaf.to_object(&lot.ray(ray));
-            own.frames.push(RayFrame::new(&ray));
+        for first in (0..count).step_by(4) {
+            let entering = Entering {
+                queries: lot.four(first),
+                matrix: self.leaf.object_from_world.as_deref(),
+                origin,
+                sign,
+            };
+            own.rays.push(four(lanes, &entering));
+            own.frames.push(None);
         }
-        let frames = &own.frames;
-        own.fours.clear();
-        own.fours.extend(frames.chunks(4).map(FourFrames::new));
+        let rays = &own.rays;
         bundle.fill(
             self.mesh.tree(),
             origin,
             count,
             #[inline(always)]
             |four| {
-                let (mut dirs, mut ends) = ([[0.0; 4]; 3], [0.0; 4]);
-                for lane in 0..4 {
-                    let ray = (4 * four + lane).min(count - 1);
-                    // The queries have unit directions.
-                    let dir = match self.leaf.object_from_world {
-                        None => sign * frames[ray].dir(),
-                        Some(_) => sign * frames[ray].unit_dir(),
-                    };
-                    for axis in 0..3 {
-                        dirs[axis][lane] = dir[axis];
+                let (far, rays) = (&lot.four(4 * four).far, &rays[four]);
+                let mut ends = [f64::NEG_INFINITY; 4];
+                for (lane, end) in ends.iter_mut().enumerate() {
+                    if far[lane] >= 0.0 {
+                        *end = if sign < 0.0 {
+                            rays.distance[lane]
+                        } else {
+                            far[lane] * rays.speed[lane]
+                        };
                     }
-                    ends[lane] = self.end(lot, ray, &frames[ray], sign, origin);
                 }
-                (dirs, ends)
+                (rays.unit_dir, ends)
             },
         )
     }
 
-    /// Calls `take` with the number and the parameter of each of some rays, those of `rays` from the first on, that meet
-    /// a triangle before they end.
+    /// Calls `take` with the number, the parameter and the speed of each of some rays, those of `rays` from the first on,
+    /// that meet a triangle before they end.
     #[inline(always)]
     fn meet(
         &self,
         lanes: Lanes,
-        (own, lot): (&MeshScratch, &mut Lot),
+        (own, lot): (&mut MeshScratch, &mut Lot),
         (face, first, rays): (u32, usize, u32),
-        mut take: impl FnMut(&mut Lot, usize, f64),
+        mut take: impl FnMut(&mut Lot, usize, f64, f64),
     ) {
         for half in [0, 4] {
             let some = rays >> half & 0b1111;
@@ -263,8 +351,10 @@ impl Asked<'_> {
                 continue;
             }
             let start = first + half as usize;
+            let speed = own.rays[start / 4].speed;
+            let frames = own.ready(start / 4);
             let mut singly = some;
-            if let Some(four) = &own.fours[start / 4]
+            if let Some(four) = &frames.four
                 && !some.is_power_of_two()
             {
                 let found = self.mesh.meet_four(lanes, four, face);
@@ -272,40 +362,19 @@ impl Asked<'_> {
                 each_bit(found.met & some, |lane| {
                     let (ray, t) = (start + lane, found.t[lane % 4]);
                     if lot.from(ray) < t && t <= lot.far(ray) {
-                        take(lot, ray, t);
+                        take(lot, ray, t, speed[lane % 4]);
                     }
                 });
             }
             each_bit(singly, |lane| {
                 let ray = start + lane;
-                if let Some(t) = self.mesh.meet(&own.frames[ray], face)
+                if let Some(t) = self.mesh.meet(&frames.each[lane % 4], face)
                     && lot.from(ray) < t
                     && t <= lot.far(ray)
                 {
-                    take(lot, ray, t);
+                    take(lot, ray, t, speed[lane % 4]);
                 }
             });
-        }
-    }
-
-    /// Where a query ends, in the space of the mesh and from the common point.
-    #[inline(always)]
-    fn end(&self, lot: &Lot, ray: usize, frame: &RayFrame, sign: f64, origin: DVec3) -> f64 {
-        if lot.far(ray) < 0.0 {
-            f64::NEG_INFINITY
-        } else if sign < 0.0 {
-            frame.origin().distance(origin)
-        } else {
-            self.way(lot.far(ray), frame)
-        }
-    }
-
-    /// The way in the space of the mesh that a ray goes up to a parameter.
-    #[inline(always)]
-    fn way(&self, t: f64, frame: &RayFrame) -> f64 {
-        match self.leaf.object_from_world {
-            None => t,
-            Some(_) => t * frame.speed(),
         }
     }
 

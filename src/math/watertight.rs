@@ -53,30 +53,6 @@ impl RayFrame {
         }
     }
 
-    /// Where the ray starts.
-    #[inline]
-    pub(crate) fn origin(&self) -> DVec3 {
-        self.ray.origin
-    }
-
-    /// The direction of the ray.
-    #[inline]
-    pub(crate) fn dir(&self) -> DVec3 {
-        self.ray.dir
-    }
-
-    /// The length of the ray's direction.
-    #[inline]
-    pub(crate) fn speed(&self) -> f64 {
-        self.ray.dir.length()
-    }
-
-    /// The direction of the ray, of length 1.
-    #[inline]
-    pub(crate) fn unit_dir(&self) -> DVec3 {
-        self.ray.dir / self.speed()
-    }
-
     /// The corners with the ray along an axis: across it, and along it.
     #[inline]
     fn sheared(&self, corners: &[DVec3; 3]) -> ([DVec2; 3], [f64; 3]) {
