@@ -42,11 +42,11 @@ impl Pixel {
 
 /// Makes of samples pixels for a file, as [`Pixel::new`] does.
 pub(crate) fn tell_all(pixels: &mut [Pixel]) {
-    // The difference is no number where one is not finite.
+    // Nothing of what is not finite is no number.
     let mut off = [0.0; 4];
     for Pixel { rgb, transmit } in &*pixels {
         for (off, c) in off.iter_mut().zip([rgb.r, rgb.g, rgb.b, *transmit]) {
-            *off += c - c;
+            *off += c * 0.0;
         }
     }
     if off.iter().any(|off| off.is_nan()) {

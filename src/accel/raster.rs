@@ -269,10 +269,11 @@ impl Raster {
             let excess = grid.count() as f64 / (CELLS_OF_ITEM * number + SOME_CELLS);
             let is_dense = excess > 1.0;
             let is_single = grid.count() == 1;
-            if (!is_dense || is_single)
-                && (grid.find(&rects, &mut spans) <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES
-                    || is_single)
-            {
+            let is_sparse = (is_single || !is_dense) && {
+                let entries = grid.find(&rects, &mut spans);
+                entries <= ENTRIES_OF_ITEM * seen + SOME_ENTRIES
+            };
+            if is_sparse || is_single {
                 break;
             }
             let factor = if is_dense {

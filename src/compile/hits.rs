@@ -6,7 +6,7 @@ use super::search::BLUR;
 use super::world::World;
 use crate::math::Ray;
 use crate::math::lanes::three::{Three, dot, largest, load, minus, plus, scaled, store};
-use crate::math::lanes::{Four, FourKernel, Lanes, four};
+use crate::math::lanes::{Four, FourWork, Lanes, Row, fours};
 use crate::shape::{Crossing, Shape};
 use glam::DVec3;
 
@@ -240,30 +240,22 @@ fn put(to: &mut [[f64; 4]; 3], lane: usize, v: DVec3) {
     }
 }
 
-/// Where four rays are at their distances, and what follows if that lies on balls.
+/// Finds where four rays are at their distances, and what follows if that lies on balls.
 struct OnBalls<'a> {
     origin: &'a [[f64; 4]; 3],
-    hits: &'a FourHits,
+    hits: &'a mut FourHits,
     centre: [[f64; 4]; 3],
 }
 
-struct Places {
-    point: [[f64; 4]; 3],
-    blur: [f64; 4],
-    /// The outward unit normals of the balls.
-    normal: [[f64; 4]; 3],
+impl FourWork for OnBalls<'_> {
     /// Whose numbers need no care, one bit each: first of the points, then of the normals.
-    sure: [u32; 2],
-}
-
-impl FourKernel for OnBalls<'_> {
-    type Answer = Places;
+    type Answer = [u32; 2];
 
     #[inline(always)]
-    fn run<F: Four>(&self) -> Places {
-        let t = F::load(&self.hits.t);
-        let way: Three<F> = scaled(load(&self.hits.dir), t);
-        let point = plus(load(self.origin), way);
+    fn run<F: Row>(self) -> [u32; 2] {
+        let hits = self.hits;
+        let (dir, t) = (load(&hits.dir), F::load(&hits.t));
+        let point = plus(load(self.origin), scaled(dir, t));
         let size = largest(point).larger(t);
         let [x, y, z] = [point[0].size(), point[1].size(), point[2].size()];
         let is_finite = x.plus(y).plus(z).below(F::all(f64::INFINITY));
@@ -273,34 +265,44 @@ impl FourKernel for OnBalls<'_> {
             F::all(f64::MIN_POSITIVE).not_above(length_sq),
             length_sq.below(F::all(f64::INFINITY)),
         );
-        Places {
-            point: store(point),
-            blur: F::all(BLUR).times(size).store(),
-            normal: store(scaled(normal, F::all(1.0).over(length_sq.root()))),
-            sure: [F::bits(is_finite), F::bits(is_normal)],
-        }
+        let normal = scaled(normal, F::all(1.0).over(length_sq.root()));
+        let (facing, turned) = facing(normal, dir);
+        hits.point = store(point);
+        hits.blur = F::all(BLUR).times(size).store();
+        hits.normal = store(normal);
+        hits.facing = store(facing);
+        hits.turned = turned;
+        [F::bits(is_finite), F::bits(is_normal)]
     }
 }
 
 /// Turns the normals of four hits to the side of the viewer.
 struct Turning<'a> {
-    hits: &'a FourHits,
+    hits: &'a mut FourHits,
 }
 
-impl FourKernel for Turning<'_> {
-    type Answer = ([[f64; 4]; 3], u32);
+impl FourWork for Turning<'_> {
+    type Answer = ();
 
     #[inline(always)]
-    fn run<F: Four>(&self) -> ([[f64; 4]; 3], u32) {
+    fn run<F: Row>(self) {
         let normal: Three<F> = load(&self.hits.facing);
-        let is_turned = F::all(0.0).below(dot(normal, load(&self.hits.dir)));
-        let turned = [
-            F::pick(is_turned, normal[0].negated(), normal[0]),
-            F::pick(is_turned, normal[1].negated(), normal[1]),
-            F::pick(is_turned, normal[2].negated(), normal[2]),
-        ];
-        (store(turned), F::bits(is_turned))
+        let (facing, turned) = facing(normal, load(&self.hits.dir));
+        self.hits.facing = store(facing);
+        self.hits.turned = turned;
     }
+}
+
+/// Four normals on the side from which rays of these directions come, and which of them are turned for that, one bit each.
+#[inline(always)]
+fn facing<F: Four>(normal: Three<F>, dir: Three<F>) -> (Three<F>, u32) {
+    let is_turned = F::all(0.0).below(dot(normal, dir));
+    let turned = [
+        F::pick(is_turned, normal[0].negated(), normal[0]),
+        F::pick(is_turned, normal[1].negated(), normal[1]),
+        F::pick(is_turned, normal[2].negated(), normal[2]),
+    ];
+    (turned, F::bits(is_turned))
 }
 
 impl World {
@@ -315,12 +317,12 @@ impl World {
     ) {
         hits.meet_nothing();
         let mut centre = [[0.0; 4]; 3];
-        let mut balls = 0;
+        let (mut met, mut balls) = (0, 0);
         for (lane, best) in bests.iter().enumerate().take(4) {
             let Some(Best { found, .. }) = best else {
                 continue;
             };
-            hits.met |= 1 << lane;
+            met |= 1 << lane;
             hits.t[lane] = found.root.t;
             hits.leaf[lane] = found.leaf;
             hits.face[lane] = found.root.face;
@@ -333,7 +335,8 @@ impl World {
                 balls |= 1 << lane;
             }
         }
-        if hits.met == 0 {
+        hits.met = met;
+        if met == 0 {
             return;
         }
         let on_balls = OnBalls {
@@ -341,20 +344,21 @@ impl World {
             hits,
             centre,
         };
-        let places = four(lanes, &on_balls);
-        hits.point = places.point;
-        hits.blur = places.blur;
-        hits.normal = places.normal;
-        hits.facing = places.normal;
-        let mut left = hits.met & !(balls & places.sure[0] & places.sure[1]);
+        let sure = fours(lanes, on_balls);
+        let mut left = met & !(balls & sure[0] & sure[1]);
+        if left == 0 {
+            return;
+        }
+        // All anew, from normals that are not turned yet.
+        hits.facing = hits.normal;
         while left != 0 {
             let lane = left.trailing_zeros() as usize % 4;
             left &= left - 1;
             if let Some(Some(Best { found, .. })) = bests.get(lane) {
-                self.note_hit(origin, found, places.sure[0] >> lane & 1 == 1, hits, lane);
+                self.note_hit(origin, found, sure[0] >> lane & 1 == 1, hits, lane);
             }
         }
-        (hits.facing, hits.turned) = four(lanes, &Turning { hits });
+        fours(lanes, Turning { hits });
     }
 
     /// The same for one of them, the point of which is known or not.

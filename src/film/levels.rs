@@ -222,13 +222,18 @@ fn each<T: Copy, const CHANNELS: usize>(
     out: &mut [T],
     levels: impl Fn(Pixel) -> [T; CHANNELS],
 ) {
-    let mut last = None;
+    let bits = |Pixel { rgb, transmit }: Pixel| {
+        let [r, g, b, t] = [rgb.r, rgb.g, rgb.b, transmit].map(|c| u64::from(c.to_bits()));
+        [r | g << 32, b | t << 32]
+    };
+    let mut last = bits(Pixel::default());
+    let mut known = levels(Pixel::default());
     for (stored, &pixel) in out.as_chunks_mut().0.iter_mut().zip(pixels) {
-        *stored = match last {
-            Some((seen, levels)) if seen == pixel => levels,
-            _ => levels(pixel),
-        };
-        last = Some((pixel, *stored));
+        let this = bits(pixel);
+        if this != last {
+            (last, known) = (this, levels(pixel));
+        }
+        *stored = known;
     }
 }
 

@@ -25,6 +25,9 @@ pub(super) const MANY_LIGHTS: usize = 64;
 /// Pixels that lie together are searched for together: eight, in columns and rows.
 const GROUP: (u32, u32) = (4, 2);
 
+/// The least and the largest of some places' columns, and of their rows.
+type Between = [[f64; 2]; 2];
+
 /// Buffers that a thread keeps between blocks.
 #[derive(Debug, Default)]
 pub struct BlockScratch {
@@ -37,6 +40,8 @@ pub struct BlockScratch {
     parts_of_block: Vec<usize>,
     /// How far to the right and down of the first pixel of its block each place lies.
     offsets: Vec<[u8; 2]>,
+    /// Between which columns and rows, counted from there, [`AROUND`] of them after the other lie.
+    bounds: Vec<Between>,
     /// What the camera sees at the places.
     all: Together,
     waves: Waves,
@@ -116,6 +121,12 @@ impl BlockScratch {
         };
         self.offsets.clear();
         self.offsets.extend(self.whole.iter().map(offset));
+        self.bounds.clear();
+        let first = [columns.start, rows.start].map(f64::from);
+        self.bounds.extend(self.whole.chunks(AROUND).map(|places| {
+            let [columns, rows] = between(places);
+            [columns.map(|x| x - first[0]), rows.map(|y| y - first[1])]
+        }));
     }
 
     /// Whether random numbers go on from sample to sample.
@@ -149,15 +160,20 @@ impl Tracer<'_> {
         scratch.lay_out(columns, rows);
         let whole = std::mem::take(&mut scratch.whole);
         let offsets = std::mem::take(&mut scratch.offsets);
+        let bounds = std::mem::take(&mut scratch.bounds);
+        let first = [columns.start, rows.start].map(f64::from);
+        let bounds_of = |piece: usize, _: &[_]| {
+            let [columns, rows] = bounds[piece];
+            [columns.map(|x| x + first[0]), rows.map(|y| y + first[1])]
+        };
         self.seen_at(
-            &whole,
+            (&whole, bounds_of),
             size,
             scratch,
             #[inline(always)]
             |number, sample, _| take(offsets[number], sample),
         );
-        scratch.whole = whole;
-        scratch.offsets = offsets;
+        (scratch.whole, scratch.offsets, scratch.bounds) = (whole, offsets, bounds);
     }
 
     /// What the camera sees at places of a picture of `size`, no more than a block has pixels and such that neighbours
@@ -174,7 +190,8 @@ impl Tracer<'_> {
         let end = places.len();
         let ends = (0..end).step_by((SEARCHED * SEARCHED) as usize).skip(1);
         scratch.parts.extend(ends.chain([end]));
-        self.seen_at(places, size, scratch, |number, sample, hits| {
+        let bounds = |_, places: &[_]| between(places);
+        self.seen_at((places, bounds), size, scratch, |number, sample, hits| {
             let lane = number % 4;
             let hits = hits.filter(|hits| hits.is_met(lane));
             let met = hits.map(|hits| Met {
@@ -185,10 +202,10 @@ impl Tracer<'_> {
         });
     }
 
-    /// The same with the parts laid out.
+    /// The same with the parts laid out; `bounds` tells between what the places of a piece of them lie.
     fn seen_at(
         &self,
-        places: &[(f64, f64)],
+        (places, bounds): (&[(f64, f64)], impl Fn(usize, &[(f64, f64)]) -> Between),
         size: (u32, u32),
         scratch: &mut BlockScratch,
         mut take: impl FnMut(usize, Sample, Option<&FourHits>),
@@ -200,7 +217,7 @@ impl Tracer<'_> {
         for (piece, places) in places.chunks(at_once).enumerate() {
             let whole = [places.len()];
             let parts = if are_few { &whole } else { &parts[..] };
-            if let Some(background) = self.nothing_at(places, size).filter(|_| are_few) {
+            if are_few && let Some(background) = self.nothing_at(bounds(piece, places), size) {
                 scratch.single.rays.camera += places.len() as u64;
                 for number in 0..places.len() {
                     take(at_once * piece + number, background, None);
@@ -220,25 +237,17 @@ impl Tracer<'_> {
         scratch.parts = parts;
     }
 
-    /// The background, if nothing else is seen at places between which there is nothing, and it is the same everywhere.
-    fn nothing_at(&self, places: &[(f64, f64)], (width, height): (u32, u32)) -> Option<Sample> {
+    /// The background, if nothing else is seen between these places, and it is the same everywhere.
+    fn nothing_at(&self, between: Between, (width, height): (u32, u32)) -> Option<Sample> {
         let world = self.world;
         let is_even = self.takes_plain && world.sky.is_none() && world.lens.is_none();
         if !is_even || self.stop.is_asked() {
             return None;
         }
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        // Two instructions a place, unlike `f64::min`, which asks whether both are numbers.
-        for &(x, y) in places {
-            for (side, at) in [x, y].into_iter().enumerate() {
-                low[side] = if at < low[side] { at } else { low[side] };
-                high[side] = if at > high[side] { at } else { high[side] };
-            }
-        }
         let (width, height) = (f64::from(width), f64::from(height));
-        let slopes = |[x, y]: [f64; 2]| [(x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height];
-        let (low, high) = (slopes(low), slopes(high));
-        let is_empty = world.shows_nothing([low[0], high[1]], [high[0], low[1]]);
+        let [left, right] = between[0].map(|x| (x + 0.5) / width - 0.5);
+        let [top, bottom] = between[1].map(|y| 0.5 - (y + 0.5) / height);
+        let is_empty = world.shows_nothing([left, bottom], [right, top]);
         is_empty.then(|| self.background_of(Seen::Image).seen)
     }
 
@@ -359,6 +368,19 @@ impl Tracer<'_> {
         }
         true
     }
+}
+
+/// Between what some places lie.
+fn between(places: &[(f64, f64)]) -> Between {
+    let mut between = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for &(x, y) in places {
+        for ([low, high], at) in between.iter_mut().zip([x, y]) {
+            // Two instructions, unlike `f64::min`, which asks whether both are numbers.
+            *low = if at < *low { at } else { *low };
+            *high = if at > *high { at } else { *high };
+        }
+    }
+    between
 }
 
 /// A range in pieces of this length; the last may be shorter.
