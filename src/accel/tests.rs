@@ -451,6 +451,48 @@ fn rays_find_by_their_cells_what_they_find_alone() {
 }
 
 #[test]
+fn where_a_view_is_empty_no_ray_meets_anything() {
+    let spheres = spheres(60, 1.0, DVec3::ZERO);
+    let bounds = bounds_of(&spheres);
+    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+    tree.know_balls(order.len(), |place| {
+        let sphere = &spheres[order[place] as usize];
+        Some((sphere.centre, sphere.radius, true))
+    });
+    let mut rng = Random::new(31);
+    let (mut empty, mut full) = (0, 0);
+    for _ in 0..60 {
+        let from = rng.vector(1.0).normalize() * 6.0;
+        let along = -from.normalize();
+        let (right, up) = along.any_orthonormal_pair();
+        let axes = [right, up, along];
+        let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
+        for _ in 0..60 {
+            let low = [(); 2].map(|()| 0.95 * rng.share() - 0.5);
+            let high = low.map(|low| low + 0.05 * rng.share());
+            if !vista.is_empty(low, high) {
+                full += 1;
+                continue;
+            }
+            empty += 1;
+            for step in 0..=16 {
+                let share = f64::from(step % 4) / 3.0;
+                let x = low[0] + (high[0] - low[0]) * f64::from(step / 4) / 4.0;
+                let y = low[1] + (high[1] - low[1]) * share;
+                let ray = Ray::new(from, (along + x * right + y * up).normalize());
+                assert!(nearest_of_all(&spheres, &ray).is_none());
+            }
+        }
+        assert!(
+            !vista.is_empty([-0.6, 0.0], [-0.55, 0.1]),
+            "beside the grid"
+        );
+        assert!(!vista.is_empty([f64::NAN; 2], [f64::NAN; 2]));
+    }
+    assert!(empty > 300 && full > 300, "{empty} {full}");
+}
+
+#[test]
 fn no_flat_view_is_had_from_among_the_items() {
     let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
     assert!(Vista::from_outside(&tree, DVec3::ZERO, |_| None).is_none());

@@ -1,13 +1,13 @@
 //! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
 
-use super::{Cuboid, Shape};
+use super::Shape;
 use crate::math::Ray;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::math::lanes::Four;
 pub(crate) use crate::math::lanes::three::Three;
 pub(super) use crate::math::lanes::three::{dot, minus, plus, same, scaled};
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 
 /// Places for roots: a torus has up to four on each of two stretches.
 pub(super) const MOST_ROOTS: usize = 8;
@@ -133,6 +133,20 @@ impl<F: Four> FourRoots<F> {
             nearest.met |= new;
         }
         nearest
+    }
+}
+
+impl<F: Four> FourRays<F> {
+    /// These rays.
+    #[cfg(test)]
+    pub(super) fn of_each(rays: &[Ray; 4]) -> Self {
+        let axis = |of: fn(&Ray) -> glam::DVec3, axis: usize| {
+            F::load(&[0, 1, 2, 3].map(|i| of(&rays[i])[axis]))
+        };
+        FourRays {
+            origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
+            dir: [0, 1, 2].map(|i| axis(|ray| ray.dir, i)),
+        }
     }
 }
 
@@ -268,63 +282,6 @@ impl Shape {
     }
 }
 
-/// Outside of a solid by this share of its size a point is outside by any rounding of rays that come from no farther away
-/// than [`NEAR_ENOUGH`].
-const CLEARLY: f64 = 1e-6;
-/// In sizes of a solid.
-const NEAR_ENOUGH: f64 = 1e6;
-
-impl Shape {
-    /// Which places at `t` on four rays lie clearly outside; nothing is known of those that are not.
-    #[inline(always)]
-    pub(crate) fn four_clear<F: Four>(&self, rays: &FourRays<F>, t: F) -> F::Mask {
-        match self {
-            Shape::Sphere(sphere) => {
-                let (p, place) = seen_from(rays, t, sphere.centre);
-                let size = sphere.radius;
-                F::both(
-                    F::all(size * size * (1.0 + CLEARLY)).below(dot(place, place)),
-                    is_near(p, size),
-                )
-            }
-            Shape::Cylinder(cylinder) => {
-                let (base, unit, size) = cylinder.rod();
-                let (p, place) = seen_from(rays, t, base);
-                let aside = across(same(unit), place);
-                let is_beside = F::all(size * size * (1.0 + CLEARLY)).below(dot(aside, aside));
-                F::both(is_beside, is_near(p, size))
-            }
-            Shape::Cuboid(Cuboid { min, max }) => {
-                let (p, place) = seen_from(rays, t, *min);
-                let size = (*max - *min).max_element();
-                let (below, above) = (-CLEARLY * size, *max - *min + CLEARLY * size);
-                let is_beside = |axis: usize| {
-                    let place = place[axis];
-                    let is_above = F::all(above[axis]).below(place);
-                    F::either(place.below(F::all(below)), is_above)
-                };
-                let is_beside = F::either(F::either(is_beside(0), is_beside(1)), is_beside(2));
-                F::both(is_beside, is_near(p, size))
-            }
-            _ => F::mask(0),
-        }
-    }
-}
-
-/// Where four rays start, and where they are at `t`, both from a point.
-#[inline(always)]
-fn seen_from<F: Four>(rays: &FourRays<F>, t: F, from: DVec3) -> (Three<F>, Three<F>) {
-    let p = minus(rays.origin, same(from));
-    (p, plus(p, scaled(rays.dir, t)))
-}
-
-/// Whether four places are near enough to a solid of this size for [`CLEARLY`] to hold.
-#[inline(always)]
-fn is_near<F: Four>(place: Three<F>, size: f64) -> F::Mask {
-    let limit = F::all(NEAR_ENOUGH * size);
-    dot(place, place).below(limit.times(limit))
-}
-
 /// The parts of four vectors across an axis.
 #[inline(always)]
 pub(super) fn across<F: Four>(unit: Three<F>, v: Three<F>) -> Three<F> {
@@ -378,7 +335,8 @@ mod tests {
     use crate::math::Bounds;
     use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
-    use crate::shape::{Crossing, Cylinder, Geometry, Plane, Root, Sphere, Torus};
+    use crate::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
+    use glam::DVec3;
 
     /// What is known of the roots of four rays, as single rays know it.
     struct Asked<'a> {
@@ -390,13 +348,7 @@ mod tests {
         type Answer = [Option<Vec<(f64, Crossing)>>; 4];
 
         fn run<F: Four>(&self) -> Self::Answer {
-            let axis = |of: fn(&Ray) -> DVec3, axis: usize| {
-                F::load(&[0, 1, 2, 3].map(|lane| of(&self.rays[lane])[axis]))
-            };
-            let rays = FourRays {
-                origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
-                dir: [0, 1, 2].map(|i| axis(|ray| ray.dir, i)),
-            };
+            let rays = FourRays::<F>::of_each(&self.rays);
             let roots = if self.shape.has_four() {
                 let spans = self.shape.four(&rays);
                 let met = F::bits(spans.is_met);
@@ -459,5 +411,74 @@ mod tests {
             }
             assert!(known > 3000, "{shape:?} {known} {met}");
         }
+    }
+
+    /// Asks whether a ball lies on four rays, with and without its roots: `(met, unknown)` each, and whether the places
+    /// that are told differ.
+    struct InTheWay<'a> {
+        sphere: &'a Sphere,
+        rays: [Ray; 4],
+        from: [f64; 4],
+        far: [f64; 4],
+    }
+
+    impl FourKernel for InTheWay<'_> {
+        type Answer = ([(u32, u32); 2], bool);
+
+        fn run<F: Four>(&self) -> Self::Answer {
+            let rays = FourRays::<F>::of_each(&self.rays);
+            let (from, far) = (F::load(&self.from), F::load(&self.far));
+            let any = self.sphere.any_of_four(&rays, (from, far), 0b1111);
+            let first = self.sphere.nearest_of_four(&rays, from, far);
+            let differs = any.t.store() != first.t.store() && any.met != 0;
+            (
+                [(any.met, any.unknown), (first.met, first.unknown)],
+                differs,
+            )
+        }
+    }
+
+    #[test]
+    fn a_ball_lies_in_the_way_without_roots_where_it_does_with_them() {
+        let sphere = Sphere {
+            centre: DVec3::new(1.0, -2.0, 0.5),
+            radius: 1.5,
+        };
+        let bounds = sphere.bounds();
+        let mut rng = Random::new(51);
+        let (mut met, mut quick) = (0, 0);
+        for round in 0..40_000 {
+            let rays = [(); 4].map(|()| {
+                let ray = rng.ray_near(&bounds);
+                // Some start on the ball, or near it.
+                let out = (ray.origin - sphere.centre).normalize_or(DVec3::X);
+                let near = 1.0 + 1e-15 * f64::from(round % 7 - 3);
+                let on_it = sphere.centre + near * sphere.radius * out;
+                let dir = ray.dir.normalize_or(DVec3::Y);
+                Ray::new(if round % 3 == 0 { on_it } else { ray.origin }, dir)
+            });
+            let from = [(); 4].map(|()| 1e-13 * rng.share());
+            let far = [(); 4].map(|()| 12.0 * rng.share());
+            let sphere = &sphere;
+            let asked = InTheWay {
+                sphere,
+                rays,
+                from,
+                far,
+            };
+            let (wide, narrow) = (four(Lanes::widest(), &asked), four(Lanes::NARROW, &asked));
+            assert_eq!(wide, narrow);
+            let ([any, first], differs) = wide;
+            let known = 0b1111 & !any.1 & !first.1;
+            assert_eq!(
+                any.0 & known,
+                first.0 & known,
+                "{asked:?}",
+                asked = asked.rays
+            );
+            met += (any.0 & known).count_ones();
+            quick += u32::from(differs);
+        }
+        assert!(met > 10_000 && quick > 3_000, "{met} {quick}");
     }
 }

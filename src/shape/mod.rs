@@ -11,6 +11,7 @@ mod bicubic_patch;
 mod blob;
 #[cfg(test)]
 pub(crate) mod check;
+mod clear;
 mod cone;
 mod container;
 mod cuboid;
