@@ -131,7 +131,8 @@ private:
     for (int i = 0; i < PACKET; i++) {
       met[i] = valid[i] && rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
       counts.hits += met[i];
-      const float t = rays.ray.tfar[i];
+      // Rays that are not asked about must be sound as well.
+      const float t = met[i] ? rays.ray.tfar[i] : 0;
       places[i] = {rays.ray.dir_x[i] * t, rays.ray.dir_y[i] * t, input.camera + rays.ray.dir_z[i] * t};
     }
     for (const Place &light : input.lights) to_light(light, places, met, rays.hit);
