@@ -42,7 +42,7 @@ impl Pixel {
 
 /// Makes of samples pixels for a file, as [`Pixel::new`] does.
 pub(crate) fn tell_all(pixels: &mut [Pixel]) {
-    // Nothing of what is not finite is no number.
+    // Zero times what is not finite is not a number.
     let mut off = [0.0; 4];
     for Pixel { rgb, transmit } in &*pixels {
         for (off, c) in off.iter_mut().zip([rgb.r, rgb.g, rgb.b, *transmit]) {

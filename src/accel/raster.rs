@@ -3,9 +3,6 @@
 use super::node::{larger, smaller};
 use crate::math::rounding::nearest;
 
-/// Of an item that is not seen.
-const NO_CELLS: Span = [[u16::MAX, 0]; 2];
-
 /// Slopes, or cells, between which something lies.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rect {
@@ -22,6 +19,9 @@ pub(super) struct Narrow {
 
 /// The cells that an item may share something with: the first and the last column, then rows.
 type Span = [[u16; 2]; 2];
+
+/// Of an item that is not seen.
+const NO_CELLS: Span = [[u16::MAX, 0]; 2];
 
 /// Cells of a grid, and the items in each.
 #[derive(Clone, Debug)]

@@ -7,8 +7,8 @@ use crate::math::lanes::Four;
 use crate::math::lanes::three::Three;
 use glam::DVec3;
 
-/// Outside of a solid by this share of its size a point is outside by any rounding of rays that come from no farther away
-/// than [`NEAR_ENOUGH`].
+/// Outside of a solid by this share of its size a point is outside by any rounding, if neither the point nor the start of
+/// its ray is farther away than [`NEAR_ENOUGH`]: roundings are shares of the way.
 const CLEARLY: f64 = 1e-6;
 /// In sizes of a solid.
 const NEAR_ENOUGH: f64 = 1e6;
@@ -23,7 +23,7 @@ impl Shape {
                 let size = sphere.radius;
                 F::both(
                     F::all(size * size * (1.0 + CLEARLY)).below(dot(place, place)),
-                    is_near(p, size),
+                    are_near(p, place, size),
                 )
             }
             Shape::Cylinder(cylinder) => {
@@ -31,7 +31,7 @@ impl Shape {
                 let (p, place) = seen_from(rays, t, base);
                 let aside = across(same(unit), place);
                 let is_beside = F::all(size * size * (1.0 + CLEARLY)).below(dot(aside, aside));
-                F::both(is_beside, is_near(p, size))
+                F::both(is_beside, are_near(p, place, size))
             }
             Shape::Cuboid(Cuboid { min, max }) => {
                 let (p, place) = seen_from(rays, t, *min);
@@ -43,7 +43,7 @@ impl Shape {
                     F::either(place.below(F::all(below)), is_above)
                 };
                 let is_beside = F::either(F::either(is_beside(0), is_beside(1)), is_beside(2));
-                F::both(is_beside, is_near(p, size))
+                F::both(is_beside, are_near(p, place, size))
             }
             _ => F::mask(0),
         }
@@ -57,11 +57,13 @@ fn seen_from<F: Four>(rays: &FourRays<F>, t: F, from: DVec3) -> (Three<F>, Three
     (p, plus(p, scaled(rays.dir, t)))
 }
 
-/// Whether four places are near enough to a solid of this size for [`CLEARLY`] to hold.
+/// Whether four rays start, and places on them lie, near enough to a solid of this size for [`CLEARLY`] to hold.
 #[inline(always)]
-fn is_near<F: Four>(place: Three<F>, size: f64) -> F::Mask {
+fn are_near<F: Four>(start: Three<F>, place: Three<F>, size: f64) -> F::Mask {
     let limit = F::all(NEAR_ENOUGH * size);
-    dot(place, place).below(limit.times(limit))
+    let farther = dot(start, start).larger(dot(place, place));
+    // Not a number is not near: it comes out of `larger` if it is the second, and the start is a number.
+    farther.below(limit.times(limit))
 }
 
 #[cfg(test)]
