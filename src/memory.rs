@@ -8,7 +8,7 @@
 //! host has yet to give the memory they cost more than that, and a million balls took up to a third longer.
 #![allow(
     unsafe_code,
-    reason = "the C library is asked; both functions may be called at any time"
+    reason = "the C library is asked, by functions that may be called at any time, and lines are sent for by their address"
 )]
 
 /// Larger pieces of memory stand by themselves, and are given back to the system at once when they are no longer needed.
@@ -22,6 +22,19 @@ pub fn keep_large_pieces_apart() {
     unsafe {
         libc::mallopt(libc::M_MMAP_THRESHOLD, LARGE);
     }
+}
+
+/// Sends for what will be read a little later, so that nobody waits for it then.
+#[inline(always)]
+pub(crate) fn expect_use<T>(what: &T) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // Changes nothing, whatever lies there.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(what).cast()) }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = what;
 }
 
 /// Gives back to the system what many small pieces have left free.

@@ -23,11 +23,15 @@ const FEW: usize = 64;
 /// Below this depth ranges are halved by number alone: no arrangement of boxes makes the tree much deeper.
 const MAX_DEPTH: u32 = 64;
 
-/// Ranges with more items are built by several threads.
-const PARALLEL: usize = 4096;
+/// Ranges with more items are built by several threads. The nodes of so many take more memory than the allocator puts
+/// between small pieces: it goes back when they are in the list of all.
+const PARALLEL: usize = 8192;
 
-/// Of more items not all parts of the tree are built at once.
-const VERY_MANY: usize = PARALLEL * WIDTH;
+/// Ranges with more items are split by several threads.
+const VERY_MANY: usize = 32_768;
+
+/// How many nodes come into the list of all at a time.
+const TOGETHER: u32 = 65_536;
 
 /// Twice a middle beyond this is infinite; finite boxes are near one.
 const INFINITE: f32 = 2e18;
@@ -79,49 +83,57 @@ struct Split {
     upper: Wide,
 }
 
+/// A part of the tree on its way into the list of all nodes.
+enum Below {
+    /// Of few items: its nodes, the topmost first.
+    Nodes(Vec<Node>),
+    /// A node by itself, with what hangs below it.
+    Split(Vec<(Wide, Below)>),
+}
+
+/// The list of all nodes in pieces, of which each names its own nodes from its first one on.
+#[derive(Default)]
+struct Pieces {
+    /// Where each begins.
+    starts: Vec<u32>,
+    pieces: Vec<Vec<Node>>,
+    len: u32,
+}
+
 /// The nodes for a list of items, the root first.
 pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
-    let mut nodes = Vec::with_capacity(expected(entries.len()));
-    if entries.len() > VERY_MANY {
-        part_by_part(entries, &mut nodes);
-    } else if !entries.is_empty() {
-        subtree(Part::new(&mut entries), 0, &mut nodes);
+    if entries.is_empty() {
+        return Vec::new();
     }
-    // Shrinking copies all of them; where they are many, what is not used is no memory.
-    if nodes.capacity() - nodes.len() > nodes.len() / 2 {
+    if entries.len() <= PARALLEL {
+        let mut nodes = few(Part::new(&mut entries), 0);
         nodes.shrink_to_fit();
+        return nodes;
     }
+    let below = grow(Part::new(&mut entries), 0);
+    // In large scenes the room is needed.
+    drop(entries);
+    let mut pieces = Pieces::default();
+    pieces.lay(below);
+    pieces.joined()
+}
+
+/// The part of the tree over a range.
+fn grow(part: Part, depth: u32) -> Below {
+    if part.entries.len() <= PARALLEL {
+        return Below::Nodes(few(part, depth));
+    }
+    let parts = split_to_width(part, depth).into_par_iter();
+    let grown = parts.map(|part| (part.whole, grow(part, depth + 1)));
+    Below::Split(grown.collect())
+}
+
+/// The nodes of a range of few items.
+fn few(part: Part, depth: u32) -> Vec<Node> {
+    // Hardly ever more.
+    let mut nodes = Vec::with_capacity(part.entries.len() / 4 + 1);
+    subtree(part, depth, &mut nodes);
     nodes
-}
-
-/// How many nodes so many items mostly have; hardly ever more.
-fn expected(items: usize) -> usize {
-    items / 4
-}
-
-/// The same for very many items. The parts are built one after the other, so that they need not all be kept twice, and
-/// from the end of the list on, which is given back piece by piece.
-fn part_by_part(mut entries: Vec<Entry>, nodes: &mut Vec<Node>) {
-    let list = entries.as_ptr().addr();
-    let start = |part: &Part| (part.entries.as_ptr().addr() - list) / size_of::<Entry>();
-    let parts = split_to_width(Part::new(&mut entries), 0);
-    let parts = parts.iter().enumerate();
-    let mut parts: Vec<(usize, usize, Wide, Wide)> = parts
-        .map(|(place, part)| (start(part), place, part.whole, part.middles))
-        .collect();
-    parts.sort_unstable_by_key(|part| part.0);
-    let root = nodes.len();
-    nodes.push(Node::empty());
-    while let Some((start, place, whole, middles)) = parts.pop() {
-        let part = Part {
-            entries: &mut entries[start..],
-            whole,
-            middles,
-        };
-        append(build_part(part, 0), &whole, (root, place), nodes);
-        entries.truncate(start);
-        entries.shrink_to_fit();
-    }
 }
 
 /// Appends the node of a range and all below it.
@@ -134,19 +146,7 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
         }
         return;
     }
-    let is_large = part.entries.len() > PARALLEL;
-    let parts = split_to_width(part, depth);
-    if is_large {
-        let built: Vec<(Wide, Vec<Node>)> = parts
-            .into_par_iter()
-            .map(|part| (part.whole, build_part(part, depth)))
-            .collect();
-        for (place, (whole, below)) in built.into_iter().enumerate() {
-            append(below, &whole, (root, place), nodes);
-        }
-        return;
-    }
-    for (place, part) in parts.into_iter().enumerate() {
+    for (place, part) in split_to_width(part, depth).into_iter().enumerate() {
         let first = index(nodes.len());
         let whole = part.whole.cell();
         subtree(part, depth + 1, nodes);
@@ -154,27 +154,51 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
     }
 }
 
-/// The nodes of a range below a node at this depth.
-fn build_part(part: Part, depth: u32) -> Vec<Node> {
-    let mut nodes = Vec::new();
-    nodes.reserve_exact(expected(part.entries.len()));
-    subtree(part, depth + 1, &mut nodes);
-    nodes
-}
-
-/// Appends the nodes of a range with this box, and hangs them below a place in a node.
-fn append(
-    mut below: Vec<Node>,
-    whole: &Wide,
-    (above, place): (usize, usize),
-    nodes: &mut Vec<Node>,
-) {
-    let first = index(nodes.len());
-    for node in &mut below {
-        node.shift(first);
+impl Pieces {
+    /// Appends a part of the tree, each node before those below it; gives the place of the topmost.
+    fn lay(&mut self, below: Below) -> u32 {
+        match below {
+            Below::Nodes(nodes) => self.push(nodes),
+            Below::Split(parts) => {
+                let piece = self.pieces.len();
+                let first = self.push(vec![Node::empty()]);
+                for (place, (whole, below)) in parts.into_iter().enumerate() {
+                    let child = Child::of_node(self.lay(below) - first);
+                    self.pieces[piece][0].set(place, &whole.cell(), child);
+                }
+                first
+            }
+        }
     }
-    nodes.append(&mut below);
-    nodes[above].set(place, &whole.cell(), Child::of_node(first));
+
+    fn push(&mut self, nodes: Vec<Node>) -> u32 {
+        let first = self.len;
+        self.len += index(nodes.len());
+        self.starts.push(first);
+        self.pieces.push(nodes);
+        first
+    }
+
+    /// All nodes in one list. What has come into it is let go before the next comes.
+    fn joined(mut self) -> Vec<Node> {
+        let mut nodes = Vec::with_capacity(self.len as usize);
+        let mut done = 0;
+        while done < self.starts.len() {
+            let first = self.starts[done];
+            let rest = &self.starts[done..];
+            let many = done + rest.partition_point(|&start| start - first < TOGETHER);
+            let end = self.starts.get(many).copied().unwrap_or(self.len);
+            let node = |place: u32| {
+                let piece = self.starts.partition_point(|&start| start <= place) - 1;
+                let start = self.starts[piece];
+                self.pieces[piece][(place - start) as usize].shifted(start)
+            };
+            nodes.par_extend((first..end).into_par_iter().map(node));
+            self.pieces[done..many].fill(Vec::new());
+            done = many;
+        }
+        nodes
+    }
 }
 
 fn index(i: usize) -> u32 {
@@ -278,11 +302,20 @@ impl Entry {
 
 impl<'e> Part<'e> {
     fn new(entries: &'e mut [Entry]) -> Self {
-        let (mut whole, mut middles) = (Wide::EMPTY, Wide::EMPTY);
-        for entry in entries.iter() {
-            whole.add(&Wide::of(&entry.cell));
-            middles.add_point(entry.middle());
-        }
+        let around = |entries: &[Entry]| {
+            let (mut whole, mut middles) = (Wide::EMPTY, Wide::EMPTY);
+            for entry in entries {
+                whole.add(&Wide::of(&entry.cell));
+                middles.add_point(entry.middle());
+            }
+            (whole, middles)
+        };
+        let (whole, middles) = if entries.len() > VERY_MANY {
+            let parts = entries.par_chunks(VERY_MANY / 2).map(around);
+            parts.reduce(|| (Wide::EMPTY, Wide::EMPTY), both)
+        } else {
+            around(entries)
+        };
         Part {
             entries,
             whole,
@@ -331,22 +364,20 @@ impl<'e> Part<'e> {
         best.map(|split| (bins, split))
     }
 
-    /// Brings the items below the split to the front. On which side an item lies is as good as chance, so that nothing
-    /// here depends on it but numbers.
+    /// Brings the items below the split to the front.
     fn split_at(self, bins: &Bins, split: &Split) -> [Part<'e>; 2] {
         let entries = self.entries;
-        let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
-        let mut front = 0;
-        for at in 0..entries.len() {
-            let entry = entries[at];
-            let is_lower = (bins.of(&entry)[split.axis] as usize) < split.bin;
-            let middle = entry.middle();
-            lower.add_point_if(is_lower, middle);
-            upper.add_point_if(!is_lower, middle);
-            entries[at] = entries[front];
-            entries[front] = entry;
-            front += usize::from(is_lower);
-        }
+        let (front, (lower, upper)) = if entries.len() > VERY_MANY {
+            let size = VERY_MANY / 2;
+            let parts = entries.par_chunks_mut(size);
+            let sorted: Vec<_> = parts.map(|part| sort(part, bins, split)).collect();
+            let fronts: Vec<usize> = sorted.iter().map(|(front, _)| *front).collect();
+            let nothing = (Wide::EMPTY, Wide::EMPTY);
+            let middles = sorted.into_iter().map(|(_, middles)| middles);
+            (join(entries, size, &fronts), middles.fold(nothing, both))
+        } else {
+            sort(entries, bins, split)
+        };
         let (below, above) = entries.split_at_mut(front);
         [
             Part {
@@ -361,6 +392,63 @@ impl<'e> Part<'e> {
             },
         ]
     }
+}
+
+/// Both pairs of boxes in one.
+fn both(mut all: (Wide, Wide), more: (Wide, Wide)) -> (Wide, Wide) {
+    all.0.add(&more.0);
+    all.1.add(&more.1);
+    all
+}
+
+/// Brings the items below a split to the front; gives their number, and boxes around the middles of both sides. On which
+/// side an item lies is as good as chance, so that nothing here depends on it but numbers.
+fn sort(entries: &mut [Entry], bins: &Bins, split: &Split) -> (usize, (Wide, Wide)) {
+    let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
+    let mut front = 0;
+    for at in 0..entries.len() {
+        let entry = entries[at];
+        let is_lower = (bins.of(&entry)[split.axis] as usize) < split.bin;
+        let middle = entry.middle();
+        lower.add_point_if(is_lower, middle);
+        upper.add_point_if(!is_lower, middle);
+        entries[at] = entries[front];
+        entries[front] = entry;
+        front += usize::from(is_lower);
+    }
+    (front, (lower, upper))
+}
+
+/// Brings to the front of a list what is at the front of each of its pieces, all but the last of this size. Gives the
+/// number of those.
+fn join<T>(list: &mut [T], size: usize, fronts: &[usize]) -> usize {
+    let all: usize = fronts.iter().sum();
+    let pieces = || {
+        fronts
+            .iter()
+            .enumerate()
+            .map(|(i, front)| (i * size, front))
+    };
+    let len = list.len();
+    // On the wrong side of the border: as many before it as behind it.
+    let before = pieces().map(|(start, front)| start + front..all.min(start + size));
+    let behind = pieces().map(|(start, front)| all.max(start)..len.min(start + front));
+    let mut before = before.filter(|run| !run.is_empty());
+    let (lower, upper) = list.split_at_mut(all);
+    let mut wrong = 0..0;
+    for mut run in behind.filter(|run| !run.is_empty()) {
+        while !run.is_empty() {
+            if wrong.is_empty() {
+                wrong = before.next().expect("both sides miss as many");
+            }
+            let count = wrong.len().min(run.len());
+            let those = &mut upper[run.start - all..][..count];
+            lower[wrong.start..][..count].swap_with_slice(those);
+            wrong.start += count;
+            run.start += count;
+        }
+    }
+    all
 }
 
 impl<const COUNT: usize> Filled<COUNT> {

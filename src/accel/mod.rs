@@ -52,8 +52,8 @@ struct Stack<T> {
     deeper: Vec<T>,
 }
 
-/// Items whose cells are worked out at a time.
-const PIECE: usize = 1 << 14;
+/// So many nodes have their items counted at a time.
+const PIECE: usize = 1 << 12;
 
 /// Room for the pending places of a tree of eight levels and more.
 const ROOM: usize = 64;
@@ -130,20 +130,26 @@ impl Bvh {
     #[must_use]
     pub fn build_of(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
         assert!(count < (1 << 31) - 1, "items are counted in 31 bits");
-        let whole = (0..count)
-            .into_par_iter()
-            .map(&bounds)
-            .filter(|bounds| !bounds.is_empty() && bounds.is_finite())
-            .reduce(|| Bounds::EMPTY, |all, one| all.union(&one));
-        let frame = Frame::new(&whole);
-        let cell = |item| {
+        let around = (0..count).into_par_iter().map(|item| {
             let bounds = bounds(item);
-            (!bounds.is_empty()).then(|| frame.cell(&bounds))
-        };
-        let mut entries = Vec::with_capacity(count);
-        each(count, &cell, |item, cell| {
-            entries.extend(cell.map(|cell| Entry { cell, item }));
+            let counts = bounds.is_finite() && !bounds.is_empty();
+            let around = if counts { bounds } else { Bounds::EMPTY };
+            (around, bounds.is_empty())
         });
+        let (whole, has_empty) = around.reduce(
+            || (Bounds::EMPTY, false),
+            |all, one| (all.0.union(&one.0), all.1 || one.1),
+        );
+        let frame = Frame::new(&whole);
+        let entry = |item| Entry {
+            cell: frame.cell(&bounds(item as usize)),
+            item,
+        };
+        let items = 0..u32::try_from(count).expect("no more than that");
+        let mut entries: Vec<Entry> = items.into_par_iter().map(entry).collect();
+        if has_empty {
+            entries.retain(|entry| !bounds(entry.item as usize).is_empty());
+        }
         Bvh {
             nodes: build::build(entries),
             frame,
@@ -162,10 +168,28 @@ impl Bvh {
         bounds: impl Fn(usize) -> Bounds + Sync,
     ) -> (Self, Vec<u32>) {
         let mut tree = Bvh::build_of(count, &bounds);
-        let mut order = Vec::with_capacity(count);
-        for node in &mut tree.nodes {
-            node.renumber(&mut order);
+        let mut order = vec![0; count];
+        let pieces = tree.nodes.par_chunks(PIECE);
+        let counts: Vec<usize> = pieces
+            .map(|nodes| nodes.iter().map(Node::count).sum())
+            .collect();
+        let (mut first, mut rest) = (0, &mut order[..]);
+        let mut lists = Vec::with_capacity(counts.len());
+        for &count in &counts {
+            let (list, others) = rest.split_at_mut(count);
+            lists.push((first, list));
+            first += u32::try_from(count).expect("items are counted in 31 bits");
+            rest = others;
         }
+        let pieces = tree.nodes.par_chunks_mut(PIECE).zip(lists);
+        pieces.for_each(|(nodes, (mut first, mut list))| {
+            for node in nodes {
+                let count = node.renumber(first, list);
+                first += count;
+                list = &mut list[count as usize..];
+            }
+        });
+        order.truncate(first as usize);
         (tree, order)
     }
 
@@ -317,24 +341,6 @@ impl Bvh {
             next = pending.pop();
         }
         false
-    }
-}
-
-/// Calls `take` with each of so many items and its cell. Cells are worked out side by side, a piece of the items at a time.
-fn each(
-    count: usize,
-    cell: &(impl Fn(usize) -> Option<Cell> + Sync),
-    mut take: impl FnMut(u32, Option<Cell>),
-) {
-    let mut number = 0;
-    let mut piece = Vec::new();
-    for first in (0..count).step_by(PIECE) {
-        let items = first..count.min(first + PIECE);
-        items.into_par_iter().map(cell).collect_into_vec(&mut piece);
-        for cell in &piece {
-            take(number, *cell);
-            number += 1;
-        }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::math::conditioning::power_of_two;
 use crate::math::lanes::{Eight, Kernel, Lanes, eight, with_widest};
-use crate::math::rounding::{f32_above, f32_below, loose_above, loose_below, nearest};
+use crate::math::rounding::{loose_above, loose_below, nearest};
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -138,13 +138,13 @@ impl Frame {
     }
 
     /// A box rounded outward; unknown ends become infinite.
+    #[inline]
     pub(super) fn cell(&self, bounds: &Bounds) -> Cell {
-        let low = (bounds.min - self.centre) * self.scale;
-        let high = (bounds.max - self.centre) * self.scale;
-        let known = |end: f64, unknown: f64| if end.is_nan() { unknown } else { end };
+        let low = self.place(bounds.min);
+        let high = self.place(bounds.max);
         // Spelt out: `map` is not always inlined.
-        let below = |axis: usize| f32_below(known(low[axis].next_down(), f64::NEG_INFINITY));
-        let above = |axis: usize| f32_above(known(high[axis].next_up(), f64::INFINITY));
+        let below = |axis: usize| larger(loose_below(low[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| smaller(loose_above(high[axis]), f32::INFINITY);
         Cell {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
@@ -285,24 +285,34 @@ impl Node {
         self.children[place]
     }
 
-    /// Moves the indices of child nodes by `by`.
-    pub(super) fn shift(&mut self, by: u32) {
-        for child in &mut self.children {
+    /// The node with the indices of child nodes moved by `by`.
+    pub(super) fn shifted(&self, by: u32) -> Self {
+        let mut node = self.clone();
+        for child in &mut node.children {
             if let Some(node) = child.node() {
                 *child = Child::of_node(node + by);
             }
         }
+        node
     }
 
-    /// Calls its items by their place at the end of `order`, which they are added to.
-    pub(super) fn renumber(&mut self, order: &mut Vec<u32>) {
+    /// How many items it has.
+    pub(super) fn count(&self) -> usize {
+        let is_item = |child: &&Child| child.node().is_none() && **child != Child::NOTHING;
+        self.children.iter().filter(is_item).count()
+    }
+
+    /// Calls its items by numbers from `first` on, and puts them at the front of a list; gives their number.
+    pub(super) fn renumber(&mut self, first: u32, order: &mut [u32]) -> u32 {
+        let mut count = 0;
         for child in &mut self.children {
             if child.node().is_none() && *child != Child::NOTHING {
-                let place = u32::try_from(order.len()).expect("items are counted in 31 bits");
-                order.push(child.item());
-                *child = Child::of_item(place);
+                order[count as usize] = child.item();
+                *child = Child::of_item(first + count);
+                count += 1;
             }
         }
+        count
     }
 
     /// Where the ray enters each box, at the latest so much later than in truth that [`FrameRay::to`] allows for it, and

@@ -5,7 +5,7 @@ use super::flatten::{Flat, index};
 use super::leaf::{Extent, Leaf};
 use super::limits::{Factors, limited};
 use super::looks::{Heritage, Place, joined};
-use super::model::Item;
+use super::model::Part;
 use crate::math::Bounds;
 use crate::scene::{Kind, Object, Operation};
 use crate::shape::Geometry;
@@ -46,7 +46,7 @@ impl Flat {
             return;
         }
         self.parts
-            .push(Item::Program(index(self.parts.programs.len())), bounds);
+            .push(Part::Program(index(self.parts.programs.len())), bounds);
         self.parts.programs.push(program);
     }
 

@@ -6,7 +6,7 @@ use super::interiors::Interiors;
 use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::Lights;
 use super::looks::Heritage;
-use super::model::{Item, Parts};
+use super::model::{Part, Parts};
 use super::share::{Shared, Slots};
 use super::surface::Surface;
 use super::targets::Targets;
@@ -166,7 +166,7 @@ impl Flat {
             bounds = Bounds::EVERYTHING;
         }
         let number = index(self.parts.leaves.len());
-        self.parts.push(Item::Leaf(number), bounds);
+        self.parts.push(Part::Leaf(number), bounds);
         self.parts.leaves.push(leaf);
     }
 

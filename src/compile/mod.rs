@@ -1,6 +1,7 @@
 //! From the description of a scene to the world that rays need.
 
 mod around;
+mod balls;
 mod chance;
 mod cluster;
 mod combine;

@@ -4,6 +4,7 @@
 //! Numbers of leaves go on from the model's own ones through its instances, one stretch for each, so that a number
 //! tells every copy of every primitive apart however deep instances lie in each other.
 
+use super::balls::Balls;
 use super::cluster::Cluster;
 use super::csg::Program;
 use super::four::Way;
@@ -25,19 +26,33 @@ pub(super) enum Item {
     Instance(u32),
 }
 
+/// What becomes an [`Item`].
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Part {
+    /// A shape by itself.
+    Leaf(u32),
+    /// A shape by itself that is no leaf yet: one of [`Parts::balls`].
+    Ball(u32),
+    /// A combination.
+    Program(u32),
+    /// A model of its own, in its place.
+    Instance(u32),
+}
+
 /// What a model is made from, in the order of the file.
 #[derive(Debug, Default)]
 pub(super) struct Parts {
     pub(super) leaves: Vec<Leaf>,
     pub(super) programs: Vec<Program>,
     pub(super) instances: Vec<Instance>,
-    pub(super) items: Vec<Item>,
+    pub(super) items: Vec<Part>,
+    pub(super) balls: Balls,
     /// The bounds of the items.
     pub(super) bounds: Vec<Bounds>,
 }
 
 impl Parts {
-    pub(super) fn push(&mut self, item: Item, bounds: Bounds) {
+    pub(super) fn push(&mut self, item: Part, bounds: Bounds) {
         self.items.push(item);
         self.bounds.push(bounds);
     }
@@ -63,11 +78,11 @@ impl Model {
     pub(super) fn new<'p>(
         mut parts: Parts,
         projectors: impl Iterator<Item = &'p mut Program>,
-    ) -> (Model, Vec<Item>) {
+    ) -> Model {
         let finder = Finder::new(&mut parts, projectors);
         let cluster = finder.cluster(&parts);
         let ways_of_four = parts.programs.iter();
-        let model = Model {
+        Model {
             ways_of_four: ways_of_four
                 .map(|program| program.way_of_four(&parts.leaves))
                 .collect(),
@@ -76,8 +91,7 @@ impl Model {
             instances: parts.instances,
             finder,
             cluster,
-        };
-        (model, parts.items)
+        }
     }
 
     /// How many primitives it shows, those of its instances included.

@@ -3,12 +3,18 @@
 
 use super::cluster::Cluster;
 use super::csg::Program;
+use super::flatten::index;
 use super::instance::Instance;
 use super::leaf::Leaf;
-use super::model::{Item, Parts};
+use super::model::{Item, Part, Parts};
 use crate::accel::Bvh;
+use crate::memory::expect_use;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::mem::take;
+
+/// How many leaves before its turn one is sent for: as long as memory takes.
+const AHEAD: usize = 16;
 
 /// An item with its number, which is its place in the file.
 #[derive(Clone, Copy, Debug)]
@@ -34,31 +40,31 @@ impl Finder {
         parts: &mut Parts,
         projectors: impl Iterator<Item = &'p mut Program>,
     ) -> Self {
-        let numbers = 0u32..;
-        let (bounded, unbounded): (Vec<u32>, Vec<u32>) = numbers
-            .take(parts.items.len())
-            .partition(|&number| parts.bounds[number as usize].is_finite());
-        let leaf = |place: usize| match parts.items[bounded[place] as usize] {
-            Item::Leaf(leaf) => Some(&parts.leaves[leaf as usize]),
-            Item::Program(_) | Item::Instance(_) => None,
-        };
+        let count = index(parts.items.len());
+        let is_unbounded = |&number: &u32| !parts.bounds[number as usize].is_finite();
+        let numbers = (0..count).into_par_iter();
+        let unbounded: Vec<u32> = numbers.filter(is_unbounded).collect();
+        // How many bounded ones come before each of them.
+        let gaps: Vec<u32> = (0..).zip(&unbounded).map(|(i, at)| at - i).collect();
+        let number = |place: u32| place + index(gaps.partition_point(|&gap| gap <= place));
         let bounds = |place: usize| {
-            let bounds = &parts.bounds[bounded[place] as usize];
-            leaf(place).map_or(*bounds, |leaf| leaf.tightened(bounds))
+            let number = number(index(place)) as usize;
+            let bounds = &parts.bounds[number];
+            match parts.items[number] {
+                Part::Leaf(leaf) => parts.leaves[leaf as usize].tightened(bounds),
+                Part::Ball(_) | Part::Program(_) | Part::Instance(_) => *bounds,
+            }
         };
-        let (mut tree, order) = Bvh::build_in_order(bounded.len(), bounds);
+        let (mut tree, mut order) =
+            Bvh::build_in_order(parts.items.len() - unbounded.len(), bounds);
+        if !gaps.is_empty() {
+            order.iter_mut().for_each(|place| *place = number(*place));
+        }
         // In large scenes the room is needed.
         parts.bounds = Vec::new();
-        let bounded: Vec<u32> = order
-            .into_iter()
-            .map(|place| bounded[place as usize])
-            .collect();
-        sort_leaves(parts, projectors, unbounded.iter().chain(&bounded));
-        let numbered = |&number: &u32| Numbered {
-            number,
-            item: parts.items[number as usize],
-        };
-        let bounded: Vec<Numbered> = bounded.iter().map(numbered).collect();
+        let mut sorter = Sorter::new(take(parts));
+        let (unbounded, bounded) = (sorter.take(unbounded), sorter.take(order));
+        *parts = sorter.finish(projectors);
         let (leaves, programs) = (&parts.leaves, &parts.programs);
         tree.know_balls(bounded.len(), |place| match bounded[place].item {
             Item::Leaf(leaf) => leaves[leaf as usize].ball_around(),
@@ -68,7 +74,7 @@ impl Finder {
         Finder {
             tree,
             bounded,
-            unbounded: unbounded.iter().map(numbered).collect(),
+            unbounded,
         }
     }
 
@@ -97,72 +103,128 @@ impl Finder {
     }
 }
 
-/// Moves leaves, combinations and instances to the order of their items.
-fn sort_leaves<'n, 'p>(
-    parts: &mut Parts,
-    projectors: impl Iterator<Item = &'p mut Program>,
-    order: impl Iterator<Item = &'n u32>,
-) {
-    let mut places = vec![u32::MAX; parts.leaves.len()];
-    let mut next = 0;
-    let mut place_range = |first: u32, count: u32| {
-        for place in &mut places[first as usize..][..count as usize] {
-            *place = next;
-            next += 1;
+/// Where a leaf comes from.
+#[derive(Clone, Copy, Debug)]
+enum Origin {
+    /// The leaf of this number in the order of the file.
+    Leaf(u32),
+    /// The ball of this number.
+    Ball(u32),
+}
+
+/// What a model is made from on its way to the order of its items.
+struct Sorter {
+    from: Parts,
+    instances: Vec<Option<Instance>>,
+    /// For each leaf of the file, its place in `leaves`.
+    places: Vec<u32>,
+    leaves: Vec<Origin>,
+    to: Parts,
+}
+
+impl Sorter {
+    fn new(mut from: Parts) -> Self {
+        let to = Parts {
+            programs: Vec::with_capacity(from.programs.len()),
+            instances: Vec::with_capacity(from.instances.len()),
+            ..Parts::default()
+        };
+        Sorter {
+            instances: from.instances.drain(..).map(Some).collect(),
+            places: vec![u32::MAX; from.leaves.len()],
+            leaves: Vec::with_capacity(from.leaves.len().max(from.items.len())),
+            from,
+            to,
         }
-    };
-    let mut programs = Vec::with_capacity(parts.programs.len());
-    let mut instances = Vec::with_capacity(parts.instances.len());
-    let mut unsorted: Vec<Option<Instance>> = parts.instances.drain(..).map(Some).collect();
-    for &number in order {
-        match &mut parts.items[number as usize] {
-            Item::Leaf(leaf) => place_range(*leaf, 1),
-            Item::Program(at) => {
-                let program = std::mem::take(&mut parts.programs[*at as usize]);
-                place_range(program.first, program.len());
-                *at = u32::try_from(programs.len()).expect("no more than before");
-                programs.push(program);
+    }
+
+    /// Takes the items of these numbers in the file.
+    fn take(&mut self, numbers: Vec<u32>) -> Vec<Numbered> {
+        // Several threads fetch them: each lies somewhere else.
+        let items = &self.from.items;
+        let parts = numbers.par_iter().map(|&number| items[number as usize]);
+        let parts: Vec<Part> = parts.collect();
+        let numbers = numbers.into_iter().zip(parts);
+        numbers
+            .map(|(number, part)| self.take_part(number, part))
+            .collect()
+    }
+
+    fn take_part(&mut self, number: u32, part: Part) -> Numbered {
+        let item = match part {
+            Part::Ball(ball) => {
+                self.leaves.push(Origin::Ball(ball));
+                Item::Leaf(index(self.leaves.len() - 1))
             }
-            Item::Instance(at) => {
-                let instance = unsorted[*at as usize].take();
-                *at = u32::try_from(instances.len()).expect("no more than before");
-                instances.extend(instance);
+            Part::Leaf(leaf) => Item::Leaf(self.take_leaf(leaf)),
+            Part::Program(from) => {
+                let program = take(&mut self.from.programs[from as usize]);
+                for leaf in program.first..program.first + program.len() {
+                    self.take_leaf(leaf);
+                }
+                self.to.programs.push(program);
+                Item::Program(index(self.to.programs.len() - 1))
+            }
+            Part::Instance(from) => {
+                let instance = self.instances[from as usize].take();
+                self.to.instances.extend(instance);
+                Item::Instance(index(self.to.instances.len() - 1))
+            }
+        };
+        Numbered { number, item }
+    }
+
+    fn take_leaf(&mut self, leaf: u32) -> u32 {
+        let place = index(self.leaves.len());
+        self.places[leaf as usize] = place;
+        self.leaves.push(Origin::Leaf(leaf));
+        place
+    }
+
+    /// All in order, when every item is taken; `projectors` use leaves too.
+    fn finish<'p>(mut self, projectors: impl Iterator<Item = &'p mut Program>) -> Parts {
+        // Behind the others the leaves of what bounds combinations, and of what lights are projected through.
+        for leaf in 0..index(self.places.len()) {
+            if self.places[leaf as usize] == u32::MAX {
+                self.take_leaf(leaf);
             }
         }
-    }
-    // Behind them the leaves of what bounds combinations, and of what lights are projected through.
-    for place in &mut places {
-        if *place == u32::MAX {
-            *place = next;
-            next += 1;
+        let mut next = index(self.leaves.len());
+        for instance in &mut self.to.instances {
+            instance.first = next;
+            next += instance.model.len();
         }
-    }
-    parts.programs = programs;
-    for instance in &mut instances {
-        instance.first = next;
-        next += instance.model.len();
-    }
-    parts.instances = instances;
-    let programs = parts.programs.par_iter_mut();
-    programs.for_each(|program| program.move_leaves(&places));
-    projectors.for_each(|program| program.move_leaves(&places));
-    for item in &mut parts.items {
-        if let Item::Leaf(leaf) = item {
-            *leaf = places[*leaf as usize];
+        let programs = self.to.programs.par_iter_mut();
+        programs.for_each(|program| program.move_leaves(&self.places));
+        projectors.for_each(|program| program.move_leaves(&self.places));
+        // What is no more than numbers several threads fetch: each comes from somewhere else.
+        let mut unsorted = self.from.leaves;
+        let balls = &self.from.balls;
+        let fetch = |(place, origin): (usize, &Origin)| {
+            match self.leaves.get(place + AHEAD) {
+                Some(Origin::Ball(ball)) => balls.expect(*ball),
+                Some(Origin::Leaf(leaf)) => expect_use(&unsorted[*leaf as usize]),
+                None => {}
+            }
+            match *origin {
+                Origin::Ball(ball) => balls.leaf(ball),
+                Origin::Leaf(leaf) => {
+                    let leaf = &unsorted[leaf as usize];
+                    leaf.ball().map_or(Leaf::NOTHING, |_| leaf.clone())
+                }
+            }
+        };
+        let origins = self.leaves.par_iter().enumerate();
+        self.to.leaves = origins.map(fetch).collect();
+        for (place, origin) in self.leaves.iter().enumerate() {
+            if let Origin::Leaf(leaf) = origin {
+                let leaf = &mut unsorted[*leaf as usize];
+                if leaf.ball().is_none() {
+                    self.to.leaves[place] = std::mem::replace(leaf, Leaf::NOTHING);
+                }
+            }
         }
+        self.from.balls.forget();
+        self.to
     }
-    let mut leaves_at = vec![0; places.len()];
-    for (leaf, &place) in (0..).zip(&places) {
-        leaves_at[place as usize] = leaf;
-    }
-    drop(places);
-    let mut unsorted = std::mem::take(&mut parts.leaves);
-    // Where all are no more than numbers several threads fetch them: each comes from somewhere else.
-    parts.leaves = if unsorted.iter().all(|leaf| leaf.ball().is_some()) {
-        let fetch = |&leaf: &u32| unsorted[leaf as usize].clone();
-        leaves_at.par_iter().map(fetch).collect()
-    } else {
-        let take = |&leaf: &u32| std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
-        leaves_at.iter().map(take).collect()
-    };
 }

@@ -3,6 +3,7 @@
 use super::csg::{Found, Sweep};
 use super::lot::Lot;
 use super::meshes::MeshScratch;
+use super::order::Numbered;
 use super::passed::Items;
 use super::rays::Rays;
 use crate::accel::Bundle;
@@ -108,7 +109,7 @@ pub struct Scratch {
     pub(super) sweep: Sweep,
     pub(super) roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
-    pub(super) blockers: SmallVec<[u32; 8]>,
+    pub(super) blockers: SmallVec<[Option<Numbered>; 8]>,
     pub(super) bundle: Bundle,
     pub(super) bests: Vec<Option<Best>>,
     pub(super) lot: Lot,

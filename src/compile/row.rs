@@ -5,10 +5,13 @@ use super::flatten::{Flat, index};
 use super::interiors::InteriorId;
 use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::LightList;
-use super::model::Item;
+use super::model::Part;
 use super::surface::{Flags, Kept, Surface};
+use crate::color::Color;
+use crate::math::Bounds;
+use crate::memory::expect_use;
 use crate::scene::{Colored, Entry, Object, Objects};
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Sphere};
 use crate::texture::{Finish, PreparedTexture};
 use rayon::prelude::*;
 use std::mem::take;
@@ -19,17 +22,22 @@ use std::sync::Arc;
 const FEW: usize = 64;
 
 /// Shapes of one colour: in pieces, of which all but the last are of one size.
-struct Row {
+#[derive(Debug)]
+pub(super) struct Row {
     pieces: Vec<Vec<Entry>>,
-    size: usize,
+    /// The size is two to this; a piece by itself may have less.
+    log_size: u32,
 }
 
-/// A finish that is kept once for many objects that have it. Each thread has its own: threads that count who has it
-/// would wait for each other.
+/// The surfaces of what looks alike but for its colour, of which one thread makes many. Each thread keeps the finish of its
+/// own: threads that count who has it would wait for each other.
 #[derive(Default)]
-struct Finishes {
-    /// Where it was seen last, and the finish.
-    last: Option<(usize, Arc<Finish>)>,
+struct Alike {
+    /// Where the finish was seen last.
+    seen: usize,
+    finish: Arc<Finish>,
+    /// What has this finish: in a colour that lets no light through, and in one that does.
+    known: [Option<Surface>; 2],
 }
 
 impl Flat {
@@ -45,7 +53,7 @@ impl Flat {
                 while let Some((piece, _)) = pieces.next_if(|(_, is_suited)| *is_suited) {
                     row.push(piece);
                 }
-                self.take_row(Row { pieces: row, size });
+                self.take_row(Row::new(row, size));
                 continue;
             }
             let mut run = Vec::new();
@@ -73,10 +81,8 @@ impl Flat {
             run.into_iter()
                 .for_each(|entry| self.take_one(entry, let_go));
         } else {
-            self.take_row(Row {
-                size: run.len(),
-                pieces: vec![run],
-            });
+            let size = run.len();
+            self.take_row(Row::new(vec![run], size));
         }
     }
 
@@ -89,10 +95,34 @@ impl Flat {
     }
 
     fn take_row(&mut self, row: Row) {
-        let count = row.len();
-        let numbers = |first: usize| index(first)..index(first + count);
+        let first_surface = index(self.surfaces.len());
+        self.take_looks(&row);
+        if row.is_of_balls() {
+            self.take_balls(row, first_surface);
+        } else {
+            self.take_shapes(&row, first_surface);
+            row.forget();
+        }
+    }
+
+    /// Takes in the balls of a row; their looks begin at `surface`.
+    fn take_balls(&mut self, row: Row, surface: u32) {
+        let count = index(row.len());
         let parts = &mut self.parts;
-        let (leaves, surfaces) = (numbers(parts.leaves.len()), numbers(self.surfaces.len()));
+        let places = (0..row.len()).into_par_iter();
+        let bounds = |at| row.ball(at).map_or(Bounds::EMPTY, |ball| ball.bounds());
+        parts.bounds.par_extend(places.map(bounds));
+        let first = parts.balls.add(row, count, surface);
+        let balls = (first..first + count).into_par_iter();
+        parts.items.par_extend(balls.map(Part::Ball));
+    }
+
+    /// Takes in the shapes of a row as leaves; their looks begin at `surface`.
+    fn take_shapes(&mut self, row: &Row, surface: u32) {
+        let count = row.len();
+        let numbers = |first: u32| first..first + index(count);
+        let parts = &mut self.parts;
+        let (leaves, surfaces) = (numbers(index(parts.leaves.len())), numbers(surface));
         let places = (0..count).into_par_iter();
         let leaf = |(at, surface)| {
             let Colored { shape, steps, .. } = row.object(at);
@@ -100,51 +130,94 @@ impl Flat {
             Leaf::new(shape.into_owned(), place, surface, Extent::Surface)
         };
         let mut lists = (take(&mut parts.leaves), take(&mut parts.bounds));
-        lists.par_extend(places.clone().zip(surfaces).map(leaf));
+        lists.par_extend(places.zip(surfaces).map(leaf));
         (parts.leaves, parts.bounds) = lists;
         parts
             .items
-            .par_extend(leaves.into_par_iter().map(Item::Leaf));
+            .par_extend(leaves.into_par_iter().map(Part::Leaf));
+    }
+
+    /// Takes in how the shapes of a row look.
+    fn take_looks(&mut self, row: &Row) {
+        let count = row.len();
         let InteriorId(first) = self.interiors.unnamed_ones(index(count));
-        let surface = |finishes: &mut Finishes, (at, interior)| {
+        let surface = |alike: &mut Alike, (at, interior)| {
             let Colored { color, finish, .. } = row.object(at);
-            let texture = Kept::Own(PreparedTexture::colored(color, finishes.kept(finish)));
-            let lit = (LightList::default(), Flags::default());
-            Surface::new(texture, None, Box::default(), InteriorId(interior), lit)
+            alike.surface(color, finish, InteriorId(interior))
         };
+        let places = (0..count).into_par_iter();
         let looks = places.zip(first..first + index(count));
-        let looks = looks.map_init(Finishes::default, surface);
+        let looks = looks.map_init(Alike::default, surface);
         self.surfaces.par_extend(looks);
         self.last_surface = None;
-        row.pieces.into_par_iter().for_each(drop);
     }
 }
 
 impl Row {
+    /// Pieces of a size that is a power of two, unless there is but one.
+    fn new(pieces: Vec<Vec<Entry>>, size: usize) -> Self {
+        debug_assert!(pieces.len() == 1 || size.is_power_of_two());
+        Row {
+            pieces,
+            log_size: size.next_power_of_two().trailing_zeros(),
+        }
+    }
+
     fn len(&self) -> usize {
         self.pieces.iter().map(Vec::len).sum()
     }
 
+    fn entry(&self, at: usize) -> &Entry {
+        let piece = at >> self.log_size;
+        &self.pieces[piece][at - (piece << self.log_size)]
+    }
+
     /// The object at a place.
     fn object(&self, at: usize) -> Colored<'_> {
-        let entry = &self.pieces[at / self.size][at % self.size];
-        entry.colored().expect("it was found to be of one colour")
+        let colored = self.entry(at).colored();
+        colored.expect("it was found to be of one colour")
+    }
+
+    /// The object at a place, if it is a ball.
+    pub(super) fn ball(&self, at: usize) -> Option<Sphere> {
+        self.entry(at).ball()
+    }
+
+    /// Says that the object at a place will be asked for soon.
+    #[inline]
+    pub(super) fn expect(&self, at: usize) {
+        expect_use(self.entry(at));
+    }
+
+    fn is_of_balls(&self) -> bool {
+        let is_ball = |entry: &Entry| entry.ball().is_some();
+        self.pieces.iter().flatten().all(is_ball)
+    }
+
+    /// Lets go of them.
+    pub(super) fn forget(self) {
+        self.pieces.into_par_iter().for_each(drop);
     }
 }
 
-impl Finishes {
-    fn kept(&mut self, finish: &Arc<Finish>) -> Arc<Finish> {
+impl Alike {
+    /// The surface of this colour and finish.
+    fn surface(&mut self, color: Color, finish: &Arc<Finish>, interior: InteriorId) -> Surface {
         let place = ptr::from_ref(&**finish).addr();
-        match &mut self.last {
-            Some((seen, kept)) if *seen == place || **kept == **finish => {
-                *seen = place;
-                Arc::clone(kept)
-            }
-            last => {
-                let kept = Arc::new((**finish).clone());
-                *last = Some((place, Arc::clone(&kept)));
-                kept
+        if self.seen != place {
+            self.seen = place;
+            if *self.finish != **finish {
+                self.finish = Arc::new((**finish).clone());
+                self.known = [None, None];
             }
         }
+        let known = &mut self.known[usize::from(color.is_transparent())];
+        let like = known.get_or_insert_with(|| {
+            let texture = PreparedTexture::colored(color, Arc::clone(&self.finish));
+            let lit = (LightList::default(), Flags::default());
+            Surface::new(Kept::Own(texture), None, Box::default(), interior, lit)
+        });
+        let surface = like.in_color(color, interior);
+        surface.expect("what is alike is of one colour")
     }
 }

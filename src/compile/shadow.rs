@@ -111,27 +111,26 @@ impl World {
         let asked = (query, &search);
         let light = number as usize;
         if scratch.blockers.len() <= light {
-            scratch.blockers.resize(light + 1, 0);
+            scratch.blockers.resize(light + 1, None);
         }
         // Neighbouring points are often in the shadow of the same object.
         let last = scratch.blockers[light];
         // It need not be asked again if it is known not to lie there.
         let mut passed = u32::MAX;
-        if let Some(&item) = self.items.get(last as usize) {
+        if let Some(item) = last {
             let mut way = Way::Free;
-            let item = Numbered { number: last, item };
             if self.blocks(item, asked, &mut way, scratch) {
                 return Way::Blocked;
             }
             if way == Way::Free {
-                passed = last;
+                passed = item.number;
             }
         }
         let mut way = Way::Free;
         scratch.among.clear();
         for &item in &self.model.finder.unbounded {
             if self.stops(item, asked, &mut way, scratch) {
-                scratch.blockers[light] = item.number;
+                scratch.blockers[light] = Some(item);
                 return Way::Blocked;
             }
         }
@@ -147,7 +146,7 @@ impl World {
                 }
                 let blocks = self.stops(item, asked, &mut way, scratch);
                 if blocks {
-                    scratch.blockers[light] = item.number;
+                    scratch.blockers[light] = Some(item);
                 }
                 blocks
             },

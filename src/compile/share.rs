@@ -9,7 +9,7 @@
 use super::flatten::{Flat, index};
 use super::instance::Instance;
 use super::looks::{Heritage, Place, joined};
-use super::model::{Item, Model, Parts};
+use super::model::{Model, Part, Parts};
 use super::surface::Surface;
 use crate::math::{Bounds, Step, Transform};
 use crate::scene::{self, Children, Object};
@@ -232,7 +232,7 @@ impl Flat {
                 None => self.surfaces_of(&mut shared, below),
             };
             let number = index(self.parts.instances.len());
-            self.parts.push(Item::Instance(number), bounds);
+            self.parts.push(Part::Instance(number), bounds);
             self.parts.instances.push(Instance {
                 model: Arc::clone(&shared.model),
                 object_from_world: transform.object_from_world,
@@ -258,7 +258,7 @@ impl Flat {
         let slots = std::mem::replace(&mut self.slots, slots_around);
         let slots = slots.map_or_else(Vec::new, |slots| slots.list);
         let hull = hull(&parts);
-        let (model, _) = Model::new(parts, std::iter::empty());
+        let model = Model::new(parts, std::iter::empty());
         Shared {
             _children: Arc::clone(children),
             model: Arc::new(model),
@@ -326,11 +326,12 @@ impl Flat {
 
 /// What holds the parts of a model: one piece for each, if they are few.
 fn hull(parts: &Parts) -> Vec<Piece> {
-    let ball = |item: &Item| match item {
-        Item::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
-        Item::Program(_) | Item::Instance(_) => None,
+    let ball = |item: &Part| match item {
+        Part::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
+        Part::Ball(ball) => parts.balls.leaf(*ball).ball(),
+        Part::Program(_) | Part::Instance(_) => None,
     };
-    let piece = |(item, bounds): (&Item, &Bounds)| match ball(item) {
+    let piece = |(item, bounds): (&Part, &Bounds)| match ball(item) {
         Some((middle, radius)) => Piece::Ball { middle, radius },
         None => Piece::Box(*bounds),
     };

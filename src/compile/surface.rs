@@ -4,15 +4,19 @@ use super::cutaway::Cutaway;
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
-use crate::color::Rgb;
+use crate::color::{Color, Rgb};
 use crate::light::PhotonRole;
 use crate::math::{Step, Transform};
 use crate::scene::Importance;
 use crate::shape::{Geometry, Shape};
 use crate::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
 use glam::{DAffine3, DVec3};
+use rayon::prelude::*;
 use std::ops::Deref;
 use std::sync::Arc;
+
+/// So few surfaces are not worth asking other threads.
+const FEW: usize = 4096;
 
 /// The object switches that matter while tracing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -147,7 +151,7 @@ struct Rare {
 /// What holds of the surfaces of a world, found by looking at each once: there may be millions.
 #[derive(Debug)]
 pub(super) struct Overview {
-    /// For each, whether nothing can be seen through it.
+    /// For each, whether nothing can be seen through it; empty if all are so.
     pub(super) opaque: Vec<bool>,
     /// Whether all are so.
     pub(super) is_opaque: bool,
@@ -165,25 +169,43 @@ pub(super) struct Overview {
 
 impl Overview {
     pub(super) fn of(surfaces: &[Surface]) -> Overview {
-        let mut all = Overview {
-            opaque: Vec::with_capacity(surfaces.len()),
-            is_opaque: true,
-            hides_some: false,
-            has_fresnel: false,
-            minds_backs: false,
-            has_unlit: false,
-            is_grainy: false,
+        let surfaces = surfaces.par_iter().with_min_len(FEW);
+        let is_some = surfaces.clone().map(|surface| {
+            [
+                !surface.is_opaque(),
+                surface.flags.hides_from_some(),
+                surface.has_fresnel(),
+                surface.is_lit_from_behind() || surface.is_bumpy(),
+                !surface.takes_light(),
+                surface.traits.has(Traits::GRAINY),
+            ]
+        });
+        let either = |mut all: [bool; 6], one: [bool; 6]| {
+            all.iter_mut().zip(one).for_each(|(all, one)| *all |= one);
+            all
         };
-        for surface in surfaces {
-            all.opaque.push(surface.is_opaque());
-            all.is_opaque &= surface.is_opaque();
-            all.hides_some |= surface.flags.hides_from_some();
-            all.has_fresnel |= surface.has_fresnel();
-            all.minds_backs |= surface.is_lit_from_behind() || surface.is_bumpy();
-            all.has_unlit |= !surface.takes_light();
-            all.is_grainy |= surface.traits.has(Traits::GRAINY);
+        let [
+            shows_through,
+            hides_some,
+            has_fresnel,
+            minds_backs,
+            has_unlit,
+            is_grainy,
+        ] = is_some.reduce(|| [false; 6], either);
+        let opaque = surfaces.map(Surface::is_opaque);
+        Overview {
+            opaque: if shows_through {
+                opaque.collect()
+            } else {
+                Vec::new()
+            },
+            is_opaque: !shows_through,
+            hides_some,
+            has_fresnel,
+            minds_backs,
+            has_unlit,
+            is_grainy,
         }
-        all
     }
 }
 
@@ -292,6 +314,19 @@ impl Surface {
             rare,
             traits,
         }
+    }
+
+    /// The surface of one colour that looks as this one does but for the colour, which lets light through if that of
+    /// this one does.
+    pub(super) fn in_color(&self, color: Color, interior: InteriorId) -> Option<Self> {
+        Some(Surface {
+            texture: Kept::Own(self.texture.in_color(color)?),
+            interior,
+            lights: self.lights,
+            flags: self.flags,
+            rare: None,
+            traits: self.traits,
+        })
     }
 
     /// Keeps its texture in itself if nothing else has it.

@@ -85,8 +85,6 @@ pub struct World {
     pub globals: Globals,
     /// All objects.
     pub(super) model: Model,
-    /// Them, by number.
-    pub(super) items: Vec<Item>,
     /// The large meshes, if there are few.
     pub(super) meshes: Vec<Numbered>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
@@ -103,7 +101,7 @@ impl World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
         let parts = std::mem::take(&mut flat.parts);
-        let (model, items) = Model::new(parts, flat.lights.projectors_mut());
+        let model = Model::new(parts, flat.lights.projectors_mut());
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
@@ -163,7 +161,6 @@ impl World {
             surfaces: flat.surfaces,
             interiors: flat.interiors,
             model,
-            items,
             meshes: Vec::new(),
             vistas: Vistas::default(),
         };
@@ -312,7 +309,9 @@ impl SingleBox {
         reason = "POV-Ray keeps boxes in single precision"
     )]
     fn new(bounds: &Bounds) -> Self {
-        SingleBox([bounds.min, bounds.max].map(|end| end.to_array().map(|part| part as f32)))
+        // Spelt out: `map` is not always inlined.
+        let single = |end: DVec3| [end.x as f32, end.y as f32, end.z as f32];
+        SingleBox([single(bounds.min), single(bounds.max)])
     }
 
     /// The box.

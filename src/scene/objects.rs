@@ -251,6 +251,14 @@ impl Entry {
         }
     }
 
+    /// It as a ball of one colour, if it is one.
+    pub(crate) fn ball(&self) -> Option<Sphere> {
+        match self {
+            Entry::Ball { sphere, .. } => Some(*sphere),
+            _ => None,
+        }
+    }
+
     /// It as a shape of one colour, if it is one.
     pub(crate) fn colored(&self) -> Option<Colored<'_>> {
         let (shape, color, finish, steps) = match self {

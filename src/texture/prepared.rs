@@ -131,6 +131,20 @@ impl PreparedTexture {
         }
     }
 
+    /// The same in another colour, of what is no more than a colour and how it answers to light.
+    #[must_use]
+    pub(crate) fn in_color(&self, color: Color) -> Option<Self> {
+        match &self.layers {
+            Layers::One(PreparedLayer {
+                pigment: PreparedPigment::Plain(_),
+                quick_color: None,
+                finish,
+                normal: None,
+            }) => Some(PreparedTexture::colored(color, Arc::clone(finish))),
+            _ => None,
+        }
+    }
+
     /// The layers, the top one first; of no meaning if a pattern chooses among other textures.
     #[must_use]
     #[inline]
