@@ -55,6 +55,14 @@ pub(super) struct Around<'a> {
     pub(super) texture: &'a Arc<Texture>,
 }
 
+/// What is the same for all pieces, whoever reads them.
+pub(super) struct OfAll<'a> {
+    pub(super) file: FileId,
+    pub(super) version: f64,
+    pub(super) layer: &'a Layer,
+    pub(super) texture: &'a Arc<Texture>,
+}
+
 /// What a piece of the text came to.
 pub(super) struct Piece<T> {
     pub(super) read: Vec<T>,
@@ -98,34 +106,36 @@ pub(super) fn piece_of_objects<T: Taker>(
     piece
 }
 
-/// The objects of the next pieces of data, in which an object begins at `from`.
+/// Reads the pieces of data from a byte on, at which an object begins, while `take` takes those before them; until
+/// `take` says to stop, or what is left is no more than one thread reads.
 pub(super) fn objects<T: Taker>(
     text: &str,
     from: usize,
     told: &Told,
-    around: &Around<'_>,
-) -> Vec<Piece<T::Kept>> {
-    let (file, version) = (around.file, around.version);
-    let (layer, texture) = (around.layer, around.texture);
-    let read = |range: Range<usize>| {
+    around: &OfAll<'_>,
+    take: impl FnMut(Piece<T::Kept>) -> bool,
+) {
+    let read = |range: &Range<usize>| {
         let around = Around {
-            file,
-            version,
+            file: around.file,
+            version: around.version,
             known: Known::Told(told),
-            layer,
-            texture,
+            layer: around.layer,
+            texture: around.texture,
         };
-        piece_of_objects::<T>(text, range, &around, &Memory::default())
+        piece_of_objects::<T>(text, range.clone(), &around, &Memory::default())
     };
-    pieces(text, from, behind_object)
-        .into_par_iter()
-        .map(read)
-        .collect()
+    batch_by_batch(text, from, behind_object, read, take);
 }
 
-/// The vectors of `len` components of the next pieces of a list, one after the other; one begins at `from`, with or
-/// without a comma before it.
-pub(super) fn vectors(text: &str, from: usize, len: usize, file: FileId) -> Vec<Piece<f64>> {
+/// The same with the vectors of `len` components of a list, one after the other; one begins at `from`, with or without a
+/// comma before it.
+pub(super) fn vectors(
+    text: &str,
+    from: usize,
+    (len, file): (usize, FileId),
+    take: impl FnMut(Piece<f64>) -> bool,
+) {
     let read = |range: &Range<usize>| {
         let ground = Ground {
             file,
@@ -146,10 +156,35 @@ pub(super) fn vectors(text: &str, from: usize, len: usize, file: FileId) -> Vec<
             range: range.start..args.at(),
         }
     };
-    pieces(text, from, behind_vector)
-        .par_iter()
-        .map(read)
-        .collect()
+    batch_by_batch(text, from, behind_vector, read, take);
+}
+
+/// Reads batches of pieces, each while the one before it is taken.
+fn batch_by_batch<T: Send>(
+    text: &str,
+    from: usize,
+    behind: impl Fn(&[u8], Range<usize>) -> usize + Sync,
+    read: impl Fn(&Range<usize>) -> Piece<T> + Sync,
+    mut take: impl FnMut(Piece<T>) -> bool,
+) {
+    let batch = |from: usize| {
+        let ranges = pieces(text, from, &behind);
+        let end = ranges.last().map_or(from, |range| range.end);
+        let read: Vec<Piece<T>> = ranges.par_iter().map(&read).collect();
+        (read, end)
+    };
+    let mut next = (text.len() - from >= LONG).then(|| batch(from));
+    while let Some((pieces, end)) = next.take() {
+        let goes_on = rayon::in_place_scope(|scope| {
+            if text.len() - end >= LONG {
+                scope.spawn(|_| next = Some(batch(end)));
+            }
+            pieces.into_iter().all(&mut take)
+        });
+        if !goes_on {
+            return;
+        }
+    }
 }
 
 impl<'a> Around<'a> {
@@ -248,14 +283,17 @@ mod tests {
         let layer = Layer::default();
         let texture = Arc::new(Texture::from(layer.clone()));
         let told = Told::default();
-        let around = Around {
+        let around = OfAll {
             file: FileId(0),
             version: 3.7,
-            known: Known::Told(&told),
             layer: &layer,
             texture: &texture,
         };
-        let pieces = objects::<Nothing>(&text, 0, &told, &around);
+        let mut pieces = Vec::new();
+        objects::<Nothing>(&text, 0, &told, &around, |piece| {
+            pieces.push(piece);
+            true
+        });
         assert!(pieces.len() > 2);
         let stopped = pieces.iter().position(|piece| piece.read.len() < 600);
         let before: usize = pieces[..=stopped.unwrap()]

@@ -3,7 +3,7 @@
 //! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
 //! tokens are made for the piece at hand.
 
-use super::ahead::{self, Around, Piece, Taker};
+use super::ahead::{self, Around, OfAll, Piece, Taker};
 use super::cursor::Place;
 use super::known::{Known, Told};
 use super::literal::Literal;
@@ -97,17 +97,28 @@ impl Reader<'_> {
             if *at < first.end {
                 return Ok(());
             }
-            let mut goes_on = ahead::is_worth_while();
-            while goes_on && text.len() - *at >= ahead::LONG {
-                let pieces = ahead::objects::<T>(text, *at, &told.borrow(), &self.around(&told));
-                for piece in pieces {
-                    goes_on &= piece.range.start == *at;
-                    if !goes_on {
-                        break;
-                    }
-                    take(self, piece, at)?;
-                }
+            if !ahead::is_worth_while() {
+                continue;
             }
+            let (layer, texture) = (
+                self.default_layer.clone(),
+                Arc::clone(&self.default_texture),
+            );
+            let around = OfAll {
+                file: self.here.tokens.file,
+                version: self.version,
+                layer: &layer,
+                texture: &texture,
+            };
+            let mut result = Ok(());
+            ahead::objects::<T>(text, *at, &told.borrow(), &around, |piece| {
+                let follows = piece.range.start == *at;
+                if follows {
+                    result = take(self, piece, at);
+                }
+                follows && result.is_ok()
+            });
+            result?;
         }
     }
 
@@ -180,29 +191,30 @@ impl Reader<'_> {
                 }
                 *at = args.at();
             }
-            let mut goes_on = ahead::is_worth_while();
-            while goes_on && text.len() - *at >= ahead::LONG {
-                let pieces = ahead::vectors(text, *at, len, around.file);
-                for piece in pieces {
-                    goes_on &= piece.range.start == *at;
-                    if !goes_on {
-                        break;
-                    }
-                    let taken = piece
-                        .read
-                        .chunks_exact(len)
-                        .take_while(|vector| take(vector));
-                    let taken = taken.count();
-                    if taken < piece.read.len() / len {
-                        let mut args = Literal::new(text, *at, &ground);
-                        for _ in 0..taken {
-                            args.item(len);
-                        }
-                        *at = args.at();
-                        return;
-                    }
-                    *at = piece.range.end;
+            if !ahead::is_worth_while() {
+                continue;
+            }
+            let mut is_wanted = true;
+            ahead::vectors(text, *at, (len, around.file), |piece| {
+                if piece.range.start != *at {
+                    return false;
                 }
+                let vectors = piece.read.chunks_exact(len);
+                let taken = vectors.take_while(|vector| take(vector)).count();
+                is_wanted = taken == piece.read.len() / len;
+                if is_wanted {
+                    *at = piece.range.end;
+                    return true;
+                }
+                let mut args = Literal::new(text, *at, &ground);
+                for _ in 0..taken {
+                    args.item(len);
+                }
+                *at = args.at();
+                false
+            });
+            if !is_wanted {
+                return;
             }
         }
     }

@@ -7,6 +7,7 @@ use super::dependency::Asked;
 use super::search::{INCLUDES, not_found};
 use super::text::decode;
 use super::{Diagnostic, FileId, Span};
+use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -331,6 +332,9 @@ fn declares(text: &str, name: &str) -> Option<String> {
     })
 }
 
+/// Each thread copies so many bytes of a large file at a time.
+const PART: usize = 1 << 20;
+
 /// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
 pub(super) fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
     let file = File::open(path)?;
@@ -343,11 +347,36 @@ pub(super) fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
     } else {
         MAX_STREAM_BYTES
     };
+    if about.is_file()
+        && let Some(bytes) = read_by_all(&file, about.len())
+    {
+        return Ok(Some(bytes));
+    }
     // A pipe does not tell its length beforehand.
     let mut bytes = Vec::new();
     let mut limited = file.take(most + 1);
     limited.read_to_end(&mut bytes)?;
     Ok((limited.limit() > 0).then_some(bytes))
+}
+
+/// The bytes of a large file, copied by several threads; `None` if that does not work, or is not worth while.
+#[cfg(unix)]
+fn read_by_all(file: &File, len: u64) -> Option<Vec<u8>> {
+    use std::os::unix::fs::FileExt;
+    let len = usize::try_from(len).ok().filter(|len| *len >= 2 * PART)?;
+    let mut bytes = vec![0; len];
+    let parts = bytes.par_chunks_mut(PART).enumerate();
+    parts
+        .map(|(number, part)| file.read_exact_at(part, (number * PART) as u64))
+        .collect::<io::Result<()>>()
+        .ok()?;
+    Some(bytes)
+}
+
+/// Elsewhere by one thread.
+#[cfg(not(unix))]
+fn read_by_all(_: &File, _: u64) -> Option<Vec<u8>> {
+    None
 }
 
 /// A line ends with a line feed, a carriage return, or both.
