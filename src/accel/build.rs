@@ -7,6 +7,10 @@
 //!
 //! Items are looked at twice for each split: once to put them into bins, and once to bring them to their sides, which
 //! leaves both halves with all that their own splits need.
+//!
+//! Many items are first brought together in clusters, by halving space, which looks at each once and asks for no bins
+//! (Garanzha, Pantaleoni and McAllister 2011, "Simpler and faster HLBVH with work queues"); a tree over the clusters and a
+//! tree in each are built as above.
 
 use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
 use rayon::prelude::*;
@@ -23,9 +27,18 @@ const FEW: usize = 64;
 /// Below this depth ranges are halved by number alone: no arrangement of boxes makes the tree much deeper.
 const MAX_DEPTH: u32 = 64;
 
-/// Ranges with more items are built by several threads. The nodes of so many take more memory than the allocator puts
-/// between small pieces: it goes back when they are in the list of all.
-const PARALLEL: usize = 8192;
+/// More items than this are many.
+const MANY: usize = 4096;
+
+/// So few items are a cluster.
+const CLUSTER: usize = 256;
+
+/// What space has been halved so often is a cluster too, however many items are left.
+const MOST_HALVINGS: u32 = 40;
+
+/// So many clusters are built by one thread. Their nodes take more memory than the allocator puts between small pieces: it
+/// goes back when they are in the list of all.
+const AT_ONCE: usize = 24;
 
 /// Ranges with more items are split by several threads.
 const VERY_MANY: usize = 32_768;
@@ -83,21 +96,11 @@ struct Split {
     upper: Wide,
 }
 
-/// A part of the tree on its way into the list of all nodes.
-enum Below {
-    /// Of few items: its nodes, the topmost first.
-    Nodes(Vec<Node>),
-    /// A node by itself, with what hangs below it.
-    Split(Vec<(Wide, Below)>),
-}
-
-/// The list of all nodes in pieces, of which each names its own nodes from its first one on.
-#[derive(Default)]
-struct Pieces {
-    /// Where each begins.
-    starts: Vec<u32>,
-    pieces: Vec<Vec<Node>>,
-    len: u32,
+/// Some nodes on their way into the list of all: they name each other by their places here.
+struct Piece {
+    nodes: Vec<Node>,
+    /// Where the trees in it begin.
+    roots: Vec<u32>,
 }
 
 /// The nodes for a list of items, the root first.
@@ -105,34 +108,167 @@ pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
     if entries.is_empty() {
         return Vec::new();
     }
-    if entries.len() <= PARALLEL {
-        let mut nodes = few(Part::new(&mut entries), 0);
+    let all = Part::new(&mut entries);
+    if all.entries.len() <= MANY {
+        let mut nodes = few(all);
         nodes.shrink_to_fit();
         return nodes;
     }
-    let below = grow(Part::new(&mut entries), 0);
+    let space = all.middles;
+    let clusters = clusters(all.entries, space, 0);
+    let mut boxes: Vec<Entry> = (0..)
+        .zip(&clusters)
+        .map(|(item, part)| Entry {
+            cell: part.whole.cell(),
+            item,
+        })
+        .collect();
+    let mut top = few(Part::new(&mut boxes));
+    // The clusters in the order of the tree over them.
+    let mut order = vec![0; clusters.len()];
+    let mut next = 0;
+    for node in &mut top {
+        next += node.renumber(next, &mut order[next as usize..]);
+    }
+    let mut clusters: Vec<Option<Part>> = clusters.into_iter().map(Some).collect();
+    let clusters = order.iter().map(|&at| clusters[at as usize].take());
+    let clusters: Vec<Part> = clusters.flatten().collect();
+    let mut lots = Vec::with_capacity(clusters.len().div_ceil(AT_ONCE));
+    let mut clusters = clusters.into_iter();
+    while clusters.len() > 0 {
+        lots.push(clusters.by_ref().take(AT_ONCE).collect::<Vec<Part>>());
+    }
+    let pieces: Vec<Piece> = lots.into_par_iter().map(Piece::of).collect();
     // In large scenes the room is needed.
     drop(entries);
-    let mut pieces = Pieces::default();
-    pieces.lay(below);
-    pieces.joined()
+    joined(top, pieces)
 }
 
-/// The part of the tree over a range.
-fn grow(part: Part, depth: u32) -> Below {
-    if part.entries.len() <= PARALLEL {
-        return Below::Nodes(few(part, depth));
+/// Brings items that lie near each other together, by halving space: the box from `space.low` to `space.high`, in which
+/// their middles are.
+fn clusters(entries: &mut [Entry], space: Wide, halvings: u32) -> Vec<Part<'_>> {
+    if entries.len() <= CLUSTER || halvings == MOST_HALVINGS {
+        return if entries.is_empty() {
+            Vec::new()
+        } else {
+            vec![Part::new(entries)]
+        };
     }
-    let parts = split_to_width(part, depth).into_par_iter();
-    let grown = parts.map(|part| (part.whole, grow(part, depth + 1)));
-    Below::Split(grown.collect())
+    let size = |axis: usize| space.high[axis] - space.low[axis];
+    let axis = (0..3)
+        .max_by(|&a, &b| size(a).total_cmp(&size(b)))
+        .unwrap_or(0);
+    let middle = 0.5 * space.low[axis] + 0.5 * space.high[axis];
+    let is_below = |entry: &Entry| entry.middle()[axis] < middle;
+    let is_large = entries.len() > VERY_MANY;
+    let front = if is_large {
+        let size = VERY_MANY / 2;
+        let parts = entries.par_chunks_mut(size);
+        let fronts: Vec<usize> = parts.map(|part| bring_forward(part, is_below)).collect();
+        join(entries, size, &fronts)
+    } else {
+        bring_forward(entries, is_below)
+    };
+    if front == 0 || front == entries.len() {
+        // They fill little of it.
+        let part = Part::new(entries);
+        let space = part.middles;
+        return if space.is_point() {
+            vec![part]
+        } else {
+            clusters(part.entries, space, halvings + 1)
+        };
+    }
+    let (below, above) = entries.split_at_mut(front);
+    let (mut lower, mut upper) = (space, space);
+    lower.high[axis] = middle;
+    upper.low[axis] = middle;
+    let next = halvings + 1;
+    let (mut lower, upper) = if is_large {
+        rayon::join(
+            || clusters(below, lower, next),
+            || clusters(above, upper, next),
+        )
+    } else {
+        (clusters(below, lower, next), clusters(above, upper, next))
+    };
+    lower.extend(upper);
+    lower
 }
 
-/// The nodes of a range of few items.
-fn few(part: Part, depth: u32) -> Vec<Node> {
-    // Hardly ever more.
-    let mut nodes = Vec::with_capacity(part.entries.len() / 4 + 1);
-    subtree(part, depth, &mut nodes);
+/// Brings what is so to the front; gives its number. As in [`sort`], nothing but numbers depends on what is so.
+fn bring_forward(entries: &mut [Entry], is_so: impl Fn(&Entry) -> bool) -> usize {
+    let mut front = 0;
+    for at in 0..entries.len() {
+        let entry = entries[at];
+        let goes = is_so(&entry);
+        entries[at] = entries[front];
+        entries[front] = entry;
+        front += usize::from(goes);
+    }
+    front
+}
+
+impl Piece {
+    /// The trees of these clusters.
+    fn of(clusters: Vec<Part>) -> Self {
+        let items: usize = clusters.iter().map(|part| part.entries.len()).sum();
+        let mut piece = Piece {
+            nodes: Vec::with_capacity(expected(items)),
+            roots: Vec::with_capacity(clusters.len()),
+        };
+        for part in clusters {
+            piece.roots.push(index(piece.nodes.len()));
+            subtree(part, 0, &mut piece.nodes);
+        }
+        piece
+    }
+}
+
+/// All nodes in one list: those over the clusters, whose items are these, and those of the clusters in this order.
+fn joined(top: Vec<Node>, mut pieces: Vec<Piece>) -> Vec<Node> {
+    let mut starts = Vec::with_capacity(pieces.len());
+    let mut roots = Vec::new();
+    let mut len = index(top.len());
+    for piece in &pieces {
+        starts.push(len);
+        roots.extend(piece.roots.iter().map(|root| root + len));
+        len += index(piece.nodes.len());
+    }
+    let mut nodes = Vec::with_capacity(len as usize);
+    nodes.extend(top);
+    for node in &mut nodes {
+        node.hang(&roots);
+    }
+    let mut done = 0;
+    while done < pieces.len() {
+        let first = starts[done];
+        let many = done + starts[done..].partition_point(|&start| start - first < TOGETHER);
+        let end = starts.get(many).copied().unwrap_or(len);
+        let node = |place: u32| {
+            let piece = starts.partition_point(|&start| start <= place) - 1;
+            let start = starts[piece];
+            pieces[piece].nodes[(place - start) as usize].shifted(start)
+        };
+        nodes.par_extend((first..end).into_par_iter().map(node));
+        // Let go of before the next ones come.
+        for piece in &mut pieces[done..many] {
+            piece.nodes = Vec::new();
+        }
+        done = many;
+    }
+    nodes
+}
+
+/// How many nodes so many items mostly have; hardly ever more.
+fn expected(items: usize) -> usize {
+    items / 4 + 1
+}
+
+/// The nodes of few items.
+fn few(part: Part) -> Vec<Node> {
+    let mut nodes = Vec::with_capacity(expected(part.entries.len()));
+    subtree(part, 0, &mut nodes);
     nodes
 }
 
@@ -151,53 +287,6 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
         let whole = part.whole.cell();
         subtree(part, depth + 1, nodes);
         nodes[root].set(place, &whole, Child::of_node(first));
-    }
-}
-
-impl Pieces {
-    /// Appends a part of the tree, each node before those below it; gives the place of the topmost.
-    fn lay(&mut self, below: Below) -> u32 {
-        match below {
-            Below::Nodes(nodes) => self.push(nodes),
-            Below::Split(parts) => {
-                let piece = self.pieces.len();
-                let first = self.push(vec![Node::empty()]);
-                for (place, (whole, below)) in parts.into_iter().enumerate() {
-                    let child = Child::of_node(self.lay(below) - first);
-                    self.pieces[piece][0].set(place, &whole.cell(), child);
-                }
-                first
-            }
-        }
-    }
-
-    fn push(&mut self, nodes: Vec<Node>) -> u32 {
-        let first = self.len;
-        self.len += index(nodes.len());
-        self.starts.push(first);
-        self.pieces.push(nodes);
-        first
-    }
-
-    /// All nodes in one list. What has come into it is let go before the next comes.
-    fn joined(mut self) -> Vec<Node> {
-        let mut nodes = Vec::with_capacity(self.len as usize);
-        let mut done = 0;
-        while done < self.starts.len() {
-            let first = self.starts[done];
-            let rest = &self.starts[done..];
-            let many = done + rest.partition_point(|&start| start - first < TOGETHER);
-            let end = self.starts.get(many).copied().unwrap_or(self.len);
-            let node = |place: u32| {
-                let piece = self.starts.partition_point(|&start| start <= place) - 1;
-                let start = self.starts[piece];
-                self.pieces[piece][(place - start) as usize].shifted(start)
-            };
-            nodes.par_extend((first..end).into_par_iter().map(node));
-            self.pieces[done..many].fill(Vec::new());
-            done = many;
-        }
-        nodes
     }
 }
 
@@ -274,6 +363,11 @@ impl Wide {
             high[lane] = f32::from_bits(point | f32::NEG_INFINITY.to_bits() & !chosen);
         }
         self.add(&Wide { low, high });
+    }
+
+    /// Whether it has no size on any axis.
+    fn is_point(&self) -> bool {
+        (0..3).all(|axis| self.low[axis] == self.high[axis])
     }
 
     /// Half the surface.

@@ -296,6 +296,15 @@ impl Node {
         node
     }
 
+    /// Has nodes, of which this is the list, in place of its items.
+    pub(super) fn hang(&mut self, nodes: &[u32]) {
+        for child in &mut self.children {
+            if child.node().is_none() && *child != Child::NOTHING {
+                *child = Child::of_node(nodes[child.item() as usize]);
+            }
+        }
+    }
+
     /// How many items it has.
     pub(super) fn count(&self) -> usize {
         let is_item = |child: &&Child| child.node().is_none() && **child != Child::NOTHING;

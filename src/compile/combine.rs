@@ -69,7 +69,8 @@ impl Flat {
             place: Place::Whole,
             ..above.clone()
         };
-        let around = self.add_node(object, &above, &mut program, 0, false);
+        let place = (0, object.is_inverse);
+        let around = self.add_node(object, &above, &mut program, place, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
         program.prepare(&self.parts.leaves, &of_operands, boxed);
@@ -80,18 +81,18 @@ impl Flat {
         (program, around)
     }
 
-    /// Adds an object under a node and gives its bounds.
+    /// Adds an object and gives its bounds. `place` is the node above and whether the object is inverted.
     fn add_node(
         &mut self,
         object: &Object,
         above: &Heritage,
         program: &mut Program,
-        parent: u32,
+        place: (u32, bool),
         is_hidden: bool,
     ) -> Around {
         let below = self.heritage(object, above);
         let first = index(program.operands.len());
-        let bounds = self.add_clipped(object, above, &below, program, (parent, is_hidden));
+        let bounds = self.add_clipped(object, (above, &below), program, place, is_hidden);
         let end = index(program.operands.len());
         let around = bounds.shown.union(&bounds.solid);
         if end - first > 1 && around.is_finite() && !around.is_empty() {
@@ -113,31 +114,24 @@ impl Flat {
         bounds
     }
 
-    /// The same without what bounds the object. `place` is the node above and whether the object only clips.
+    /// The same without what bounds the object.
     fn add_clipped(
         &mut self,
         object: &Object,
-        above: &Heritage,
-        below: &Heritage,
+        (above, below): (&Heritage, &Heritage),
         program: &mut Program,
-        (parent, is_hidden): (u32, bool),
+        (parent, is_inverse): (u32, bool),
+        is_hidden: bool,
     ) -> Around {
         if object.clipped_by().is_empty() {
-            return self.add_bare(
-                object,
-                below,
-                program,
-                (parent, object.is_inverse),
-                is_hidden,
-            );
+            return self.add_bare(object, below, program, (parent, is_inverse), is_hidden);
         }
         let node = push_node(program, Combine::Intersection, parent);
-        let mut bounds =
-            self.add_bare(object, below, program, (node, object.is_inverse), is_hidden);
+        let mut bounds = self.add_bare(object, below, program, (node, is_inverse), is_hidden);
         let mut factors = Factors::new();
         if matches!(object.kind, Kind::Shape(_)) {
             let leaf = index(self.parts.leaves.len() - 1);
-            factors.push((leaf, object.is_inverse));
+            factors.push((leaf, is_inverse));
         }
         for clip in object.clipped_by() {
             if is_bare(&clip.what) {
@@ -149,7 +143,8 @@ impl Flat {
                 place: Place::Cut,
                 ..below.clone()
             };
-            let held = self.add_node(&clip.what, &around, program, node, true);
+            let place = (node, clip.what.is_inverse);
+            let held = self.add_node(&clip.what, &around, program, place, true);
             bounds.shown = bounds.shown.intersection(&held.solid);
             bounds.solid = bounds.solid.intersection(&held.solid);
         }
@@ -264,13 +259,8 @@ impl Flat {
                 let leaf = index(self.parts.leaves.len());
                 factors.push((leaf, child.is_inverse != is_exchanged));
             }
-            let child = if is_exchanged {
-                let mut cut = (**child).clone();
-                cut.is_inverse = !cut.is_inverse;
-                self.add_node(&cut, below, program, node, is_hidden)
-            } else {
-                self.add_node(child, below, program, node, is_hidden)
-            };
+            let place = (node, child.is_inverse != is_exchanged);
+            let child = self.add_node(child, below, program, place, is_hidden);
             if is_product {
                 sum.solid = sum.solid.intersection(&child.solid);
                 sum.shown = sum.solid;

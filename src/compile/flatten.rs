@@ -50,6 +50,8 @@ pub(super) struct Flat {
     /// What objects without a texture look like.
     pub(super) plain: Option<Arc<PreparedTexture>>,
     pub(super) last_surface: Option<u32>,
+    /// A surface by its number, with the looks that it came of.
+    pub(super) last_looks: Option<(u32, Heritage)>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
     /// Parts of it that have boxes of their own: their operands, and boxes around what is inside of them and what shows.
@@ -97,6 +99,8 @@ impl Flat {
     /// Lets go of prepared textures that nothing but this object of the top level asks for. Those of one surface become
     /// its own.
     fn forget_textures(&mut self, object: &Object) {
+        // These have its texture too.
+        self.last_looks = None;
         let is_copy =
             matches!(&object.kind, Kind::Csg { children, .. } if Arc::strong_count(children) > 1);
         for texture in self.lately_prepared.drain(..) {

@@ -182,11 +182,29 @@ impl Flat {
             ..looks.clone()
         });
         let looks = skins_moved.as_ref().unwrap_or(looks);
+        if let Some(last) = self.looks_as_last(shape, looks) {
+            return (last, Absorb::AllItCan);
+        }
         let mut surface = self.new_surface(looks, shape.skins());
         if loses_uv && surface.uses_uv() {
             surface.set_unmoved(Unmoved::new(shape, &looks.steps));
         }
-        (self.number_of(surface), Absorb::AllItCan)
+        let number = self.number_of(surface);
+        self.last_looks = Some((number, looks.clone()));
+        (number, Absorb::AllItCan)
+    }
+
+    /// The last surface, if that of a shape with these looks would be the same: so it is with the parts of a combination.
+    fn looks_as_last(&self, shape: &Shape, looks: &Heritage) -> Option<u32> {
+        let (number, last) = self.last_looks.as_ref()?;
+        let surface = &self.surfaces[*number as usize];
+        let is_same = self.last_surface == Some(*number)
+            && shape.skins().is_empty()
+            && surface.skins().is_empty()
+            && looks.cutaway.is_none()
+            && !surface.uses_uv()
+            && looks.looks_as(last, surface.is_opaque());
+        is_same.then_some(*number)
     }
 
     /// The number of a surface. Neighbours in the file often share theirs.

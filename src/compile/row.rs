@@ -9,7 +9,7 @@ use super::model::Part;
 use super::surface::{Flags, Kept, Surface};
 use crate::color::Color;
 use crate::math::Bounds;
-use crate::memory::expect_use;
+use crate::memory::{self, expect_use};
 use crate::scene::{Colored, Entry, Object, Objects};
 use crate::shape::{Geometry, Sphere};
 use crate::texture::{Finish, PreparedTexture};
@@ -20,6 +20,9 @@ use std::sync::Arc;
 
 /// Fewer objects are not worth asking other threads.
 const FEW: usize = 64;
+
+/// So many leave much room when they are let go.
+const LARGE: usize = 4096;
 
 /// Shapes of one colour: in pieces, of which all but the last are of one size.
 #[derive(Debug)]
@@ -101,7 +104,11 @@ impl Flat {
             self.take_balls(row, first_surface);
         } else {
             self.take_shapes(&row, first_surface);
+            let is_large = row.len() >= LARGE;
             row.forget();
+            if is_large {
+                memory::give_back();
+            }
         }
     }
 

@@ -279,7 +279,7 @@ mod tests {
     #[test]
     fn all_that_is_written_as_literals_is_read_and_no_more() {
         let one = "sphere { <1, 2, 3>, 0.5 }\n";
-        let text = one.repeat(1000) + "sphere { <1, 2, 3>, sin(2) }\n" + &one.repeat(1000);
+        let text = one.repeat(1000) + "sphere { <1, 2, 3>, sin(2) }\n" + &one.repeat(9000);
         let layer = Layer::default();
         let texture = Arc::new(Texture::from(layer.clone()));
         let told = Told::default();

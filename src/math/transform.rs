@@ -6,6 +6,7 @@
 //! `matrix`, which has no other: coincident surfaces then get the same bits by every way that leads to them.
 
 use glam::{DAffine3, DMat3, DVec3};
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// A transform from object to world space with its inverse.
@@ -163,6 +164,22 @@ impl Step {
 /// The matrix of `rotate`: Rz·Ry·Rx on columns, degrees.
 #[must_use]
 pub fn rotation(degrees: DVec3) -> DMat3 {
+    thread_local! {
+        /// The last one: the parts of a combination are turned alike one after the other.
+        static LAST: Cell<(DVec3, DMat3)> = const { Cell::new((DVec3::ZERO, DMat3::IDENTITY)) };
+    }
+    let (last, turn) = LAST.get();
+    // Zeros of either sign turn by nothing, but leave zeros of either sign.
+    let bits = |degrees: DVec3| degrees.to_array().map(f64::to_bits);
+    if bits(last) == bits(degrees) {
+        return turn;
+    }
+    let turn = new_rotation(degrees);
+    LAST.set((degrees, turn));
+    turn
+}
+
+fn new_rotation(degrees: DVec3) -> DMat3 {
     let (sx, cx) = degrees.x.to_radians().sin_cos();
     let (sy, cy) = degrees.y.to_radians().sin_cos();
     let (sz, cz) = degrees.z.to_radians().sin_cos();

@@ -89,7 +89,8 @@ impl Axis {
     /// The box around the discs of these radii at both ends.
     pub(super) fn bounds(&self, base_radius: f64, apex_radius: f64) -> Bounds {
         let u = self.unit;
-        let reach = DVec3::new(u.y.hypot(u.z), u.z.hypot(u.x), u.x.hypot(u.y));
+        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let reach = DVec3::new(sine(u.y, u.z), sine(u.z, u.x), sine(u.x, u.y));
         // The axis is a unit vector only to rounding.
         let size =
             self.base.abs().max(self.apex.abs()).max_element() + base_radius.max(apex_radius);
