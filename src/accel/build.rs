@@ -8,10 +8,9 @@
 //! Items are looked at twice for each split: once to put them into bins, and once to bring them to their sides, which
 //! leaves both halves with all that their own splits need.
 //!
-//! Many items are first brought together in clusters, by halving space, which looks at each once and asks for no bins
-//! (Garanzha, Pantaleoni and McAllister 2011, "Simpler and faster HLBVH with work queues"); a tree over the clusters and a
-//! tree in each are built as above.
+//! Many items are first brought together in [`clusters`].
 
+use super::clusters;
 use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
 use rayon::prelude::*;
 
@@ -30,21 +29,8 @@ const MAX_DEPTH: u32 = 64;
 /// More items than this are many.
 const MANY: usize = 4096;
 
-/// So few items are a cluster.
-const CLUSTER: usize = 256;
-
-/// What space has been halved so often is a cluster too, however many items are left.
-const MOST_HALVINGS: u32 = 40;
-
-/// So many clusters are built by one thread. Their nodes take more memory than the allocator puts between small pieces: it
-/// goes back when they are in the list of all.
-const AT_ONCE: usize = 24;
-
 /// Ranges with more items are split by several threads.
-const VERY_MANY: usize = 32_768;
-
-/// How many nodes come into the list of all at a time.
-const TOGETHER: u32 = 65_536;
+pub(super) const VERY_MANY: usize = 32_768;
 
 /// Twice a middle beyond this is infinite; finite boxes are near one.
 const INFINITE: f32 = 2e18;
@@ -61,17 +47,17 @@ pub(super) struct Entry {
 
 /// A box in four lanes, which one instruction works on; the last of them means nothing.
 #[derive(Clone, Copy)]
-struct Wide {
-    low: [f32; 4],
-    high: [f32; 4],
+pub(super) struct Wide {
+    pub(super) low: [f32; 4],
+    pub(super) high: [f32; 4],
 }
 
 /// A range of items with what is known of it.
-struct Part<'e> {
-    entries: &'e mut [Entry],
-    whole: Wide,
+pub(super) struct Part<'e> {
+    pub(super) entries: &'e mut [Entry],
+    pub(super) whole: Wide,
     /// Around twice the middles of the boxes.
-    middles: Wide,
+    pub(super) middles: Wide,
 }
 
 /// The bins of a range: where they begin on each axis, and how many there are for a length.
@@ -96,184 +82,33 @@ struct Split {
     upper: Wide,
 }
 
-/// Some nodes on their way into the list of all: they name each other by their places here.
-struct Piece {
-    nodes: Vec<Node>,
-    /// Where the trees in it begin.
-    roots: Vec<u32>,
-}
-
 /// The nodes for a list of items, the root first.
 pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
     if entries.is_empty() {
         return Vec::new();
     }
-    let all = Part::new(&mut entries);
-    if all.entries.len() <= MANY {
-        let mut nodes = few(all);
-        nodes.shrink_to_fit();
-        return nodes;
+    if entries.len() > MANY {
+        return clusters::build(entries);
     }
-    let space = all.middles;
-    let clusters = clusters(all.entries, space, 0);
-    let mut boxes: Vec<Entry> = (0..)
-        .zip(&clusters)
-        .map(|(item, part)| Entry {
-            cell: part.whole.cell(),
-            item,
-        })
-        .collect();
-    let mut top = few(Part::new(&mut boxes));
-    // The clusters in the order of the tree over them.
-    let mut order = vec![0; clusters.len()];
-    let mut next = 0;
-    for node in &mut top {
-        next += node.renumber(next, &mut order[next as usize..]);
-    }
-    let mut clusters: Vec<Option<Part>> = clusters.into_iter().map(Some).collect();
-    let clusters = order.iter().map(|&at| clusters[at as usize].take());
-    let clusters: Vec<Part> = clusters.flatten().collect();
-    let mut lots = Vec::with_capacity(clusters.len().div_ceil(AT_ONCE));
-    let mut clusters = clusters.into_iter();
-    while clusters.len() > 0 {
-        lots.push(clusters.by_ref().take(AT_ONCE).collect::<Vec<Part>>());
-    }
-    let pieces: Vec<Piece> = lots.into_par_iter().map(Piece::of).collect();
-    // In large scenes the room is needed.
-    drop(entries);
-    joined(top, pieces)
-}
-
-/// Brings items that lie near each other together, by halving space: the box from `space.low` to `space.high`, in which
-/// their middles are.
-fn clusters(entries: &mut [Entry], space: Wide, halvings: u32) -> Vec<Part<'_>> {
-    if entries.len() <= CLUSTER || halvings == MOST_HALVINGS {
-        return if entries.is_empty() {
-            Vec::new()
-        } else {
-            vec![Part::new(entries)]
-        };
-    }
-    let size = |axis: usize| space.high[axis] - space.low[axis];
-    let axis = (0..3)
-        .max_by(|&a, &b| size(a).total_cmp(&size(b)))
-        .unwrap_or(0);
-    let middle = 0.5 * space.low[axis] + 0.5 * space.high[axis];
-    let is_below = |entry: &Entry| entry.middle()[axis] < middle;
-    let is_large = entries.len() > VERY_MANY;
-    let front = if is_large {
-        let size = VERY_MANY / 2;
-        let parts = entries.par_chunks_mut(size);
-        let fronts: Vec<usize> = parts.map(|part| bring_forward(part, is_below)).collect();
-        join(entries, size, &fronts)
-    } else {
-        bring_forward(entries, is_below)
-    };
-    if front == 0 || front == entries.len() {
-        // They fill little of it.
-        let part = Part::new(entries);
-        let space = part.middles;
-        return if space.is_point() {
-            vec![part]
-        } else {
-            clusters(part.entries, space, halvings + 1)
-        };
-    }
-    let (below, above) = entries.split_at_mut(front);
-    let (mut lower, mut upper) = (space, space);
-    lower.high[axis] = middle;
-    upper.low[axis] = middle;
-    let next = halvings + 1;
-    let (mut lower, upper) = if is_large {
-        rayon::join(
-            || clusters(below, lower, next),
-            || clusters(above, upper, next),
-        )
-    } else {
-        (clusters(below, lower, next), clusters(above, upper, next))
-    };
-    lower.extend(upper);
-    lower
-}
-
-/// Brings what is so to the front; gives its number. As in [`sort`], nothing but numbers depends on what is so.
-fn bring_forward(entries: &mut [Entry], is_so: impl Fn(&Entry) -> bool) -> usize {
-    let mut front = 0;
-    for at in 0..entries.len() {
-        let entry = entries[at];
-        let goes = is_so(&entry);
-        entries[at] = entries[front];
-        entries[front] = entry;
-        front += usize::from(goes);
-    }
-    front
-}
-
-impl Piece {
-    /// The trees of these clusters.
-    fn of(clusters: Vec<Part>) -> Self {
-        let items: usize = clusters.iter().map(|part| part.entries.len()).sum();
-        let mut piece = Piece {
-            nodes: Vec::with_capacity(expected(items)),
-            roots: Vec::with_capacity(clusters.len()),
-        };
-        for part in clusters {
-            piece.roots.push(index(piece.nodes.len()));
-            subtree(part, 0, &mut piece.nodes);
-        }
-        piece
-    }
-}
-
-/// All nodes in one list: those over the clusters, whose items are these, and those of the clusters in this order.
-fn joined(top: Vec<Node>, mut pieces: Vec<Piece>) -> Vec<Node> {
-    let mut starts = Vec::with_capacity(pieces.len());
-    let mut roots = Vec::new();
-    let mut len = index(top.len());
-    for piece in &pieces {
-        starts.push(len);
-        roots.extend(piece.roots.iter().map(|root| root + len));
-        len += index(piece.nodes.len());
-    }
-    let mut nodes = Vec::with_capacity(len as usize);
-    nodes.extend(top);
-    for node in &mut nodes {
-        node.hang(&roots);
-    }
-    let mut done = 0;
-    while done < pieces.len() {
-        let first = starts[done];
-        let many = done + starts[done..].partition_point(|&start| start - first < TOGETHER);
-        let end = starts.get(many).copied().unwrap_or(len);
-        let node = |place: u32| {
-            let piece = starts.partition_point(|&start| start <= place) - 1;
-            let start = starts[piece];
-            pieces[piece].nodes[(place - start) as usize].shifted(start)
-        };
-        nodes.par_extend((first..end).into_par_iter().map(node));
-        // Let go of before the next ones come.
-        for piece in &mut pieces[done..many] {
-            piece.nodes = Vec::new();
-        }
-        done = many;
-    }
+    let mut nodes = few(Part::new(&mut entries));
+    nodes.shrink_to_fit();
     nodes
 }
 
 /// How many nodes so many items mostly have; hardly ever more.
-fn expected(items: usize) -> usize {
+pub(super) fn expected(items: usize) -> usize {
     items / 4 + 1
 }
 
 /// The nodes of few items.
-fn few(part: Part) -> Vec<Node> {
+pub(super) fn few(part: Part) -> Vec<Node> {
     let mut nodes = Vec::with_capacity(expected(part.entries.len()));
     subtree(part, 0, &mut nodes);
     nodes
 }
 
 /// Appends the node of a range and all below it.
-fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
+pub(super) fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
     let root = nodes.len();
     nodes.push(Node::empty());
     if part.entries.len() <= WIDTH {
@@ -290,7 +125,7 @@ fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
     }
 }
 
-fn index(i: usize) -> u32 {
+pub(super) fn index(i: usize) -> u32 {
     u32::try_from(i).expect("a tree has fewer nodes than items, and these are counted in 31 bits")
 }
 
@@ -328,7 +163,7 @@ impl Wide {
         }
     }
 
-    fn cell(&self) -> Cell {
+    pub(super) fn cell(&self) -> Cell {
         let ([a, b, c, _], [d, e, f, _]) = (self.low, self.high);
         Cell {
             low: [a, b, c],
@@ -366,7 +201,7 @@ impl Wide {
     }
 
     /// Whether it has no size on any axis.
-    fn is_point(&self) -> bool {
+    pub(super) fn is_point(&self) -> bool {
         (0..3).all(|axis| self.low[axis] == self.high[axis])
     }
 
@@ -381,7 +216,7 @@ impl Wide {
 impl Entry {
     /// Twice the middle of the box, finite.
     #[inline(always)]
-    fn middle(&self) -> [f32; 4] {
+    pub(super) fn middle(&self) -> [f32; 4] {
         let wide = Wide::of(&self.cell);
         let mut middle = [0.0; 4];
         for (lane, middle) in middle.iter_mut().enumerate() {
@@ -395,7 +230,7 @@ impl Entry {
 }
 
 impl<'e> Part<'e> {
-    fn new(entries: &'e mut [Entry]) -> Self {
+    pub(super) fn new(entries: &'e mut [Entry]) -> Self {
         let around = |entries: &[Entry]| {
             let (mut whole, mut middles) = (Wide::EMPTY, Wide::EMPTY);
             for entry in entries {
@@ -440,14 +275,7 @@ impl<'e> Part<'e> {
     /// The split with the least sum of surface times number; none if all middles are the same.
     fn cheapest<const COUNT: usize>(&self) -> Option<(Bins, Split)> {
         let bins = Bins::new::<COUNT>(&self.middles);
-        let filled = if self.entries.len() > VERY_MANY {
-            let parts = self.entries.par_chunks(VERY_MANY / 2);
-            let parts = parts.map(|entries| Filled::<COUNT>::new(&bins, entries));
-            parts.reduce(Filled::empty, Filled::and)
-        } else {
-            Filled::new(&bins, self.entries)
-        };
-        let Filled { cells, counts } = &filled;
+        let Filled { cells, counts } = &Filled::<COUNT>::new(&bins, self.entries);
         let mut best: Option<Split> = None;
         for axis in (0..3).filter(|&axis| bins.per_length[axis] > 0.0) {
             let least = best.as_ref().map_or(f32::INFINITY, |best| best.cost);
@@ -458,20 +286,22 @@ impl<'e> Part<'e> {
         best.map(|split| (bins, split))
     }
 
-    /// Brings the items below the split to the front.
+    /// Brings the items below the split to the front. On which side an item lies is as good as chance, so that nothing
+    /// here depends on it but numbers.
     fn split_at(self, bins: &Bins, split: &Split) -> [Part<'e>; 2] {
         let entries = self.entries;
-        let (front, (lower, upper)) = if entries.len() > VERY_MANY {
-            let size = VERY_MANY / 2;
-            let parts = entries.par_chunks_mut(size);
-            let sorted: Vec<_> = parts.map(|part| sort(part, bins, split)).collect();
-            let fronts: Vec<usize> = sorted.iter().map(|(front, _)| *front).collect();
-            let nothing = (Wide::EMPTY, Wide::EMPTY);
-            let middles = sorted.into_iter().map(|(_, middles)| middles);
-            (join(entries, size, &fronts), middles.fold(nothing, both))
-        } else {
-            sort(entries, bins, split)
-        };
+        let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
+        let mut front = 0;
+        for at in 0..entries.len() {
+            let entry = entries[at];
+            let is_lower = (bins.of(&entry)[split.axis] as usize) < split.bin;
+            let middle = entry.middle();
+            lower.add_point_if(is_lower, middle);
+            upper.add_point_if(!is_lower, middle);
+            entries[at] = entries[front];
+            entries[front] = entry;
+            front += usize::from(is_lower);
+        }
         let (below, above) = entries.split_at_mut(front);
         [
             Part {
@@ -492,56 +322,6 @@ impl<'e> Part<'e> {
 fn both(mut all: (Wide, Wide), more: (Wide, Wide)) -> (Wide, Wide) {
     all.0.add(&more.0);
     all.1.add(&more.1);
-    all
-}
-
-/// Brings the items below a split to the front; gives their number, and boxes around the middles of both sides. On which
-/// side an item lies is as good as chance, so that nothing here depends on it but numbers.
-fn sort(entries: &mut [Entry], bins: &Bins, split: &Split) -> (usize, (Wide, Wide)) {
-    let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
-    let mut front = 0;
-    for at in 0..entries.len() {
-        let entry = entries[at];
-        let is_lower = (bins.of(&entry)[split.axis] as usize) < split.bin;
-        let middle = entry.middle();
-        lower.add_point_if(is_lower, middle);
-        upper.add_point_if(!is_lower, middle);
-        entries[at] = entries[front];
-        entries[front] = entry;
-        front += usize::from(is_lower);
-    }
-    (front, (lower, upper))
-}
-
-/// Brings to the front of a list what is at the front of each of its pieces, all but the last of this size. Gives the
-/// number of those.
-fn join<T>(list: &mut [T], size: usize, fronts: &[usize]) -> usize {
-    let all: usize = fronts.iter().sum();
-    let pieces = || {
-        fronts
-            .iter()
-            .enumerate()
-            .map(|(i, front)| (i * size, front))
-    };
-    let len = list.len();
-    // On the wrong side of the border: as many before it as behind it.
-    let before = pieces().map(|(start, front)| start + front..all.min(start + size));
-    let behind = pieces().map(|(start, front)| all.max(start)..len.min(start + front));
-    let mut before = before.filter(|run| !run.is_empty());
-    let (lower, upper) = list.split_at_mut(all);
-    let mut wrong = 0..0;
-    for mut run in behind.filter(|run| !run.is_empty()) {
-        while !run.is_empty() {
-            if wrong.is_empty() {
-                wrong = before.next().expect("both sides miss as many");
-            }
-            let count = wrong.len().min(run.len());
-            let those = &mut upper[run.start - all..][..count];
-            lower[wrong.start..][..count].swap_with_slice(those);
-            wrong.start += count;
-            run.start += count;
-        }
-    }
     all
 }
 
@@ -566,16 +346,6 @@ impl<const COUNT: usize> Filled<COUNT> {
             }
         }
         filled
-    }
-
-    fn and(mut self, other: Self) -> Self {
-        for axis in 0..3 {
-            for bin in 0..COUNT {
-                self.cells[axis][bin].add(&other.cells[axis][bin]);
-                self.counts[axis][bin] += other.counts[axis][bin];
-            }
-        }
-        self
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod build;
 mod bundle;
+mod clusters;
 mod lookup;
 mod node;
 mod raster;

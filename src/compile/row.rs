@@ -228,3 +228,45 @@ impl Alike {
         surface.expect("what is alike is of one colour")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::lang::evaluate;
+    use crate::options::{ReadOptions, RenderOptions};
+    use crate::source::Sources;
+    use std::fmt::Write;
+
+    #[test]
+    fn balls_in_rows_keep_their_looks_wherever_the_tree_puts_them() {
+        let mut text = String::from(
+            "#version 3.7; global_settings { assumed_gamma 1 } light_source { 9, 1 } plane { y, -50 pigment { rgb 1 } }\n",
+        );
+        for at in 0..5000 {
+            let (x, z) = (at * 37 % 101, at / 101);
+            let red = f64::from(x) / 128.0;
+            let ball = format!("sphere {{ <{x}, 0, {z}>, 0.25 pigment {{ rgb <{red}, 0, 0>");
+            let more = match at {
+                2000 => "} } box { <-9, -9, -9>, <-8, -8, -8> pigment { rgb 1",
+                _ if at % 3 == 0 => " transmit 0.5",
+                _ => "",
+            };
+            writeln!(text, "{ball}{more} }} }}").unwrap();
+        }
+        let mut sources = Sources::new(Vec::new());
+        let file = sources.add_text("test.pov", &text);
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let world = crate::compile::compile(reading.scene.unwrap(), &RenderOptions::default());
+        let mut balls = 0;
+        for leaf in world.leaves() {
+            let Some((centre, _)) = leaf.ball() else {
+                continue;
+            };
+            balls += 1;
+            let surface = &world.surfaces[leaf.surface as usize];
+            let (color, _) = surface.texture.plain().unwrap();
+            assert_eq!(f64::from(color.rgb.r), centre.x / 128.0);
+            assert_eq!(surface.is_opaque(), !color.is_transparent());
+        }
+        assert_eq!(balls, 5000);
+    }
+}

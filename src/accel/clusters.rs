@@ -1,0 +1,288 @@
+//! Trees of many items: clusters of what lies together, a tree in each, and one over all clusters.
+//!
+//! Items are brought together by halving space, which looks at each once and asks for no bins (Garanzha, Pantaleoni and
+//! McAllister 2011, "Simpler and faster HLBVH with work queues"). Clusters depend on the items alone, so the tree is the
+//! same for any number of threads.
+
+use super::build::{Entry, Part, VERY_MANY, Wide, expected, few, index, subtree};
+use super::node::Node;
+use rayon::prelude::*;
+
+/// So few items are a cluster.
+const CLUSTER: usize = 256;
+
+/// What space has been halved so often is a cluster too, however many items are left.
+const MOST_HALVINGS: u32 = 40;
+
+/// So many clusters are built by one thread. Their nodes take more memory than the allocator puts between small pieces: it
+/// goes back when they are in the list of all.
+const AT_ONCE: usize = 24;
+
+/// How many nodes come into the list of all at a time.
+const TOGETHER: u32 = 65_536;
+
+/// Some nodes on their way into the list of all: they name each other by their places here.
+struct Piece {
+    nodes: Vec<Node>,
+    /// Where the trees in it begin.
+    roots: Vec<u32>,
+}
+
+/// The nodes for a list of many items, the root first.
+pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
+    let all = Part::new(&mut entries);
+    let space = all.middles;
+    let clusters = clusters(all.entries, space, 0);
+    let mut boxes: Vec<Entry> = (0..)
+        .zip(&clusters)
+        .map(|(item, part)| Entry {
+            cell: part.whole.cell(),
+            item,
+        })
+        .collect();
+    let mut top = few(Part::new(&mut boxes));
+    // The clusters in the order of the tree over them.
+    let mut order = vec![0; clusters.len()];
+    let mut next = 0;
+    for node in &mut top {
+        next += node.renumber(next, &mut order[next as usize..]);
+    }
+    let mut clusters: Vec<Option<Part>> = clusters.into_iter().map(Some).collect();
+    let clusters = order.iter().map(|&at| clusters[at as usize].take());
+    let clusters: Vec<Part> = clusters.flatten().collect();
+    let mut lots = Vec::with_capacity(clusters.len().div_ceil(AT_ONCE));
+    let mut clusters = clusters.into_iter();
+    while clusters.len() > 0 {
+        lots.push(clusters.by_ref().take(AT_ONCE).collect::<Vec<Part>>());
+    }
+    let pieces: Vec<Piece> = lots.into_par_iter().map(Piece::of).collect();
+    // In large scenes the room is needed.
+    drop(entries);
+    joined(top, pieces)
+}
+
+/// Brings items that lie near each other together, by halving space: the box from `space.low` to `space.high`, in which
+/// their middles are.
+fn clusters(entries: &mut [Entry], space: Wide, halvings: u32) -> Vec<Part<'_>> {
+    if entries.len() <= CLUSTER || halvings == MOST_HALVINGS {
+        return if entries.is_empty() {
+            Vec::new()
+        } else {
+            vec![Part::new(entries)]
+        };
+    }
+    let size = |axis: usize| space.high[axis] - space.low[axis];
+    let axis = (0..3)
+        .max_by(|&a, &b| size(a).total_cmp(&size(b)))
+        .unwrap_or(0);
+    let middle = 0.5 * space.low[axis] + 0.5 * space.high[axis];
+    let is_below = |entry: &Entry| entry.middle()[axis] < middle;
+    let is_large = entries.len() > VERY_MANY;
+    let front = if is_large {
+        let size = VERY_MANY / 2;
+        let parts = entries.par_chunks_mut(size);
+        let fronts: Vec<usize> = parts.map(|part| bring_forward(part, is_below)).collect();
+        join(entries, size, &fronts)
+    } else {
+        bring_forward(entries, is_below)
+    };
+    if front == 0 || front == entries.len() {
+        // They fill little of it.
+        let part = Part::new(entries);
+        let space = part.middles;
+        return if space.is_point() {
+            vec![part]
+        } else {
+            clusters(part.entries, space, halvings + 1)
+        };
+    }
+    let (below, above) = entries.split_at_mut(front);
+    let (mut lower, mut upper) = (space, space);
+    lower.high[axis] = middle;
+    upper.low[axis] = middle;
+    let next = halvings + 1;
+    let (mut lower, upper) = if is_large {
+        rayon::join(
+            || clusters(below, lower, next),
+            || clusters(above, upper, next),
+        )
+    } else {
+        (clusters(below, lower, next), clusters(above, upper, next))
+    };
+    lower.extend(upper);
+    lower
+}
+
+/// Brings what is so to the front; gives its number. Nothing but numbers depends on what is so, which no
+/// processor could foresee.
+fn bring_forward(entries: &mut [Entry], is_so: impl Fn(&Entry) -> bool) -> usize {
+    let mut front = 0;
+    for at in 0..entries.len() {
+        let entry = entries[at];
+        let goes = is_so(&entry);
+        entries[at] = entries[front];
+        entries[front] = entry;
+        front += usize::from(goes);
+    }
+    front
+}
+
+/// Brings to the front of a list what is at the front of each of its pieces, all but the last of this size. Gives the
+/// number of those.
+fn join<T>(list: &mut [T], size: usize, fronts: &[usize]) -> usize {
+    let all: usize = fronts.iter().sum();
+    let pieces = || {
+        fronts
+            .iter()
+            .enumerate()
+            .map(|(i, front)| (i * size, front))
+    };
+    let len = list.len();
+    // On the wrong side of the border: as many before it as behind it.
+    let before = pieces().map(|(start, front)| start + front..all.min(start + size));
+    let behind = pieces().map(|(start, front)| all.max(start)..len.min(start + front));
+    let mut before = before.filter(|run| !run.is_empty());
+    let (lower, upper) = list.split_at_mut(all);
+    let mut wrong = 0..0;
+    for mut run in behind.filter(|run| !run.is_empty()) {
+        while !run.is_empty() {
+            if wrong.is_empty() {
+                wrong = before.next().expect("both sides miss as many");
+            }
+            let count = wrong.len().min(run.len());
+            let those = &mut upper[run.start - all..][..count];
+            lower[wrong.start..][..count].swap_with_slice(those);
+            wrong.start += count;
+            run.start += count;
+        }
+    }
+    all
+}
+
+impl Piece {
+    /// The trees of these clusters.
+    fn of(clusters: Vec<Part>) -> Self {
+        let items: usize = clusters.iter().map(|part| part.entries.len()).sum();
+        let mut piece = Piece {
+            nodes: Vec::with_capacity(expected(items)),
+            roots: Vec::with_capacity(clusters.len()),
+        };
+        for part in clusters {
+            piece.roots.push(index(piece.nodes.len()));
+            subtree(part, 0, &mut piece.nodes);
+        }
+        piece
+    }
+}
+
+/// All nodes in one list: those over the clusters, whose items are these, and those of the clusters in this order.
+fn joined(top: Vec<Node>, mut pieces: Vec<Piece>) -> Vec<Node> {
+    let mut starts = Vec::with_capacity(pieces.len());
+    let mut roots = Vec::new();
+    let mut len = index(top.len());
+    for piece in &pieces {
+        starts.push(len);
+        roots.extend(piece.roots.iter().map(|root| root + len));
+        len += index(piece.nodes.len());
+    }
+    let mut nodes = Vec::with_capacity(len as usize);
+    nodes.extend(top);
+    for node in &mut nodes {
+        node.hang(&roots);
+    }
+    let mut done = 0;
+    while done < pieces.len() {
+        let first = starts[done];
+        let many = done + starts[done..].partition_point(|&start| start - first < TOGETHER);
+        let end = starts.get(many).copied().unwrap_or(len);
+        let node = |place: u32| {
+            let piece = starts.partition_point(|&start| start <= place) - 1;
+            let start = starts[piece];
+            pieces[piece].nodes[(place - start) as usize].shifted(start)
+        };
+        nodes.par_extend((first..end).into_par_iter().map(node));
+        // Let go of before the next ones come.
+        for piece in &mut pieces[done..many] {
+            piece.nodes = Vec::new();
+        }
+        done = many;
+    }
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::Bvh;
+    use crate::math::random::Random;
+    use crate::math::{Bounds, Ray};
+    use glam::DVec3;
+
+    #[test]
+    fn what_is_at_the_front_of_pieces_comes_to_the_front_of_all() {
+        let mut rng = Random::new(5);
+        for _ in 0..200 {
+            let len = 1 + rng.bits() % 100;
+            let size = usize::try_from(1 + rng.bits() % 20).unwrap();
+            let mut list: Vec<u64> = (0..len).map(|i| 2 * i + rng.bits() % 2).collect();
+            let mut sorted = list.clone();
+            let is_so = |number: &u64| number.is_multiple_of(2);
+            let fronts: Vec<usize> = list
+                .chunks_mut(size)
+                .map(|piece| {
+                    piece.sort_by_key(|number| !is_so(number));
+                    piece.iter().filter(|number| is_so(number)).count()
+                })
+                .collect();
+            let front = join(&mut list, size, &fronts);
+            assert!(list[..front].iter().all(is_so) && !list[front..].iter().any(is_so));
+            list.sort_unstable();
+            sorted.sort_unstable();
+            assert_eq!(list, sorted);
+        }
+    }
+
+    /// Small boxes around these places.
+    fn boxes(places: &[DVec3]) -> Vec<Bounds> {
+        let around = |place: &DVec3| Bounds::new(*place - 1e-3, *place + 1e-3);
+        places.iter().map(around).collect()
+    }
+
+    /// Whether each box is met by a ray that goes through its middle.
+    fn finds_all(boxes: &[Bounds]) -> bool {
+        let tree = Bvh::build(boxes);
+        boxes.iter().enumerate().step_by(97).all(|(item, bounds)| {
+            let middle = 0.5 * bounds.min + 0.5 * bounds.max;
+            let ray = Ray::new(middle - 3.0 * DVec3::X, DVec3::X);
+            tree.any(&ray, 2.0, 4.0, |met| met as usize == item)
+        })
+    }
+
+    #[test]
+    fn many_boxes_are_all_found_wherever_they_lie() {
+        let mut rng = Random::new(8);
+        let even: Vec<DVec3> = (0..40_000).map(|_| rng.vector(1.0)).collect();
+        // Most in a place so small that halving all space would not come to it, one far away.
+        let clumped: Vec<DVec3> = even.iter().map(|place| 1e-2 * *place).collect();
+        let far: Vec<DVec3> = clumped.iter().copied().chain([DVec3::splat(1e6)]).collect();
+        let on_a_line: Vec<DVec3> = even.iter().map(|place| place.x * DVec3::X).collect();
+        let alike: Vec<DVec3> = even.iter().map(|_| DVec3::ONE).collect();
+        for places in [even, far, on_a_line, alike] {
+            assert!(finds_all(&boxes(&places)));
+        }
+    }
+
+    #[test]
+    fn the_tree_of_very_many_boxes_is_the_same_for_any_number_of_threads() {
+        let mut rng = Random::new(8);
+        let places: Vec<DVec3> = (0..70_000).map(|_| rng.vector(1.0)).collect();
+        let boxes = boxes(&places);
+        assert!(boxes.len() > 2 * VERY_MANY);
+        let build = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let pool = pool.build().unwrap();
+            pool.install(|| format!("{:?}", Bvh::build_in_order(boxes.len(), |item| boxes[item])))
+        };
+        assert!(build(1) == build(3));
+    }
+}
