@@ -198,7 +198,8 @@ impl Row {
 
     fn is_of_balls(&self) -> bool {
         let is_ball = |entry: &Entry| entry.ball().is_some();
-        self.pieces.iter().flatten().all(is_ball)
+        let pieces = self.pieces.par_iter();
+        pieces.all(|piece| piece.iter().all(is_ball))
     }
 
     /// Lets go of them.

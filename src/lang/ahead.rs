@@ -45,17 +45,15 @@ pub(super) struct Defaults<'a> {
     pub(super) finish: Arc<Finish>,
 }
 
-/// What all pieces need.
+/// What a piece needs.
 #[derive(Clone, Copy)]
 pub(super) struct Around<'a> {
-    pub(super) file: FileId,
-    pub(super) version: f64,
+    pub(super) of_all: OfAll<'a>,
     pub(super) known: Known<'a>,
-    pub(super) layer: &'a Layer,
-    pub(super) texture: &'a Arc<Texture>,
 }
 
 /// What is the same for all pieces, whoever reads them.
+#[derive(Clone, Copy)]
 pub(super) struct OfAll<'a> {
     pub(super) file: FileId,
     pub(super) version: f64,
@@ -86,9 +84,9 @@ pub(super) fn piece_of_objects<T: Taker>(
 ) -> Piece<T::Kept> {
     let ground = around.ground(memory);
     let defaults = Defaults {
-        layer: around.layer,
-        texture: around.texture,
-        finish: Arc::new((*around.layer.finish).clone()),
+        layer: around.of_all.layer,
+        texture: around.of_all.texture,
+        finish: Arc::new((*around.of_all.layer.finish).clone()),
     };
     let mut piece = Piece {
         read: Vec::new(),
@@ -96,7 +94,7 @@ pub(super) fn piece_of_objects<T: Taker>(
         range: range.start..range.start,
     };
     while piece.range.end < range.end
-        && let Some(object) = literal_object(text, piece.range.end, &ground, around.layer)
+        && let Some(object) = literal_object(text, piece.range.end, &ground, defaults.layer)
     {
         piece.range.end = object.end;
         piece.parts += u64::from(object.parts);
@@ -112,17 +110,12 @@ pub(super) fn objects<T: Taker>(
     text: &str,
     from: usize,
     told: &Told,
-    around: &OfAll<'_>,
+    of_all: OfAll<'_>,
     take: impl FnMut(Piece<T::Kept>) -> bool,
 ) {
     let read = |range: &Range<usize>| {
-        let around = Around {
-            file: around.file,
-            version: around.version,
-            known: Known::Told(told),
-            layer: around.layer,
-            texture: around.texture,
-        };
+        let known = Known::Told(told);
+        let around = Around { of_all, known };
         piece_of_objects::<T>(text, range.clone(), &around, &Memory::default())
     };
     batch_by_batch(text, from, behind_object, read, take);
@@ -190,9 +183,9 @@ fn batch_by_batch<T: Send>(
 impl<'a> Around<'a> {
     pub(super) fn ground(&self, memory: &'a Memory) -> Ground<'a> {
         Ground {
-            file: self.file,
+            file: self.of_all.file,
             known: self.known,
-            version: self.version,
+            version: self.of_all.version,
             memory,
         }
     }
@@ -283,14 +276,14 @@ mod tests {
         let layer = Layer::default();
         let texture = Arc::new(Texture::from(layer.clone()));
         let told = Told::default();
-        let around = OfAll {
+        let of_all = OfAll {
             file: FileId(0),
             version: 3.7,
             layer: &layer,
             texture: &texture,
         };
         let mut pieces = Vec::new();
-        objects::<Nothing>(&text, 0, &told, &around, |piece| {
+        objects::<Nothing>(&text, 0, &told, of_all, |piece| {
             pieces.push(piece);
             true
         });

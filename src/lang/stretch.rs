@@ -104,14 +104,13 @@ impl Reader<'_> {
                 self.default_layer.clone(),
                 Arc::clone(&self.default_texture),
             );
-            let around = OfAll {
-                file: self.here.tokens.file,
-                version: self.version,
+            let of_all = OfAll {
                 layer: &layer,
                 texture: &texture,
+                ..self.of_all()
             };
             let mut result = Ok(());
-            ahead::objects::<T>(text, *at, &told.borrow(), &around, |piece| {
+            ahead::objects::<T>(text, *at, &told.borrow(), of_all, |piece| {
                 let follows = piece.range.start == *at;
                 if follows {
                     result = take(self, piece, at);
@@ -124,9 +123,15 @@ impl Reader<'_> {
 
     fn around<'a>(&'a self, told: &'a RefCell<Told>) -> Around<'a> {
         Around {
+            of_all: self.of_all(),
+            known: Known::Scopes(&self.names, &self.scopes, told),
+        }
+    }
+
+    fn of_all(&self) -> OfAll<'_> {
+        OfAll {
             file: self.here.tokens.file,
             version: self.version,
-            known: Known::Scopes(&self.names, &self.scopes, told),
             layer: &self.default_layer,
             texture: &self.default_texture,
         }
@@ -195,7 +200,7 @@ impl Reader<'_> {
                 continue;
             }
             let mut is_wanted = true;
-            ahead::vectors(text, *at, (len, around.file), |piece| {
+            ahead::vectors(text, *at, (len, around.of_all.file), |piece| {
                 if piece.range.start != *at {
                     return false;
                 }

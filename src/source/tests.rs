@@ -47,6 +47,18 @@ fn a_file_is_read_once() {
 }
 
 #[test]
+fn a_large_file_is_read_whole() {
+    // Several threads read it; the last piece is shorter than the others.
+    let line = |at: usize| format!("{at:>9} sphere\n");
+    let text: String = (0..300_000).map(line).collect();
+    assert!(text.len() > 4 << 20 && !text.len().is_multiple_of(1 << 20));
+    let folder = folder_with(&[("a.pov", &text)]);
+    let mut sources = Sources::new(Vec::new());
+    let file = sources.load_file(folder.path().join("a.pov")).unwrap();
+    assert!(**sources.text(file) == text);
+}
+
+#[test]
 fn what_is_asked_for_is_a_dependency_and_what_the_scene_wrote_is_none() {
     let folder = folder_with(&[("a.pov", "x"), ("data.txt", "1"), ("own.inc", "old")]);
     let path = |name: &str| folder.path().join(name);
