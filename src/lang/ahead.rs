@@ -5,6 +5,7 @@
 
 use super::known::{Known, Told};
 use super::literal::{Ground, Literal, Memory};
+use super::parts::Parts;
 use super::plain::{Read, literal_object};
 use super::reader::Reader;
 use crate::args::Parse;
@@ -88,13 +89,15 @@ pub(super) fn piece_of_objects<T: Taker>(
         texture: around.of_all.texture,
         finish: Arc::new((*around.of_all.layer.finish).clone()),
     };
+    let mut parts = Parts::default();
     let mut piece = Piece {
         read: Vec::new(),
         parts: 0,
         range: range.start..range.start,
     };
     while piece.range.end < range.end
-        && let Some(object) = literal_object(text, piece.range.end, &ground, defaults.layer)
+        && let Some(object) =
+            literal_object(text, piece.range.end, &ground, (defaults.layer, &mut parts))
     {
         piece.range.end = object.end;
         piece.parts += u64::from(object.parts);

@@ -99,6 +99,16 @@ impl<'a> Literal<'a> {
         self.at
     }
 
+    /// The text from there on.
+    pub(super) fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    /// Passes by so many bytes, which are known to be whole.
+    pub(super) fn pass(&mut self, len: usize) {
+        self.at += len;
+    }
+
     /// The next byte that is no blank; 0 at the end.
     #[inline]
     fn byte(&mut self) -> u8 {

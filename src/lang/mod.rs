@@ -35,6 +35,7 @@ mod loops;
 mod macros;
 mod missing;
 mod object;
+mod parts;
 mod plain;
 mod probe;
 mod reader;

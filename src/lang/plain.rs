@@ -5,6 +5,7 @@
 use super::limits;
 use super::literal::{Ground, Literal};
 use super::object::{baked, fold_steps};
+use super::parts::{Part, Parts};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::color::Color;
 use crate::interior::Interior;
@@ -67,25 +68,42 @@ fn colored(color: Color, default: &Layer) -> Layer {
     }
 }
 
-/// The object that begins at a byte, if it is written as plain literals.
-pub(super) fn literal_object(
-    text: &str,
-    at: usize,
-    ground: &Ground<'_>,
-    default: &Layer,
-) -> Option<LiteralObject> {
-    let mut args = Literal::new(text, at, ground);
-    let mut parts = 0;
-    let read = shape_or_combination(&mut args, default, (at, &mut parts), 0).ok()??;
-    let end = args.reached()?;
-    Some(LiteralObject { read, parts, end })
+/// A combination as it is read.
+struct Outermost<'k, 'a> {
+    start: usize,
+    /// How many objects there are in it so far.
+    parts: u32,
+    known: &'k mut Parts<'a>,
 }
 
-/// A shape, a copy or a combination. `start` is where the outermost combination begins, with the number of its parts.
-fn shape_or_combination(
-    args: &mut Literal<'_>,
+/// The object that begins at a byte, if it is written as plain literals; `known` are parts of those before it in the same
+/// text.
+pub(super) fn literal_object<'a>(
+    text: &'a str,
+    at: usize,
+    ground: &Ground<'a>,
+    (default, known): (&Layer, &mut Parts<'a>),
+) -> Option<LiteralObject> {
+    let mut args = Literal::new(text, at, ground);
+    let mut whole = Outermost {
+        start: at,
+        parts: 0,
+        known,
+    };
+    let read = shape_or_combination(&mut args, default, &mut whole, 0).ok()??;
+    let end = args.reached()?;
+    Some(LiteralObject {
+        read,
+        parts: whole.parts,
+        end,
+    })
+}
+
+/// A shape, a copy or a combination.
+fn shape_or_combination<'a>(
+    args: &mut Literal<'a>,
     default: &Layer,
-    (start, parts): (usize, &mut u32),
+    whole: &mut Outermost<'_, 'a>,
     depth: u32,
 ) -> Parse<Option<Read>> {
     let word = args.word()?;
@@ -106,12 +124,12 @@ fn shape_or_combination(
         && let Some(word) = args.word()?
         && (matches!(word.class(), Class::Shape | Class::Csg) || word == Word::Object)
     {
-        let child = shape_or_combination(args, default, (start, parts), depth + 1)?;
-        let Some(child) = child.filter(|_| args.at() < start + LONGEST_COMBINATION) else {
+        let child = part(args, default, whole, depth + 1)?;
+        let Some(child) = child.filter(|_| args.at() < whole.start + LONGEST_COMBINATION) else {
             return Ok(None);
         };
-        children.push(Arc::new(child.into_object(default)));
-        *parts += 1;
+        children.push(child);
+        whole.parts += 1;
     }
     if children.len() < 2 {
         return Ok(None);
@@ -124,6 +142,32 @@ fn shape_or_combination(
         return Ok(None);
     }
     modified(object, args, default)
+}
+
+/// The part of a combination that is at hand.
+fn part<'a>(
+    args: &mut Literal<'a>,
+    default: &Layer,
+    whole: &mut Outermost<'_, 'a>,
+    depth: u32,
+) -> Parse<Option<Arc<Object>>> {
+    let rest = args.rest();
+    if let Some(part) = whole.known.find(rest) {
+        args.pass(part.text.len());
+        whole.parts += part.parts;
+        return Ok(Some(part.object));
+    }
+    let before = whole.parts;
+    let Some(read) = shape_or_combination(args, default, whole, depth)? else {
+        return Ok(None);
+    };
+    let object = Arc::new(read.into_object(default));
+    whole.known.note(Part {
+        text: &rest[..rest.len() - args.rest().len()],
+        object: Arc::clone(&object),
+        parts: whole.parts - before,
+    });
+    Ok(Some(object))
 }
 
 /// An object with its modifiers: a shape, or a copy of an object with a name. `None` if something else stands here.

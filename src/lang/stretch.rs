@@ -230,8 +230,10 @@ mod tests {
     use super::*;
     use crate::lang::evaluate;
     use crate::lang::literal::{Ground, Memory};
+    use crate::lang::parts::Parts;
     use crate::lang::plain::literal_object;
     use crate::options::ReadOptions;
+    use crate::scene::Kind;
     use crate::source::{FileId, Sources};
     use crate::texture::Layer;
 
@@ -243,7 +245,8 @@ mod tests {
             version: 3.7,
             memory: &Memory::default(),
         };
-        literal_object(text, 0, &ground, &Layer::default()).map(|object| object.end)
+        let mut parts = Parts::default();
+        literal_object(text, 0, &ground, (&Layer::default(), &mut parts)).map(|object| object.end)
     }
 
     #[test]
@@ -278,6 +281,36 @@ mod tests {
         ] {
             assert_eq!(reached(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn parts_that_are_written_alike_are_read_once() {
+        let text = "difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 2 } } scale 2 }
+            difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 3 } } sphere { y, 1 } }
+            difference { box { -1, 1 pigment { rgb 1 } } intersection { sphere { 0, 1 } box { 0, 2 } } }";
+        let ground = Ground {
+            file: FileId(0),
+            known: Known::Told(&Told::default()),
+            version: 3.7,
+            memory: &Memory::default(),
+        };
+        let (mut known, mut at) = (Parts::default(), 0);
+        let mut objects = Vec::new();
+        while at < text.len() {
+            let around = (&Layer::default(), &mut known);
+            let object = literal_object(text, at, &ground, around).unwrap();
+            at = object.end;
+            objects.push((object.parts, object.read.into_object(&Layer::default())));
+        }
+        let parts = |number: usize| match &objects[number].1.kind {
+            Kind::Csg { children, .. } => &**children,
+            _ => panic!("a combination"),
+        };
+        let is_shared =
+            |one: usize, other: usize, at: usize| Arc::ptr_eq(&parts(one)[at], &parts(other)[at]);
+        assert!(is_shared(0, 1, 0) && !is_shared(0, 1, 1));
+        assert!(!is_shared(0, 2, 0) && is_shared(0, 2, 1));
+        assert_eq!([0, 1, 2].map(|number| objects[number].0), [4, 5, 4]);
     }
 
     /// What a text says, told whole.
