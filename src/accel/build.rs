@@ -10,8 +10,9 @@
 //!
 //! Many items are first brought together in [`clusters`].
 
-use super::clusters;
+use super::block::Block;
 use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
+use super::{Held, clusters};
 use rayon::prelude::*;
 
 /// How many places for a split are weighed on each axis.
@@ -42,7 +43,18 @@ const WHOLE: f32 = 8_388_608.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
     pub(super) cell: Cell,
-    pub(super) item: u32,
+    /// Its number, and a bit more if it is a ball.
+    named: u32,
+}
+
+/// A tree as it grows.
+#[derive(Debug, Default)]
+pub(super) struct Grown {
+    pub(super) root: Option<Child>,
+    pub(super) nodes: Vec<Node>,
+    pub(super) blocks: Vec<Block>,
+    /// The items of the blocks.
+    pub(super) held: Vec<Held>,
 }
 
 /// A box in four lanes, which one instruction works on; the last of them means nothing.
@@ -82,51 +94,81 @@ struct Split {
     upper: Wide,
 }
 
-/// The nodes for a list of items, the root first.
-pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
+/// The tree of a list of items.
+pub(super) fn build(mut entries: Vec<Entry>) -> Grown {
     if entries.is_empty() {
-        return Vec::new();
+        return Grown::default();
     }
     if entries.len() > MANY {
         return clusters::build(entries);
     }
-    let mut nodes = few(Part::new(&mut entries));
-    nodes.shrink_to_fit();
-    nodes
+    let mut tree = few(Part::new(&mut entries));
+    tree.nodes.shrink_to_fit();
+    tree.blocks.shrink_to_fit();
+    tree
 }
 
-/// How many nodes so many items mostly have; hardly ever more.
-pub(super) fn expected(items: usize) -> usize {
-    items / 4 + 1
+/// The tree of few items.
+pub(super) fn few(part: Part) -> Grown {
+    let mut tree = Grown::with_room(part.entries.len(), part.entries.iter().all(Entry::is_ball));
+    tree.root = Some(tree.add(part, 0));
+    tree
 }
 
-/// The nodes of few items.
-pub(super) fn few(part: Part) -> Vec<Node> {
-    let mut nodes = Vec::with_capacity(expected(part.entries.len()));
-    subtree(part, 0, &mut nodes);
-    nodes
-}
-
-/// Appends the node of a range and all below it.
-pub(super) fn subtree(part: Part, depth: u32, nodes: &mut Vec<Node>) {
-    let root = nodes.len();
-    nodes.push(Node::empty());
-    if part.entries.len() <= WIDTH {
-        for (place, entry) in part.entries.iter().enumerate() {
-            nodes[root].set(place, &entry.cell, Child::of_item(entry.item));
+impl Grown {
+    /// With room for as many nodes and blocks as so many items mostly have; they hardly ever have more.
+    pub(super) fn with_room(items: usize, are_balls: bool) -> Self {
+        let leaves = items / 4 + 1;
+        let (nodes, blocks) = if are_balls {
+            (leaves / 5 + 1, leaves)
+        } else {
+            (leaves, 0)
+        };
+        Grown {
+            nodes: Vec::with_capacity(nodes),
+            blocks: Vec::with_capacity(blocks),
+            held: Vec::with_capacity(blocks),
+            ..Grown::default()
         }
-        return;
     }
-    for (place, part) in split_to_width(part, depth).into_iter().enumerate() {
-        let first = index(nodes.len());
-        let whole = part.whole.cell();
-        subtree(part, depth + 1, nodes);
-        nodes[root].set(place, &whole, Child::of_node(first));
+
+    /// Appends a range and all below it; gives what it is.
+    pub(super) fn add(&mut self, part: Part, depth: u32) -> Child {
+        let entries = &part.entries;
+        let is_leaf = entries.len() <= WIDTH;
+        if is_leaf && entries.iter().all(Entry::is_ball) {
+            return self.add_block(entries);
+        }
+        let number = self.nodes.len();
+        self.nodes.push(Node::empty());
+        if is_leaf {
+            for (place, entry) in entries.iter().enumerate() {
+                self.nodes[number].set(place, &entry.cell, Child::of_item(entry.item()));
+            }
+        } else {
+            for (place, part) in split_to_width(part, depth).into_iter().enumerate() {
+                let whole = part.whole.cell();
+                let child = self.add(part, depth + 1);
+                self.nodes[number].set(place, &whole, child);
+            }
+        }
+        Child::of_node(index(number))
+    }
+
+    fn add_block(&mut self, entries: &[Entry]) -> Child {
+        let (mut block, mut held) = (Block::EMPTY, [0; WIDTH]);
+        for (place, entry) in entries.iter().enumerate() {
+            block.set(place, &entry.cell);
+            held[place] = entry.item();
+        }
+        self.blocks.push(block);
+        self.held.push(held);
+        Child::of_block(index(self.blocks.len() - 1))
     }
 }
 
 pub(super) fn index(i: usize) -> u32 {
-    u32::try_from(i).expect("a tree has fewer nodes than items, and these are counted in 31 bits")
+    u32::try_from(i).expect("a tree has fewer nodes than items, and these are counted in 30 bits")
 }
 
 /// Splits a range of more items than a node has places into at most eight, none of them empty.
@@ -214,6 +256,36 @@ impl Wide {
 }
 
 impl Entry {
+    /// Set where the item is a ball.
+    const BALL: u32 = 1 << 31;
+
+    pub(super) fn new(cell: Cell, item: u32, is_ball: bool) -> Self {
+        // Of a ball without end nothing is known.
+        let is_known = || {
+            cell.low
+                .iter()
+                .chain(&cell.high)
+                .all(|end| end.abs() < INFINITE)
+        };
+        let ball = if is_ball && is_known() {
+            Entry::BALL
+        } else {
+            0
+        };
+        Entry {
+            cell,
+            named: item | ball,
+        }
+    }
+
+    pub(super) fn item(&self) -> u32 {
+        self.named & !Entry::BALL
+    }
+
+    pub(super) fn is_ball(&self) -> bool {
+        self.named & Entry::BALL != 0
+    }
+
     /// Twice the middle of the box, finite.
     #[inline(always)]
     pub(super) fn middle(&self) -> [f32; 4] {

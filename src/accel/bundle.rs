@@ -6,7 +6,8 @@
 //! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
 //! are those of one ray at a time, to the bit.
 
-use super::node::{Cell, Child, Frame, Node, WIDTH, larger, smaller};
+use super::block::Block;
+use super::node::{Cell, Child, Frame, Kind, Node, WIDTH, larger, smaller};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
 use crate::math::lanes::{Eight, Kernel, Lanes, eight};
@@ -63,6 +64,10 @@ struct Cones {
 struct Pyramid {
     normals: [[f32; 3]; 4],
     offsets: [f32; 4],
+    /// The lengths of the normals, and somewhat more.
+    sizes: [f32; 4],
+    /// No less than what rounding moves the origin by.
+    slack: f32,
     /// The origin rounded down and up.
     low: [f32; 3],
     high: [f32; 3],
@@ -93,6 +98,29 @@ impl Ball {
 }
 
 impl Ball {
+    /// One that its item fills.
+    #[inline(always)]
+    pub(super) fn filled(centre: [f32; 3], radius: f32) -> Self {
+        Ball {
+            centre,
+            radius,
+            is_filled: true,
+        }
+    }
+
+    /// The box around it.
+    pub(super) fn cell(&self) -> Cell {
+        let radius = f64::from(self.radius);
+        Cell {
+            low: self
+                .centre
+                .map(|centre| loose_below(f64::from(centre) - radius)),
+            high: self
+                .centre
+                .map(|centre| loose_above(f64::from(centre) + radius)),
+        }
+    }
+
     /// Around a box.
     #[inline(always)]
     pub(super) fn around(cell: &Cell) -> Self {
@@ -214,10 +242,13 @@ impl Bundle {
             let slack = f64::from(8.0 * DOUBT) * (4.0 + offset.abs()) * (1.0 + normal.length());
             self.pyramid.normals[place] = [normal.x, normal.y, normal.z].map(nearest);
             self.pyramid.offsets[place] = nearest(offset + slack);
+            self.pyramid.sizes[place] = nearest(normal.length()) * (1.0 + 4.0 * DOUBT);
         }
         let origin = [self.origin.x, self.origin.y, self.origin.z];
         self.pyramid.low = origin.map(f32_below);
         self.pyramid.high = origin.map(f32_above);
+        let (low, high) = (self.pyramid.low, self.pyramid.high);
+        self.pyramid.slack = (0..3).map(|axis| 2.0 * (high[axis] - low[axis])).sum();
         is_narrow
     }
 
@@ -580,6 +611,39 @@ impl Kernel for PyramidAndNode<'_> {
     }
 }
 
+/// Which balls of a block a ray that ends at `end` may meet, one bit each.
+struct PyramidAndBlock<'a> {
+    pyramid: &'a Pyramid,
+    block: &'a Block,
+    end: f32,
+}
+
+impl Kernel for PyramidAndBlock<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let pyramid = self.pyramid;
+        let centre: [E; 3] = load(&self.block.centre);
+        let radius = E::load(&self.block.radius);
+        let mut met = E::all(0.0).not_above(radius);
+        for side in 0..4 {
+            let reach =
+                E::all(pyramid.offsets[side]).plus(radius.times(E::all(pyramid.sizes[side])));
+            met &= dot(all(pyramid.normals[side]), centre).not_above(reach);
+        }
+        let way = [
+            centre[0].minus(E::all(pyramid.low[0])),
+            centre[1].minus(E::all(pyramid.low[1])),
+            centre[2].minus(E::all(pyramid.low[2])),
+        ];
+        let distance = length_sq(way).root().times(E::all(1.0 - 4.0 * DOUBT));
+        met & distance
+            .minus(radius)
+            .not_above(E::all(self.end + pyramid.slack))
+    }
+}
+
 impl Bvh {
     /// Visits, roughly front to back, items with the rays of the bundle that may meet them before the ends of the rays.
     /// `visit` gets the item, the number of the first of eight rays, and which of them are asked, one bit each; it notes
@@ -597,36 +661,50 @@ impl Bvh {
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
         // A child with the place of its box in the list of all nodes' boxes.
-        let mut next = self.root().map(|root| (root, 0));
+        let mut next = self.root.map(|root| (root, 0));
         while let Some((child, at)) = next {
             next = None;
-            patience -= 1;
             if patience == 0 {
                 return false;
             }
-            if let Some(number) = child.node() {
-                let node = &self.nodes[number as usize];
-                let asked = PyramidAndNode {
-                    pyramid: &bundle.pyramid,
-                    node,
-                    end,
-                };
-                let (near_sq, met) = eight(lanes, &asked);
-                #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
-                let name = |place: usize, child| (child, number * WIDTH as u32 + place as u32);
-                let bottom = pending.make_room();
-                next = nearest_child(node, (&near_sq, met), (&mut pending, bottom), name);
-            } else {
-                let item = child.item();
-                let known = self.balls.get(item as usize).copied().flatten();
-                let cell = || self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
-                let (ball, cell) = match known {
-                    Some(ball) if ball.is_filled => (ball, None),
-                    Some(ball) => (ball, Some(cell())),
-                    None => {
-                        let cell = cell();
-                        (Ball::around(&cell), Some(cell))
-                    }
+            patience -= usize::from(child.item().is_none());
+            // Items to be tried: those from the first on that are marked, one bit each.
+            let (first, mut met, block) = match child.kind() {
+                Kind::Node(number) => {
+                    let node = &self.nodes[number as usize];
+                    let asked = PyramidAndNode {
+                        pyramid: &bundle.pyramid,
+                        node,
+                        end,
+                    };
+                    let (near_sq, met) = eight(lanes, &asked);
+                    #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
+                    let at = |place: usize| number * WIDTH as u32 + place as u32;
+                    let name = |place: usize| node.child(place).map(|child| (child, at(place)));
+                    let bottom = pending.make_room();
+                    next = nearest_child((&near_sq, met), (&mut pending, bottom), name);
+                    (0, 0, None)
+                }
+                Kind::Block(number) => {
+                    let block = &self.blocks[number as usize];
+                    let asked = PyramidAndBlock {
+                        pyramid: &bundle.pyramid,
+                        block,
+                        end,
+                    };
+                    let met = eight(lanes, &asked);
+                    (self.firsts[number as usize], met, Some(block))
+                }
+                Kind::Item(item) => (item, 1, None),
+            };
+            while met != 0 {
+                let place = met.trailing_zeros();
+                met &= met - 1;
+                patience = patience.saturating_sub(1);
+                let item = first + place;
+                let (ball, cell) = match block {
+                    Some(block) => (block.ball(place as usize % WIDTH), None),
+                    None => self.ball_or_box(item, at),
                 };
                 let is_shortened = bundle.try_item(
                     lanes,
@@ -647,6 +725,20 @@ impl Bvh {
             }
         }
         true
+    }
+
+    /// A ball that holds an item, whose box is at this place of all nodes, and that box if it tells more.
+    #[inline(always)]
+    fn ball_or_box(&self, item: u32, at: u32) -> (Ball, Option<Cell>) {
+        let cell = || self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
+        match self.balls.get(item as usize).copied().flatten() {
+            Some(ball) if ball.is_filled => (ball, None),
+            Some(ball) => (ball, Some(cell())),
+            None => {
+                let cell = cell();
+                (Ball::around(&cell), Some(cell))
+            }
+        }
     }
 }
 

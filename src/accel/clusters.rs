@@ -4,8 +4,8 @@
 //! McAllister 2011, "Simpler and faster HLBVH with work queues"). Clusters depend on the items alone, so the tree is the
 //! same for any number of threads.
 
-use super::build::{Entry, Part, VERY_MANY, Wide, expected, few, index, subtree};
-use super::node::Node;
+use super::build::{Entry, Grown, Part, VERY_MANY, Wide, few, index};
+use super::node::Child;
 use rayon::prelude::*;
 
 /// So few items are a cluster.
@@ -18,33 +18,29 @@ const MOST_HALVINGS: u32 = 40;
 /// goes back when they are in the list of all.
 const AT_ONCE: usize = 24;
 
-/// How many nodes come into the list of all at a time.
+/// How many nodes or blocks come into the list of all at a time.
 const TOGETHER: u32 = 65_536;
 
-/// Some nodes on their way into the list of all: they name each other by their places here.
+/// Some trees on their way into the lists of all: they name each other by their places here.
 struct Piece {
-    nodes: Vec<Node>,
-    /// Where the trees in it begin.
-    roots: Vec<u32>,
+    trees: Grown,
+    roots: Vec<Child>,
 }
 
-/// The nodes for a list of many items, the root first.
-pub(super) fn build(mut entries: Vec<Entry>) -> Vec<Node> {
+/// The tree of a list of many items.
+pub(super) fn build(mut entries: Vec<Entry>) -> Grown {
     let all = Part::new(&mut entries);
     let space = all.middles;
     let clusters = clusters(all.entries, space, 0);
     let mut boxes: Vec<Entry> = (0..)
         .zip(&clusters)
-        .map(|(item, part)| Entry {
-            cell: part.whole.cell(),
-            item,
-        })
+        .map(|(item, part)| Entry::new(part.whole.cell(), item, false))
         .collect();
     let mut top = few(Part::new(&mut boxes));
     // The clusters in the order of the tree over them.
     let mut order = vec![0; clusters.len()];
     let mut next = 0;
-    for node in &mut top {
+    for node in &mut top.nodes {
         next += node.renumber(next, &mut order[next as usize..]);
     }
     let mut clusters: Vec<Option<Part>> = clusters.into_iter().map(Some).collect();
@@ -162,52 +158,88 @@ fn join<T>(list: &mut [T], size: usize, fronts: &[usize]) -> usize {
 impl Piece {
     /// The trees of these clusters.
     fn of(clusters: Vec<Part>) -> Self {
-        let items: usize = clusters.iter().map(|part| part.entries.len()).sum();
-        let mut piece = Piece {
-            nodes: Vec::with_capacity(expected(items)),
-            roots: Vec::with_capacity(clusters.len()),
-        };
-        for part in clusters {
-            piece.roots.push(index(piece.nodes.len()));
-            subtree(part, 0, &mut piece.nodes);
-        }
-        piece
+        let items = clusters.iter().map(|part| part.entries.len()).sum();
+        let are_balls = clusters
+            .iter()
+            .all(|part| part.entries.iter().all(Entry::is_ball));
+        let mut trees = Grown::with_room(items, are_balls);
+        let roots = clusters.into_iter().map(|part| trees.add(part, 0));
+        let roots = roots.collect();
+        Piece { trees, roots }
     }
 }
 
-/// All nodes in one list: those over the clusters, whose items are these, and those of the clusters in this order.
-fn joined(top: Vec<Node>, mut pieces: Vec<Piece>) -> Vec<Node> {
-    let mut starts = Vec::with_capacity(pieces.len());
+/// The tree over clusters, which are its items, with those of the clusters, in this order.
+fn joined(top: Grown, mut pieces: Vec<Piece>) -> Grown {
+    let starts = |mut next: usize, len: fn(&Grown) -> usize| {
+        let mut starts = Vec::with_capacity(pieces.len());
+        for piece in &pieces {
+            starts.push(index(next));
+            next += len(&piece.trees);
+        }
+        starts
+    };
+    let nodes = starts(top.nodes.len(), |trees| trees.nodes.len());
+    let blocks = starts(0, |trees| trees.blocks.len());
     let mut roots = Vec::new();
-    let mut len = index(top.len());
-    for piece in &pieces {
-        starts.push(len);
-        roots.extend(piece.roots.iter().map(|root| root + len));
-        len += index(piece.nodes.len());
+    for (piece, (&nodes, &blocks)) in pieces.iter().zip(nodes.iter().zip(&blocks)) {
+        roots.extend(piece.roots.iter().map(|root| root.shifted(nodes, blocks)));
     }
-    let mut nodes = Vec::with_capacity(len as usize);
-    nodes.extend(top);
-    for node in &mut nodes {
+    let mut all = top;
+    for node in &mut all.nodes {
         node.hang(&roots);
     }
+    append(
+        &mut all.nodes,
+        (&mut pieces, &nodes),
+        |trees| &mut trees.nodes,
+        |node, piece| node.shifted(nodes[piece], blocks[piece]),
+    );
+    append(
+        &mut all.blocks,
+        (&mut pieces, &blocks),
+        |trees| &mut trees.blocks,
+        |block, _| block.clone(),
+    );
+    append(
+        &mut all.held,
+        (&mut pieces, &blocks),
+        |trees| &mut trees.held,
+        |held, _| *held,
+    );
+    all
+}
+
+/// Appends one of the lists of each piece, which go to these places, as `moved` makes of what is in it and the number of
+/// the piece.
+fn append<T: Send + Sync>(
+    to: &mut Vec<T>,
+    (pieces, starts): (&mut [Piece], &[u32]),
+    list: fn(&mut Grown) -> &mut Vec<T>,
+    moved: impl Fn(&T, usize) -> T + Sync,
+) {
+    let mut lists: Vec<Vec<T>> = pieces
+        .iter_mut()
+        .map(|piece| std::mem::take(list(&mut piece.trees)))
+        .collect();
+    let len = index(to.len() + lists.iter().map(Vec::len).sum::<usize>());
+    to.reserve_exact(len as usize - to.len());
     let mut done = 0;
-    while done < pieces.len() {
+    while done < lists.len() {
         let first = starts[done];
         let many = done + starts[done..].partition_point(|&start| start - first < TOGETHER);
         let end = starts.get(many).copied().unwrap_or(len);
-        let node = |place: u32| {
+        let one = |place: u32| {
             let piece = starts.partition_point(|&start| start <= place) - 1;
-            let start = starts[piece];
-            pieces[piece].nodes[(place - start) as usize].shifted(start)
+            moved(&lists[piece][(place - starts[piece]) as usize], piece)
         };
-        nodes.par_extend((first..end).into_par_iter().map(node));
+        to.par_extend((first..end).into_par_iter().map(one));
         // Let go of before the next ones come.
-        for piece in &mut pieces[done..many] {
-            piece.nodes = Vec::new();
+        for list in &mut lists[done..many] {
+            *list = Vec::new();
         }
         done = many;
     }
-    nodes
 }
 
 #[cfg(test)]
@@ -281,7 +313,12 @@ mod tests {
         let build = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             let pool = pool.build().unwrap();
-            pool.install(|| format!("{:?}", Bvh::build_in_order(boxes.len(), |item| boxes[item])))
+            pool.install(|| {
+                format!(
+                    "{:?}",
+                    Bvh::build_in_order(boxes.len(), |item| (boxes[item], false))
+                )
+            })
         };
         assert!(build(1) == build(3));
     }

@@ -6,6 +6,7 @@
 //! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
 
+mod block;
 mod build;
 mod bundle;
 mod clusters;
@@ -23,18 +24,24 @@ pub use vista::Vista;
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
-use build::Entry;
+use block::Block;
+use build::{Entry, Grown};
 use bundle::Ball;
 use glam::DVec3;
-use node::{Cell, Child, Frame, Node, WIDTH};
+use node::{Cell, Child, Frame, Kind, Node, WIDTH};
 use rayon::prelude::*;
 
 /// A tree over items, which it knows by their position in the list it was built from.
 #[derive(Clone, Debug)]
 pub struct Bvh {
+    root: Option<Child>,
     nodes: Vec<Node>,
+    /// Leaves of balls, in place of nodes that hold nothing else.
+    blocks: Vec<Block>,
+    /// The first item of each block; the others follow.
+    firsts: Vec<u32>,
     frame: Frame,
-    /// For bundles, the balls of items that are or nearly fill one; empty if no item does.
+    /// For bundles, the balls of items that are or nearly fill one; empty if no item does, and where blocks hold all.
     balls: Vec<Option<Ball>>,
 }
 
@@ -52,6 +59,9 @@ struct Stack<T> {
     /// What lies below them.
     deeper: Vec<T>,
 }
+
+/// The items of a block, as they were called before the order of the tree was known.
+type Held = [u32; WIDTH];
 
 /// So many nodes have their items counted at a time.
 const PIECE: usize = 1 << 12;
@@ -118,7 +128,7 @@ impl Bvh {
     /// them, but a caller does better to keep such items elsewhere.
     ///
     /// # Panics
-    /// For 2³¹ − 1 boxes or more.
+    /// For 2³⁰ boxes or more.
     #[must_use]
     pub fn build(bounds: &[Bounds]) -> Self {
         Bvh::build_of(bounds.len(), |item| bounds[item])
@@ -127,12 +137,18 @@ impl Bvh {
     /// The same over so many items, of which `bounds` gives the boxes, each more than once: nobody need keep them.
     ///
     /// # Panics
-    /// For 2³¹ − 1 boxes or more.
+    /// For 2³⁰ boxes or more.
     #[must_use]
     pub fn build_of(count: usize, bounds: impl Fn(usize) -> Bounds + Sync) -> Self {
-        assert!(count < (1 << 31) - 1, "items are counted in 31 bits");
+        Bvh::grow(count, |item| (bounds(item), false)).0
+    }
+
+    /// The tree, and the items of its blocks. `bounds` also says whether an item is the ball that touches all sides of its
+    /// box.
+    fn grow(count: usize, bounds: impl Fn(usize) -> (Bounds, bool) + Sync) -> (Self, Vec<Held>) {
+        assert!(count <= Child::MOST, "items are counted in 30 bits");
         let around = (0..count).into_par_iter().map(|item| {
-            let bounds = bounds(item);
+            let (bounds, _) = bounds(item);
             let counts = bounds.is_finite() && !bounds.is_empty();
             let around = if counts { bounds } else { Bounds::EMPTY };
             (around, bounds.is_empty())
@@ -142,33 +158,43 @@ impl Bvh {
             |all, one| (all.0.union(&one.0), all.1 || one.1),
         );
         let frame = Frame::new(&whole);
-        let entry = |item| Entry {
-            cell: frame.cell(&bounds(item as usize)),
-            item,
+        let entry = |item| {
+            let (bounds, is_ball) = bounds(item as usize);
+            Entry::new(frame.cell(&bounds), item, is_ball)
         };
         let items = 0..u32::try_from(count).expect("no more than that");
         let mut entries: Vec<Entry> = items.into_par_iter().map(entry).collect();
         if has_empty {
-            entries.retain(|entry| !bounds(entry.item as usize).is_empty());
+            entries.retain(|entry| !bounds(entry.item() as usize).0.is_empty());
         }
-        Bvh {
-            nodes: build::build(entries),
+        let Grown {
+            root,
+            nodes,
+            blocks,
+            held,
+        } = build::build(entries);
+        let tree = Bvh {
+            root,
+            nodes,
+            blocks,
+            firsts: Vec::new(),
             frame,
             balls: Vec::new(),
-        }
+        };
+        (tree, held)
     }
 
     /// The tree over so many boxes, and the items in the order of the tree. That order is what it then knows them by, so that
-    /// neighbours can be kept together.
+    /// neighbours can be kept together. `bounds` also says whether an item is the ball that touches all sides of its box.
     ///
     /// # Panics
-    /// For 2³¹ − 1 boxes or more.
+    /// For 2³⁰ boxes or more.
     #[must_use]
     pub fn build_in_order(
         count: usize,
-        bounds: impl Fn(usize) -> Bounds + Sync,
+        bounds: impl Fn(usize) -> (Bounds, bool) + Sync,
     ) -> (Self, Vec<u32>) {
-        let mut tree = Bvh::build_of(count, &bounds);
+        let (mut tree, held) = Bvh::grow(count, &bounds);
         let mut order = vec![0; count];
         let pieces = tree.nodes.par_chunks(PIECE);
         let counts: Vec<usize> = pieces
@@ -179,7 +205,7 @@ impl Bvh {
         for &count in &counts {
             let (list, others) = rest.split_at_mut(count);
             lists.push((first, list));
-            first += u32::try_from(count).expect("items are counted in 31 bits");
+            first += u32::try_from(count).expect("items are counted in 30 bits");
             rest = others;
         }
         let pieces = tree.nodes.par_chunks_mut(PIECE).zip(lists);
@@ -190,6 +216,13 @@ impl Bvh {
                 list = &mut list[count as usize..];
             }
         });
+        tree.firsts.reserve_exact(held.len());
+        for (block, held) in tree.blocks.iter().zip(&held) {
+            tree.firsts.push(first);
+            let count = block.count();
+            order[first as usize..][..count].copy_from_slice(&held[..count]);
+            first += build::index(count);
+        }
         order.truncate(first as usize);
         (tree, order)
     }
@@ -201,7 +234,8 @@ impl Bvh {
         count: usize,
         ball: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
     ) {
-        if (0..count).any(|item| ball(item).is_some()) {
+        let in_blocks: usize = self.blocks.iter().map(Block::count).sum();
+        if in_blocks < count && (0..count).any(|item| ball(item).is_some()) {
             let frame = &self.frame;
             let known = |item| ball(item).map(|ball| Ball::new(frame, ball));
             self.balls = (0..count).into_par_iter().map(known).collect();
@@ -233,21 +267,32 @@ impl Bvh {
         let from = ray.from(from);
         let (mut end, mut frame_end) = (to, ray.to(to));
         let mut pending = Stack::new();
-        let mut next = self.root();
+        let mut next = self.root;
         while let Some(child) = next {
-            next = if let Some(node) = child.node() {
-                let node = &self.nodes[node as usize];
-                let bottom = pending.make_room();
-                let (enter, met) = node.meet(lanes, &ray, (from, frame_end));
-                nearest_child(node, (&enter, met), (&mut pending, bottom), |_, child| {
-                    child
-                })
-            } else {
-                let hit = visit(child.item(), end);
-                if hit < end {
-                    (end, frame_end) = (hit, ray.to(hit));
+            next = match child.kind() {
+                Kind::Node(node) => {
+                    let node = &self.nodes[node as usize];
+                    let bottom = pending.make_room();
+                    let (enter, met) = node.meet(lanes, &ray, (from, frame_end));
+                    let name = |place: usize| node.child(place);
+                    nearest_child((&enter, met), (&mut pending, bottom), name)
                 }
-                None
+                Kind::Block(number) => {
+                    let block = &self.blocks[number as usize];
+                    let bottom = pending.make_room();
+                    let (enter, met) = block.meet(lanes, &ray, (from, frame_end));
+                    let first = self.firsts[number as usize];
+                    #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
+                    let name = |place: usize| Some(Child::of_item(first + place as u32));
+                    nearest_child((&enter, met), (&mut pending, bottom), name)
+                }
+                Kind::Item(item) => {
+                    let hit = visit(item, end);
+                    if hit < end {
+                        (end, frame_end) = (hit, ray.to(hit));
+                    }
+                    None
+                }
             };
             while next.is_none()
                 && let Some(place) = pending.pop()
@@ -281,6 +326,8 @@ impl Bvh {
         self.search(
             #[inline(always)]
             |node| node.meet(lanes, &ray, span).1,
+            #[inline(always)]
+            |block| block.meet(lanes, &ray, span).1,
             visit,
         )
     }
@@ -289,7 +336,11 @@ impl Bvh {
     /// Boxes are compared in single precision: some that only nearly hold the point are visited as well.
     pub fn around(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {
         let cell: Cell = self.frame.point(point);
-        self.search(|node| node.overlap(&cell), visit)
+        self.search(
+            |node| node.overlap(&cell),
+            |block| block.overlap(&cell),
+            visit,
+        )
     }
 
     /// The memory the tree takes.
@@ -297,6 +348,8 @@ impl Bvh {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.nodes.capacity() * size_of::<Node>()
+            + self.blocks.capacity() * size_of::<Block>()
+            + self.firsts.capacity() * size_of::<u32>()
             + self.balls.capacity() * size_of::<Option<Ball>>()
     }
 
@@ -305,39 +358,68 @@ impl Bvh {
         self.some_items(1, visit);
     }
 
-    /// The same with the items of one in so many nodes.
+    /// The same with the items of one in so many nodes and blocks.
     fn some_items(&self, step: usize, mut visit: impl FnMut(u32, Cell)) {
         for node in self.nodes.iter().step_by(step) {
             for place in 0..WIDTH {
-                let child = node.child(place);
-                if child != Child::NOTHING && child.node().is_none() {
-                    visit(child.item(), node.cell(place));
+                if let Some(item) = node.child(place).and_then(Child::item) {
+                    visit(item, node.cell(place));
                 }
+            }
+        }
+        self.some_balls(step, |item, ball| visit(item, ball.cell()));
+    }
+
+    /// Calls `visit` with the items of one in so many blocks, and their balls.
+    fn some_balls(&self, step: usize, mut visit: impl FnMut(u32, Ball)) {
+        let blocks = self.blocks.iter().zip(&self.firsts);
+        for (block, &first) in blocks.step_by(step) {
+            for (item, place) in (first..).zip(0..block.count()) {
+                visit(item, block.ball(place));
             }
         }
     }
 
-    fn root(&self) -> Option<Child> {
-        (!self.nodes.is_empty()).then_some(Child::of_node(0))
-    }
-
-    /// Visits the items in the places that `choose` marks, one bit each.
+    /// Visits the items in the places that `choose` and `choose_balls` mark, one bit each.
     #[inline(always)]
-    fn search(&self, choose: impl Fn(&Node) -> u32, mut visit: impl FnMut(u32) -> bool) -> bool {
+    fn search(
+        &self,
+        choose: impl Fn(&Node) -> u32,
+        choose_balls: impl Fn(&Block) -> u32,
+        mut visit: impl FnMut(u32) -> bool,
+    ) -> bool {
         let mut pending = Stack::new();
-        let mut next = self.root();
-        while let Some(node) = next.and_then(Child::node) {
-            let node = &self.nodes[node as usize];
-            pending.make_room();
-            let mut chosen = choose(node);
-            while chosen != 0 {
-                let child = node.child(chosen.trailing_zeros() as usize % WIDTH);
-                if child.node().is_some() {
-                    pending.put(child);
-                } else if child != Child::NOTHING && visit(child.item()) {
-                    return true;
+        let mut next = self.root;
+        while let Some(child) = next {
+            match child.kind() {
+                Kind::Node(number) => {
+                    let node = &self.nodes[number as usize];
+                    pending.make_room();
+                    let mut chosen = choose(node);
+                    while chosen != 0 {
+                        if let Some(child) = node.child(chosen.trailing_zeros() as usize % WIDTH) {
+                            if let Some(item) = child.item() {
+                                if visit(item) {
+                                    return true;
+                                }
+                            } else {
+                                pending.put(child);
+                            }
+                        }
+                        chosen &= chosen - 1;
+                    }
                 }
-                chosen &= chosen - 1;
+                Kind::Block(number) => {
+                    let mut chosen = choose_balls(&self.blocks[number as usize]);
+                    let first = self.firsts[number as usize];
+                    while chosen != 0 {
+                        if visit(first + chosen.trailing_zeros()) {
+                            return true;
+                        }
+                        chosen &= chosen - 1;
+                    }
+                }
+                Kind::Item(_) => unreachable!("only nodes and blocks are pending"),
             }
             next = pending.pop();
         }
@@ -346,25 +428,24 @@ impl Bvh {
 }
 
 /// The nearest of the marked children, one bit each. The others go on the stack, down to the place `bottom` of it, the
-/// next nearest on top; there must be room. `name` gives what they are kept as, from the place in the node and the child.
+/// next nearest on top; there must be room. `name` gives what they are kept as, from the place of the child; nothing if
+/// that is not used.
 #[inline(always)]
 fn nearest_child<C: Copy + Default>(
-    node: &Node,
     (enter, mut met): (&[f32; WIDTH], u32),
     (pending, bottom): (&mut Stack<Pending<C>>, usize),
-    name: impl Fn(usize, Child) -> C,
+    name: impl Fn(usize) -> Option<C>,
 ) -> Option<C> {
     let mut nearest: Option<Pending<C>> = None;
     while met != 0 {
         let place = met.trailing_zeros() as usize % WIDTH;
         met &= met - 1;
-        let child = node.child(place);
-        if child == Child::NOTHING {
+        let Some(child) = name(place) else {
             continue;
-        }
+        };
         let next = Pending {
             enter: enter[place],
-            child: name(place, child),
+            child,
         };
         match &mut nearest {
             None => nearest = Some(next),

@@ -22,6 +22,12 @@ const NOWHERE: f32 = 2e38;
 /// Directions below this, against a longest component near one, say nothing about an axis in single precision.
 const FLAT: f64 = 1e-30;
 
+/// Above the relative error of a point in single precision, all its coordinates together.
+const LOOSE: f32 = 2.0 * f32::EPSILON;
+
+/// A point that may be so far off may be anywhere; the square of that has a number still.
+const UNKNOWN: f32 = 1e15;
+
 /// Eight boxes. Unused places hold a point where rays do not come.
 #[derive(Clone, Debug)]
 #[repr(C, align(32))]
@@ -31,9 +37,17 @@ pub(super) struct Node {
     children: [Child; WIDTH],
 }
 
-/// What hangs below a place in a node: a node, an item, or nothing.
+/// What hangs below a place in a node: a node, a block, an item, or nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Child(u32);
+
+/// What a child is; an unused place is an item of no meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Node(u32),
+    Block(u32),
+    Item(u32),
+}
 
 /// A box in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +71,12 @@ pub(super) struct FrameRay {
     low: [f32; 3],
     high: [f32; 3],
     inverse: [f32; 3],
+    /// For balls: a point near the origin, and how far off it may be at most.
+    pub(super) middle: [f32; 3],
+    pub(super) slack: f32,
+    pub(super) dir: [f32; 3],
+    /// The square of the length of `dir`.
+    pub(super) speed_sq: f32,
     /// Frame parameter of a ray parameter: `t · rate - start`.
     rate: f64,
     start: f64,
@@ -66,6 +86,12 @@ impl Child {
     /// Set where the child is an item.
     const ITEM: u32 = 1 << 31;
 
+    /// Set where the child is a block, which is no item.
+    const BLOCK: u32 = 1 << 30;
+
+    /// So many items may be told apart, and so many nodes and blocks.
+    pub(super) const MOST: usize = (1 << 30) - 1;
+
     /// An unused place. It must be known as such: a ray that meets everything meets its box as well.
     pub(super) const NOTHING: Child = Child(u32::MAX);
 
@@ -73,19 +99,39 @@ impl Child {
         Child(index)
     }
 
+    pub(super) fn of_block(index: u32) -> Self {
+        Child(index | Child::BLOCK)
+    }
+
+    #[inline(always)]
     pub(super) fn of_item(item: u32) -> Self {
         Child(item | Child::ITEM)
     }
 
-    #[inline]
-    pub(super) fn node(self) -> Option<u32> {
-        (self.0 & Child::ITEM == 0).then_some(self.0)
+    #[inline(always)]
+    pub(super) fn kind(self) -> Kind {
+        if self.0 & Child::ITEM != 0 {
+            Kind::Item(self.0 & !Child::ITEM)
+        } else if self.0 & Child::BLOCK != 0 {
+            Kind::Block(self.0 & !Child::BLOCK)
+        } else {
+            Kind::Node(self.0)
+        }
     }
 
-    /// The item of a child that is not a node.
-    #[inline]
-    pub(super) fn item(self) -> u32 {
-        self.0 & !Child::ITEM
+    /// The item, if it is one.
+    #[inline(always)]
+    pub(super) fn item(self) -> Option<u32> {
+        (self.0 & Child::ITEM != 0 && self != Child::NOTHING).then_some(self.0 & !Child::ITEM)
+    }
+
+    /// The same with the indices of nodes and blocks moved by so much.
+    pub(super) fn shifted(self, nodes: u32, blocks: u32) -> Self {
+        match self.kind() {
+            Kind::Node(node) => Child::of_node(node + nodes),
+            Kind::Block(block) => Child::of_block(block + blocks),
+            Kind::Item(_) => self,
+        }
     }
 }
 
@@ -193,6 +239,10 @@ impl FrameRay {
         low: [f32::NEG_INFINITY; 3],
         high: [f32::INFINITY; 3],
         inverse: [1.0; 3],
+        middle: [0.0; 3],
+        slack: f32::INFINITY,
+        dir: [1.0, 0.0, 0.0],
+        speed_sq: 1.0,
         rate: f64::NAN,
         start: 0.0,
     };
@@ -212,6 +262,15 @@ impl FrameRay {
             ray.low[axis] = loose_below(origin[axis] - error);
             ray.high[axis] = loose_above(origin[axis] + error);
             ray.inverse[axis] = nearest(1.0 / dir[axis]);
+        }
+        ray.dir = [dir.x, dir.y, dir.z].map(nearest);
+        let [u, v, w] = ray.dir;
+        ray.speed_sq = u * u + v * v + w * w;
+        let size = origin.abs().max_element();
+        let slack = nearest(error) + LOOSE * nearest(size);
+        if slack < UNKNOWN {
+            ray.middle = [origin.x, origin.y, origin.z].map(nearest);
+            ray.slack = slack;
         }
         ray
     }
@@ -280,43 +339,45 @@ impl Node {
         }
     }
 
-    #[inline]
-    pub(super) fn child(&self, place: usize) -> Child {
-        self.children[place]
+    /// What hangs below a place, if it is used.
+    #[inline(always)]
+    pub(super) fn child(&self, place: usize) -> Option<Child> {
+        let child = self.children[place];
+        (child != Child::NOTHING).then_some(child)
     }
 
-    /// The node with the indices of child nodes moved by `by`.
-    pub(super) fn shifted(&self, by: u32) -> Self {
+    /// The node with the indices of child nodes and blocks moved by so much.
+    pub(super) fn shifted(&self, nodes: u32, blocks: u32) -> Self {
         let mut node = self.clone();
         for child in &mut node.children {
-            if let Some(node) = child.node() {
-                *child = Child::of_node(node + by);
-            }
+            *child = child.shifted(nodes, blocks);
         }
         node
     }
 
-    /// Has nodes, of which this is the list, in place of its items.
-    pub(super) fn hang(&mut self, nodes: &[u32]) {
+    /// Has children of this list in place of its items.
+    pub(super) fn hang(&mut self, list: &[Child]) {
         for child in &mut self.children {
-            if child.node().is_none() && *child != Child::NOTHING {
-                *child = Child::of_node(nodes[child.item() as usize]);
+            if let Some(item) = child.item() {
+                *child = list[item as usize];
             }
         }
     }
 
     /// How many items it has.
     pub(super) fn count(&self) -> usize {
-        let is_item = |child: &&Child| child.node().is_none() && **child != Child::NOTHING;
-        self.children.iter().filter(is_item).count()
+        self.children
+            .iter()
+            .filter_map(|child| child.item())
+            .count()
     }
 
     /// Calls its items by numbers from `first` on, and puts them at the front of a list; gives their number.
     pub(super) fn renumber(&mut self, first: u32, order: &mut [u32]) -> u32 {
         let mut count = 0;
         for child in &mut self.children {
-            if child.node().is_none() && *child != Child::NOTHING {
-                order[count as usize] = child.item();
+            if let Some(item) = child.item() {
+                order[count as usize] = item;
                 *child = Child::of_item(first + count);
                 count += 1;
             }

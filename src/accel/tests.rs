@@ -41,10 +41,29 @@ fn bounds_of(spheres: &[Sphere]) -> Vec<Bounds> {
     spheres.iter().map(Sphere::bounds).collect()
 }
 
+/// Trees over spheres and the items in their order: of boxes, of boxes and balls, and of balls alone.
+fn trees(spheres: &[Sphere], at: DVec3) -> [(Bvh, Vec<u32>); 3] {
+    let bounds = bounds_of(spheres);
+    let build = |is_ball: fn(&Sphere, DVec3) -> bool| {
+        Bvh::build_in_order(bounds.len(), |item| {
+            (bounds[item], is_ball(&spheres[item], at))
+        })
+    };
+    let trees = [
+        build(|_, _| false),
+        build(|sphere, at| sphere.centre.x < at.x),
+        build(|_, _| true),
+    ];
+    let blocks = trees.each_ref().map(|(tree, _)| tree.blocks.len());
+    assert!(blocks[0] == 0 && 0 < blocks[1] && blocks[1] < blocks[2]);
+    trees
+}
+
 /// The nearest hit, and of several at the same depth the one first in the list.
-fn nearest(bvh: &Bvh, spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
+fn nearest((bvh, order): &(Bvh, Vec<u32>), spheres: &[Sphere], ray: &Ray) -> Option<(u32, f64)> {
     let mut best: Option<(u32, f64)> = None;
-    bvh.nearest(ray, 0.0, f64::INFINITY, |item, end| {
+    bvh.nearest(ray, 0.0, f64::INFINITY, |place, end| {
+        let item = order[place as usize];
         let Some(t) = spheres[item as usize].hit(ray) else {
             return end;
         };
@@ -75,7 +94,7 @@ fn the_nearest_hit_is_that_of_a_plain_search() {
         (1e-3, DVec3::new(0.0, 5e3, 0.0)),
     ] {
         let spheres = spheres(300, size, at);
-        let bvh = Bvh::build(&bounds_of(&spheres));
+        let trees = trees(&spheres, at);
         let region = Bounds::new(at - size, at + size);
         let mut rng = Random::new(18);
         let mut hits = 0;
@@ -84,12 +103,15 @@ fn the_nearest_hit_is_that_of_a_plain_search() {
             for far in [0.0, -1e3, -1e9] {
                 let ray = Ray::new(ray.at(far), ray.dir);
                 let expected = nearest_of_all(&spheres, &ray);
-                assert_eq!(nearest(&bvh, &spheres, &ray), expected, "{ray:?}");
                 hits += usize::from(expected.is_some());
-                let is_any = bvh.any(&ray, 0.0, f64::INFINITY, |item| {
-                    spheres[item as usize].hit(&ray).is_some()
-                });
-                assert_eq!(is_any, expected.is_some());
+                for tree in &trees {
+                    assert_eq!(nearest(tree, &spheres, &ray), expected, "{ray:?}");
+                    let (tree, order) = tree;
+                    let is_any = tree.any(&ray, 0.0, f64::INFINITY, |place| {
+                        spheres[order[place as usize] as usize].hit(&ray).is_some()
+                    });
+                    assert_eq!(is_any, expected.is_some());
+                }
             }
         }
         assert!(hits > 1000, "only {hits} hits at size {size}");
@@ -172,14 +194,15 @@ fn the_visits_go_from_front_to_back() {
 fn a_point_is_found_in_every_box_that_holds_it() {
     let spheres = spheres(500, 2.0, DVec3::new(10.0, 0.0, 0.0));
     let boxes = bounds_of(&spheres);
-    let bvh = Bvh::build(&boxes);
+    let trees = trees(&spheres, DVec3::new(10.0, 0.0, 0.0));
     let mut rng = Random::new(19);
     let mut found = 0;
-    for _ in 0..2000 {
+    for round in 0..2000 {
         let point = DVec3::new(10.0, 0.0, 0.0) + rng.vector(2.0);
         let mut seen = vec![false; boxes.len()];
-        bvh.around(point, |item| {
-            seen[item as usize] = true;
+        let (tree, order) = &trees[round % 3];
+        tree.around(point, |place| {
+            seen[order[place as usize] as usize] = true;
             false
         });
         for (bounds, is_seen) in boxes.iter().zip(seen) {
@@ -250,14 +273,34 @@ fn a_ray_that_is_not_a_number_finds_at_most_everything() {
 }
 
 #[test]
-fn memory_stays_below_sixty_bytes_an_item() {
-    let boxes = bounds_of(&spheres(20_000, 1.0, DVec3::ZERO));
-    let bytes = Bvh::build(&boxes).bytes();
+fn memory_stays_below_sixty_bytes_a_box_and_forty_a_ball() {
+    let spheres = spheres(20_000, 1.0, DVec3::ZERO);
+    let [(boxes, _), _, (balls, _)] = trees(&spheres, DVec3::ZERO);
+    let (boxes, balls) = (boxes.bytes() / spheres.len(), balls.bytes() / spheres.len());
     assert!(
-        bytes < 60 * boxes.len(),
-        "{} bytes an item",
-        bytes / boxes.len()
+        boxes < 60 && balls < 40,
+        "{boxes} and {balls} bytes an item"
     );
+}
+
+#[test]
+fn balls_in_wide_and_narrow_lanes_give_the_same_bits() {
+    let spheres = spheres(2000, 1.0, DVec3::ZERO);
+    let [_, _, (tree, _)] = trees(&spheres, DVec3::ZERO);
+    let mut rng = Random::new(37);
+    let mut met = 0;
+    for (round, block) in tree.blocks.iter().enumerate() {
+        for _ in 0..20 {
+            let ray = tree.frame.ray(&rng.ray_near(&bounds_of(&spheres)[round]));
+            let ends = [(0.0, f32::INFINITY), (f32::NEG_INFINITY, 1.0)][round % 2];
+            let wide = block.meet(Lanes::widest(), &ray, ends);
+            let narrow = block.meet(Lanes::NARROW, &ray, ends);
+            assert_eq!(wide.1, narrow.1);
+            assert_eq!(wide.0.map(f32::to_bits), narrow.0.map(f32::to_bits));
+            met += wide.1.count_ones();
+        }
+    }
+    assert!(met > 100, "{met}");
 }
 
 #[test]
@@ -268,76 +311,76 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
         (1e12, DVec3::X * 3e12),
     ] {
         let spheres = spheres(700, size, at);
-        let bounds = bounds_of(&spheres);
-        let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
-        tree.know_balls(order.len(), |place| {
-            let item = order[place];
-            let sphere = &spheres[item as usize];
-            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
-        });
-        let mut rng = Random::new(23);
-        let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
-        for round in 0..60 {
-            let origin = at + rng.vector(if round % 2 == 0 { 4.0 } else { 1.0 }) * size;
-            let middle = at + rng.vector(1.0) * size - origin;
-            let count = 1 + round * 4;
-            let rays: Vec<Ray> = (0..count)
-                .map(|_| {
-                    Ray::new(
-                        origin,
-                        (middle + rng.vector(0.4) * middle.length()).normalize(),
-                    )
-                })
-                .collect();
-            let far = |i: usize| {
-                if i % 5 == 4 {
-                    2.0 * size
-                } else {
-                    f64::INFINITY
-                }
-            };
-            let four = |number: usize| {
-                let place = |lane: usize| (4 * number + lane).min(rays.len() - 1);
-                let axis = |axis: usize| [0, 1, 2, 3].map(|lane| rays[place(lane)].dir[axis]);
-                (
-                    [axis(0), axis(1), axis(2)],
-                    [0, 1, 2, 3].map(|lane| far(place(lane))),
-                )
-            };
-            if !bundle.fill(&tree, origin, rays.len(), four) {
-                continue;
-            }
-            let mut best = vec![None; rays.len()];
-            let is_done = tree.together(
-                Lanes::widest(),
-                &mut bundle,
-                |place, first, lanes, ended| {
-                    for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
-                        let ray = first + lane;
-                        let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray])
-                        else {
-                            continue;
-                        };
-                        let slot: &mut Option<f64> = &mut best[ray];
-                        if t < far(ray) && slot.is_none_or(|least| t < least) {
-                            ended.note(lane, *slot.insert(t));
-                        }
+        for (mut tree, order) in trees(&spheres, at) {
+            tree.know_balls(order.len(), |place| {
+                let item = order[place];
+                let sphere = &spheres[item as usize];
+                (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
+            });
+            let mut rng = Random::new(23);
+            let (mut bundle, mut together, mut found) = (Bundle::default(), 0, 0);
+            for round in 0..60 {
+                let origin = at + rng.vector(if round % 2 == 0 { 4.0 } else { 1.0 }) * size;
+                let middle = at + rng.vector(1.0) * size - origin;
+                let count = 1 + round * 4;
+                let rays: Vec<Ray> = (0..count)
+                    .map(|_| {
+                        Ray::new(
+                            origin,
+                            (middle + rng.vector(0.4) * middle.length()).normalize(),
+                        )
+                    })
+                    .collect();
+                let far = |i: usize| {
+                    if i % 5 == 4 {
+                        2.0 * size
+                    } else {
+                        f64::INFINITY
                     }
-                },
-            );
-            if !is_done {
-                continue;
+                };
+                let four = |number: usize| {
+                    let place = |lane: usize| (4 * number + lane).min(rays.len() - 1);
+                    let axis = |axis: usize| [0, 1, 2, 3].map(|lane| rays[place(lane)].dir[axis]);
+                    (
+                        [axis(0), axis(1), axis(2)],
+                        [0, 1, 2, 3].map(|lane| far(place(lane))),
+                    )
+                };
+                if !bundle.fill(&tree, origin, rays.len(), four) {
+                    continue;
+                }
+                let mut best = vec![None; rays.len()];
+                let is_done = tree.together(
+                    Lanes::widest(),
+                    &mut bundle,
+                    |place, first, lanes, ended| {
+                        for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
+                            let ray = first + lane;
+                            let Some(t) = spheres[order[place as usize] as usize].hit(&rays[ray])
+                            else {
+                                continue;
+                            };
+                            let slot: &mut Option<f64> = &mut best[ray];
+                            if t < far(ray) && slot.is_none_or(|least| t < least) {
+                                ended.note(lane, *slot.insert(t));
+                            }
+                        }
+                    },
+                );
+                if !is_done {
+                    continue;
+                }
+                together += 1;
+                for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
+                    let alone = nearest_of_all(&spheres, ray)
+                        .map(|(_, t)| t)
+                        .filter(|&t| t < far(i));
+                    assert_eq!(best, alone);
+                    found += u32::from(best.is_some());
+                }
             }
-            together += 1;
-            for (i, (ray, best)) in rays.iter().zip(best).enumerate() {
-                let alone = nearest_of_all(&spheres, ray)
-                    .map(|(_, t)| t)
-                    .filter(|&t| t < far(i));
-                assert_eq!(best, alone);
-                found += u32::from(best.is_some());
-            }
+            assert!(together > 40 && found > 1000, "{together} {found}");
         }
-        assert!(together > 40 && found > 1000, "{together} {found}");
     }
 }
 
@@ -390,63 +433,64 @@ fn rays_find_by_their_cells_what_they_find_alone() {
         (1e12, DVec3::X * 3e12),
     ] {
         let spheres = spheres(700, size, at);
-        let bounds = bounds_of(&spheres);
-        let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
-        tree.know_balls(order.len(), |place| {
-            let item = order[place];
-            let sphere = &spheres[item as usize];
-            (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
-        });
-        // A rod around some, too.
-        let rod = |place: u32| {
-            let sphere = &spheres[order[place as usize] as usize];
-            place.is_multiple_of(4).then_some((
-                sphere.centre + 9.0 * size * DVec3::ONE,
-                -DVec3::ONE,
-                sphere.radius,
-            ))
-        };
-        let mut rng = Random::new(29);
-        let (mut seen, mut blocked, mut free) = (0, 0, 0);
-        for _ in 0..200 {
-            let from = at + rng.vector(1.0).normalize() * 6.0 * size;
-            let along = (at - from).normalize();
-            let (right, up) = along.any_orthonormal_pair();
-            let axes = [right, up, along];
-            let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
-            let rays = [(); 8].map(|()| {
-                let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
-                Ray::new(from, (along + x * right + y * up).normalize())
+        for (mut tree, order) in trees(&spheres, at) {
+            tree.know_balls(order.len(), |place| {
+                let item = order[place];
+                let sphere = &spheres[item as usize];
+                (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
             });
-            let best = looked_up(&vista, (&spheres, &order), &rays, None);
-            for (ray, best) in rays.iter().zip(best) {
-                assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
-                seen += u32::from(best.is_some());
+            // A rod around some, too.
+            let rod = |place: u32| {
+                let sphere = &spheres[order[place as usize] as usize];
+                place.is_multiple_of(4).then_some((
+                    sphere.centre + 9.0 * size * DVec3::ONE,
+                    -DVec3::ONE,
+                    sphere.radius,
+                ))
+            };
+            let mut rng = Random::new(29);
+            let (mut seen, mut blocked, mut free) = (0, 0, 0);
+            for _ in 0..200 {
+                let from = at + rng.vector(1.0).normalize() * 6.0 * size;
+                let along = (at - from).normalize();
+                let (right, up) = along.any_orthonormal_pair();
+                let axes = [right, up, along];
+                let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
+                let rays = [(); 8].map(|()| {
+                    let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
+                    Ray::new(from, (along + x * right + y * up).normalize())
+                });
+                let best = looked_up(&vista, (&spheres, &order), &rays, None);
+                for (ray, best) in rays.iter().zip(best) {
+                    assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
+                    seen += u32::from(best.is_some());
+                }
+                let lamp = Vista::from_outside(&tree, from, rod).unwrap();
+                // Behind something, or just beside it.
+                let points = [(); 8].map(|()| {
+                    let pick = usize::try_from(rng.bits() % 700).expect("small");
+                    let sphere = &spheres[pick];
+                    let aim = sphere.centre + 1.2 * rng.vector(sphere.radius);
+                    from + 2.0 * (aim - from)
+                });
+                let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
+                let ends = points.map(|point| point.distance(from));
+                let best = looked_up(&lamp, (&spheres, &order), &rays, Some(ends));
+                for (ray, best) in rays.iter().zip(best) {
+                    let alone = nearest_of_all(&spheres, ray).is_some();
+                    assert_eq!(best.is_some(), alone);
+                    let hits =
+                        |place: u32| spheres[order[place as usize] as usize].hit(ray).is_some();
+                    assert_eq!(lamp.between(ray.origin, hits), alone);
+                    blocked += u32::from(alone);
+                    free += u32::from(!alone);
+                }
             }
-            let lamp = Vista::from_outside(&tree, from, rod).unwrap();
-            // Behind something, or just beside it.
-            let points = [(); 8].map(|()| {
-                let pick = usize::try_from(rng.bits() % 700).expect("small");
-                let sphere = &spheres[pick];
-                let aim = sphere.centre + 1.2 * rng.vector(sphere.radius);
-                from + 2.0 * (aim - from)
-            });
-            let rays = points.map(|point| Ray::new(point, (from - point).normalize()));
-            let ends = points.map(|point| point.distance(from));
-            let best = looked_up(&lamp, (&spheres, &order), &rays, Some(ends));
-            for (ray, best) in rays.iter().zip(best) {
-                let alone = nearest_of_all(&spheres, ray).is_some();
-                assert_eq!(best.is_some(), alone);
-                let hits = |place: u32| spheres[order[place as usize] as usize].hit(ray).is_some();
-                assert_eq!(lamp.between(ray.origin, hits), alone);
-                blocked += u32::from(alone);
-                free += u32::from(!alone);
-            }
+            assert!(
+                seen > 200 && blocked > 300 && free > 10,
+                "{seen} {blocked} {free}"
+            );
         }
-        assert!(
-            seen > 200 && blocked > 300 && free > 10,
-            "{seen} {blocked} {free}"
-        );
     }
 }
 
@@ -454,7 +498,7 @@ fn rays_find_by_their_cells_what_they_find_alone() {
 fn where_a_view_is_empty_no_ray_meets_anything() {
     let spheres = spheres(60, 1.0, DVec3::ZERO);
     let bounds = bounds_of(&spheres);
-    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
     tree.know_balls(order.len(), |place| {
         let sphere = &spheres[order[place] as usize];
         Some((sphere.centre, sphere.radius, true))
@@ -507,7 +551,7 @@ fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
         radius: 50.0,
     });
     let bounds = bounds_of(&spheres);
-    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| bounds[item]);
+    let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
     tree.know_balls(order.len(), |place| {
         let sphere = &spheres[order[place] as usize];
         Some((sphere.centre, sphere.radius, true))

@@ -96,7 +96,7 @@ impl Vista {
     ) -> Option<Vista> {
         let origin = tree.frame.place(point);
         let mut sum = DVec3::ZERO;
-        let step = (tree.nodes.len() / NODES_THAT_TELL).max(1);
+        let step = ((tree.nodes.len() + tree.blocks.len()) / NODES_THAT_TELL).max(1);
         tree.some_items(step, |_, cell| {
             let (low, high) = cell.ends();
             if !(low.cmple(origin) & origin.cmple(high)).all() {
@@ -154,8 +154,9 @@ impl Vista {
         };
         let is_ball = |ball: &Option<Ball>| ball.is_some_and(|ball| ball.is_filled);
         let mut count = tree.balls.len();
-        let are_balls = count > 0 && tree.balls.iter().all(is_ball);
-        if !are_balls {
+        // Then blocks hold all.
+        let are_balls = count == 0 && tree.nodes.iter().all(|node| node.count() == 0);
+        if count == 0 {
             tree.each_item(|item, _| count = count.max(item as usize + 1));
         }
         let mut rects = vec![Narrow::EMPTY; count];
@@ -182,12 +183,12 @@ impl Vista {
         let mut forms = Vec::new();
         let (mut slabs, mut seen_rods) = (Vec::new(), Vec::new());
         if are_balls {
-            for (item, ball) in (0..).zip(tree.balls.iter().flatten()) {
+            tree.some_balls(1, |item, ball| {
                 let ball = ball.seen_from(view.origin);
                 if note(item, view.rect_of_ball(&ball)) {
                     known[item as usize] = Known::new(ball);
                 }
-            }
+            });
         } else {
             let is_mixed = tree.balls.iter().any(is_ball)
                 || (0..).take(count).any(|item: u32| rods(item).is_some());

@@ -8,6 +8,7 @@ use super::instance::Instance;
 use super::leaf::Leaf;
 use super::model::{Item, Part, Parts};
 use crate::accel::Bvh;
+use crate::math::Bounds;
 use crate::memory::expect_use;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -51,8 +52,17 @@ impl Finder {
             let number = number(index(place)) as usize;
             let bounds = &parts.bounds[number];
             match parts.items[number] {
-                Part::Leaf(leaf) => parts.leaves[leaf as usize].tightened(bounds),
-                Part::Ball(_) | Part::Program(_) | Part::Instance(_) => *bounds,
+                Part::Ball(_) => (*bounds, true),
+                Part::Leaf(leaf) => {
+                    let leaf = &parts.leaves[leaf as usize];
+                    match leaf.ball() {
+                        Some((centre, radius)) => {
+                            (Bounds::new(centre - radius, centre + radius), true)
+                        }
+                        None => (leaf.tightened(bounds), false),
+                    }
+                }
+                Part::Program(_) | Part::Instance(_) => (*bounds, false),
             }
         };
         let (mut tree, mut order) =

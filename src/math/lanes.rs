@@ -129,6 +129,7 @@ pub(crate) trait Eight: Copy {
     fn smaller(self, other: Self) -> Self;
     fn larger(self, other: Self) -> Self;
     fn size(self) -> Self;
+    fn root(self) -> Self;
     /// One bit for each pair of which the first is not above the second; none where one is not a number.
     fn not_above(self, other: Self) -> u32;
 }
@@ -213,6 +214,10 @@ impl Eight for [f32; 8] {
         self.map(f32::abs)
     }
     #[inline(always)]
+    fn root(self) -> Self {
+        self.map(f32::sqrt)
+    }
+    #[inline(always)]
     fn not_above(self, other: Self) -> u32 {
         (0..8).fold(0, |bits, i| bits | u32::from(self[i] <= other[i]) << i)
     }
@@ -266,6 +271,11 @@ mod wide {
         fn size(self) -> Self {
             // SAFETY: as in the others.
             unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self) }
+        }
+        #[inline(always)]
+        fn root(self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_sqrt_ps(self) }
         }
         #[inline(always)]
         fn not_above(self, other: Self) -> u32 {
