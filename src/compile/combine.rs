@@ -73,7 +73,7 @@ impl Flat {
         let around = self.add_node(object, &above, &mut program, place, false);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
-        program.prepare(&self.parts.leaves, &of_operands, boxed);
+        program.prepare_as(&mut self.ready, &self.parts.leaves, &of_operands, boxed);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&object, &around);
             program.gates.push(Gate { operands, bound });
@@ -90,7 +90,7 @@ impl Flat {
         place: (u32, bool),
         is_hidden: bool,
     ) -> Around {
-        let below = self.heritage(object, above);
+        let below = self.heritage_of_part(object, above);
         let first = index(program.operands.len());
         let bounds = self.add_clipped(object, (above, &below), program, place, is_hidden);
         let end = index(program.operands.len());
@@ -105,7 +105,7 @@ impl Flat {
             for bound in object.bounded_by() {
                 let around = Heritage {
                     steps: joined(&object.steps[bound.after..], &above.steps),
-                    ..below.clone()
+                    ..(*below).clone()
                 };
                 self.gates
                     .push((operands.clone(), Arc::clone(&bound.what), around));

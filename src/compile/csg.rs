@@ -35,7 +35,7 @@ pub(super) enum Combine {
 pub(super) const NONE: u32 = u32::MAX;
 
 /// An inner node of a combination.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Node {
     /// How.
     pub(super) combine: Combine,
@@ -48,7 +48,7 @@ pub(super) struct Node {
 }
 
 /// What the tree knows of a leaf.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Operand {
     /// The node above.
     pub(super) parent: u32,

@@ -1,6 +1,7 @@
 //! From the objects of a scene to leaves, combinations and lights: transforms folded, unions taken apart, texture and
 //! interior handed down to the children that have none of their own.
 
+use super::again::Ready;
 use super::combine::is_gated;
 use super::interiors::Interiors;
 use super::leaf::{Absorb, Extent, Leaf};
@@ -52,6 +53,8 @@ pub(super) struct Flat {
     pub(super) last_surface: Option<u32>,
     /// A surface by its number, with the looks that it came of.
     pub(super) last_looks: Option<(u32, Heritage)>,
+    /// The last combination that was made ready.
+    pub(super) ready: Option<Box<Ready>>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
     pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
     /// Parts of it that have boxes of their own: their operands, and boxes around what is inside of them and what shows.

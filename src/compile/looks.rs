@@ -10,6 +10,7 @@ use crate::math::{Step, Transform};
 use crate::scene::{Attached, Object};
 use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::{Layer, Texture};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// What an object hands down to its children.
@@ -95,6 +96,28 @@ impl Heritage {
 }
 
 impl Flat {
+    /// [`Flat::heritage`] of a part of a combination. Most say nothing but what they are: in intersections and differences
+    /// it is then that of the combination, as far as it counts.
+    pub(super) fn heritage_of_part<'h>(
+        &mut self,
+        object: &Object,
+        above: &'h Heritage,
+    ) -> Cow<'h, Heritage> {
+        let is_known = above.place == Place::Cut
+            && above.obeyed.is_some()
+            && above.group.is_none()
+            && !above.says_uv
+            && self.slots.is_none()
+            && self.targets.is_none();
+        match above.interior {
+            Some(interior) if is_known && object.is_plain_part() => {
+                self.interiors.set_hollow(interior, above.flags.hollow);
+                Cow::Borrowed(above)
+            }
+            _ => Cow::Owned(self.heritage(object, above)),
+        }
+    }
+
     /// What an object's children, or the object itself if it is a shape, look like and where they stand.
     pub(super) fn heritage(&mut self, object: &Object, above: &Heritage) -> Heritage {
         if let Some(slots) = &mut self.slots {

@@ -1,5 +1,6 @@
 //! From the description of a scene to the world that rays need.
 
+mod again;
 mod around;
 mod balls;
 mod chance;

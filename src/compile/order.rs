@@ -210,12 +210,13 @@ impl Sorter {
         // What is no more than numbers several threads fetch: each comes from somewhere else.
         let mut unsorted = self.from.leaves;
         let balls = &self.from.balls;
+        let expect = |place: usize, unsorted: &[Leaf]| match self.leaves.get(place + AHEAD) {
+            Some(Origin::Ball(ball)) => balls.expect(*ball),
+            Some(Origin::Leaf(leaf)) => expect_use(&unsorted[*leaf as usize]),
+            None => {}
+        };
         let fetch = |(place, origin): (usize, &Origin)| {
-            match self.leaves.get(place + AHEAD) {
-                Some(Origin::Ball(ball)) => balls.expect(*ball),
-                Some(Origin::Leaf(leaf)) => expect_use(&unsorted[*leaf as usize]),
-                None => {}
-            }
+            expect(place, &unsorted);
             match *origin {
                 Origin::Ball(ball) => balls.leaf(ball),
                 Origin::Leaf(leaf) => {
@@ -227,6 +228,7 @@ impl Sorter {
         let origins = self.leaves.par_iter().enumerate();
         self.to.leaves = origins.map(fetch).collect();
         for (place, origin) in self.leaves.iter().enumerate() {
+            expect(place, &unsorted);
             if let Origin::Leaf(leaf) = origin {
                 let leaf = &mut unsorted[*leaf as usize];
                 if leaf.ball().is_none() {

@@ -364,6 +364,18 @@ impl Object {
             .filter(|children| is_suited && Arc::strong_count(children) > 1)
     }
 
+    /// Whether it says nothing but what it is, and is no light.
+    #[must_use]
+    pub fn is_plain_part(&self) -> bool {
+        self.steps.is_empty()
+            && self.texture.is_none()
+            && self.interior.is_none()
+            && self.flags == Flags::default()
+            && self.light_group.is_none()
+            && self.rare.is_none()
+            && !matches!(self.kind, Kind::Light { .. })
+    }
+
     /// How much it holds: its children as they were when it was made, and what [`Object::clip`] and [`Object::bound`]
     /// gave it.
     #[must_use]
