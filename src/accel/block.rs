@@ -48,8 +48,7 @@ impl Block {
         Ball::filled([x[place], y[place], z[place]], self.radius[place])
     }
 
-    /// Where the ray enters each ball, at the latest when it does, and which balls it may meet between `from` and `to`,
-    /// one bit each.
+    /// Where the ray enters each ball at the earliest, and which balls it may meet between `from` and `to`, one bit each.
     #[inline(always)]
     pub(super) fn meet(
         &self,
@@ -116,7 +115,7 @@ impl Kernel for RayAndBlock<'_> {
         let c = x.times(v).minus(y.times(u));
         let off = a.times(a).plus(b.times(b)).plus(c.times(c));
         let reach = radius.times(radius).times(E::all(ray.speed_sq));
-        // Not a number where both are without end.
+        // Where both are without end, their difference is not a number and counts as nothing: such a ball is out of reach.
         let half = reach.minus(off).larger(E::all(0.0)).root();
         let per_speed_sq = E::all(1.0 / ray.speed_sq);
         let enter = along.minus(half).times(per_speed_sq).minus(doubt);

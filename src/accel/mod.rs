@@ -1,7 +1,8 @@
 //! Finding what a ray may meet: a bounding volume hierarchy over anything with bounds.
 //!
 //! Nodes hold eight boxes in single precision, rounded outward, in a frame of the tree's own: centred, and scaled by a
-//! power of two. A scene far from the origin or in odd units costs no more than any other.
+//! power of two. A scene far from the origin or in odd units costs no more than any other. Where all that a node would
+//! hold are balls, a leaf holds the balls themselves, by which fewer of them have to be asked ([`block`]).
 //!
 //! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
