@@ -2,7 +2,7 @@
 //!
 //! Nodes hold eight boxes in single precision, rounded outward, in a frame of the tree's own: centred, and scaled by a
 //! power of two. A scene far from the origin or in odd units costs no more than any other. Where all that a node would
-//! hold are balls, a leaf holds the balls themselves, by which fewer of them have to be asked ([`block`]).
+//! hold are balls, a leaf holds the balls themselves, by which fewer of them have to be asked (`block.rs`).
 //!
 //! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
