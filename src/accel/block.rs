@@ -3,7 +3,8 @@
 //! Where all that a node would hold are balls, their centres and radii take half the memory of their boxes and say more:
 //! of two rays that meet the box of a ball one misses the ball. As with boxes every doubt is in favour of being met.
 
-use super::bundle::{Ball, DOUBT};
+use super::ball::Ball;
+use super::group::DOUBT;
 use super::node::{Cell, FrameRay, WIDTH, larger};
 use crate::math::lanes::{Eight, Kernel, Lanes, eight};
 

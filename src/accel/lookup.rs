@@ -1,6 +1,6 @@
 //! Rays that have the point of a [`Vista`] in common look up what they may meet.
 
-use super::bundle::{DOUBT, Group, GroupAndBall, GroupAndBox, LANES, all, dot, frame_end, load};
+use super::group::{DOUBT, Group, GroupAndBall, GroupAndBox, LANES, all, dot, frame_end, load};
 use super::raster::Grid;
 use super::rod::GroupAndRod;
 use super::vista::{NONE, Vista};

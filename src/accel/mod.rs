@@ -7,12 +7,15 @@
 //! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
 
+mod ball;
 mod block;
 mod build;
 mod bundle;
 mod clusters;
+mod group;
 mod lookup;
 mod node;
+mod pyramid;
 mod raster;
 mod rod;
 mod view;
@@ -25,9 +28,9 @@ pub use vista::Vista;
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
+use ball::Ball;
 use block::Block;
 use build::{Entry, Grown};
-use bundle::Ball;
 use glam::DVec3;
 use node::{Cell, Child, Frame, Kind, Node, WIDTH};
 use rayon::prelude::*;
@@ -235,12 +238,16 @@ impl Bvh {
         count: usize,
         ball: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
     ) {
-        let in_blocks: usize = self.blocks.iter().map(Block::count).sum();
-        if in_blocks < count && (0..count).any(|item| ball(item).is_some()) {
+        if !self.holds_balls_alone() && (0..count).any(|item| ball(item).is_some()) {
             let frame = &self.frame;
             let known = |item| ball(item).map(|ball| Ball::new(frame, ball));
             self.balls = (0..count).into_par_iter().map(known).collect();
         }
+    }
+
+    /// Whether blocks hold all items: those that nodes hold come first.
+    fn holds_balls_alone(&self) -> bool {
+        self.firsts.first() == Some(&0)
     }
 
     /// Visits, roughly front to back, the items whose boxes the ray may meet from `from` to `to`, both included.

@@ -1,6 +1,6 @@
 //! Rods around long things, whose boxes are mostly empty.
 
-use super::bundle::{DOUBT, Group, all, cross, dot, length_sq, load};
+use super::group::{DOUBT, Group, all, cross, dot, length_sq, load};
 use super::node::Frame;
 use crate::math::lanes::{Eight, Kernel};
 use crate::math::rounding::{f32_above, nearest};

@@ -1,6 +1,6 @@
 //! Where in the view from a point things lie: by the slopes of the ways there.
 
-use super::bundle::DOUBT;
+use super::group::DOUBT;
 use super::node::Cell;
 use super::raster::{Grid, Rect};
 use glam::{DMat3, DVec3, Vec3};

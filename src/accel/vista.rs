@@ -6,7 +6,9 @@
 //! favour of being met: what is visited is more than what is met, never less. So answers are those of the tree, to the bit.
 
 use super::Bvh;
-use super::bundle::{Ball, DOUBT, FARTHEST, Slab};
+use super::ball::Ball;
+use super::bundle::FARTHEST;
+use super::group::{DOUBT, Slab};
 use super::node::Frame;
 use super::raster::{Narrow, Raster, Rect};
 use super::rod::{Rod, SeenRod};
@@ -154,8 +156,7 @@ impl Vista {
         };
         let is_ball = |ball: &Option<Ball>| ball.is_some_and(|ball| ball.is_filled);
         let mut count = tree.balls.len();
-        // Then blocks hold all.
-        let are_balls = count == 0 && tree.nodes.iter().all(|node| node.count() == 0);
+        let are_balls = tree.holds_balls_alone();
         if count == 0 {
             tree.each_item(|item, _| count = count.max(item as usize + 1));
         }

@@ -12,7 +12,7 @@ use super::looks::{Heritage, Place, joined};
 use super::model::{Model, Part, Parts};
 use super::surface::Surface;
 use crate::math::{Bounds, Step, Transform};
-use crate::scene::{self, Children, Object};
+use crate::scene::{Children, Object};
 use crate::shape::Skin;
 use crate::texture::Texture;
 use glam::{DAffine3, DVec3};
@@ -101,17 +101,10 @@ impl Slots {
 
     /// The looks of an object in those of `above`.
     pub(super) fn object(&mut self, object: &Object, above: &Heritage) -> u32 {
-        let flags = scene::Flags::default();
-        let is_plain = object.texture.is_none()
-            && object.interior_texture().is_none()
-            && object.interior.is_none()
-            && object.light_group.is_none()
-            && object.photons().is_none()
-            && object.flags == flags;
         // What it is handed down may count for it alone.
         let is_in_sum = matches!(above.place, Place::Union | Place::Merge);
         let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
-        if is_plain && !is_hidden_there {
+        if object.says_no_looks() && !is_hidden_there {
             return above.slot;
         }
         self.push(Slot::Object {

@@ -364,14 +364,22 @@ impl Object {
             .filter(|children| is_suited && Arc::strong_count(children) > 1)
     }
 
+    /// Whether it says nothing of how it looks.
+    #[must_use]
+    pub fn says_no_looks(&self) -> bool {
+        self.texture.is_none()
+            && self.interior_texture().is_none()
+            && self.interior.is_none()
+            && self.light_group.is_none()
+            && self.photons().is_none()
+            && self.flags == Flags::default()
+    }
+
     /// Whether it says nothing but what it is, and is no light.
     #[must_use]
     pub fn is_plain_part(&self) -> bool {
         self.steps.is_empty()
-            && self.texture.is_none()
-            && self.interior.is_none()
-            && self.flags == Flags::default()
-            && self.light_group.is_none()
+            && self.says_no_looks()
             && self.rare.is_none()
             && !matches!(self.kind, Kind::Light { .. })
     }
