@@ -7,10 +7,11 @@
 //! are those of one ray at a time, to the bit.
 
 use super::ball::Ball;
+use super::beam::{Beam, BeamAndBox, BeamAndBoxes, BoxesOfNode};
 use super::group::{
     Cones, ConesAndBall, DOUBT, Group, GroupAndBall, GroupAndBox, LANES, Slab, frame_end,
 };
-use super::node::{Cell, Child, Kind, WIDTH, larger, smaller};
+use super::node::{Cell, Child, Kind, Node, WIDTH, larger, smaller};
 use super::pyramid::{Pyramid, PyramidAndBlock, PyramidAndNode};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
@@ -29,6 +30,12 @@ const PATIENCE: usize = 6;
 /// How many more may be visited by any bundle.
 const LEAST_PATIENCE: usize = 32;
 
+/// Of a node of which rays may meet so many items these are tried together.
+const MANY: u32 = 3;
+
+/// The place of the root's box, which no node holds.
+const NOWHERE: u32 = u32::MAX;
+
 /// A number of rays from one point.
 #[derive(Debug, Default)]
 pub struct Bundle {
@@ -38,6 +45,8 @@ pub struct Bundle {
     /// How many rays there are; the last group may have room for more.
     count: usize,
     cones: Vec<Cones>,
+    /// One for each group, made when first asked for.
+    beams: Vec<Beam>,
     pyramid: Pyramid,
     /// Frame lengths of world lengths.
     scale: f64,
@@ -63,6 +72,7 @@ impl Bundle {
         }
         self.count = count;
         self.groups.clear();
+        self.beams.clear();
         let last = (count - 1) / 4;
         for number in 0..count.div_ceil(LANES) {
             let mut group = Group::EMPTY;
@@ -222,23 +232,105 @@ impl Bundle {
                 {
                     rays &= eight(lanes, &GroupAndBox { group, slab });
                 }
-                // Sizes without end meet what has none as well: the empty places behind the last ray.
-                let there = (self.count - place * LANES).min(LANES);
-                rays &= 0xff >> (LANES - there);
+                rays &= self.there(place);
                 if rays == 0 {
                     continue;
                 }
                 let mut ended = Ended::default();
                 visit(place * LANES, rays, &mut ended);
                 is_shortened |= ended.lanes != 0;
-                while ended.lanes != 0 {
-                    let lane = ended.lanes.trailing_zeros() as usize % LANES;
-                    ended.lanes &= ended.lanes - 1;
-                    self.groups[place].end[lane] = frame_end(ended.ends[lane], self.scale);
+                self.end(place, ended);
+            }
+        }
+        is_shortened
+    }
+
+    /// Tries some items of a node, one bit each, against all rays, as [`Bundle::try_item`] does. The node lies in a box, if
+    /// that is known.
+    #[inline(always)]
+    fn try_items(
+        &mut self,
+        lanes: Lanes,
+        (node, around, items): (&Node, Option<&Cell>, u32),
+        ball: impl Fn(u32) -> Option<Ball>,
+        mut visit: impl FnMut(u32, usize, u32, &mut Ended),
+    ) -> bool {
+        if self.beams.is_empty() {
+            self.beams.extend(self.groups.iter().map(Beam::new));
+        }
+        let pyramid = &self.pyramid;
+        let boxes = &eight(lanes, &BoxesOfNode { pyramid, node });
+        let around = around.map(|cell| Ball::around(cell).seen_from(self.origin));
+        let mut is_shortened = false;
+        for cones in 0..self.cones.len() {
+            let mut met = match around {
+                Some((centre, radius, distance)) => {
+                    let asked = ConesAndBall {
+                        cones: &self.cones[cones],
+                        centre,
+                        radius,
+                        distance,
+                    };
+                    eight(lanes, &asked)
+                }
+                None => 0xff,
+            };
+            while met != 0 {
+                let place = cones * LANES + met.trailing_zeros() as usize;
+                met &= met - 1;
+                let Some(group) = self.groups.get(place) else {
+                    break;
+                };
+                let (beam, end) = (&self.beams[place], group.farthest());
+                let mut some = items & eight(lanes, &BeamAndBoxes { beam, boxes, end });
+                while some != 0 {
+                    let at = some.trailing_zeros() as usize % WIDTH;
+                    some &= some - 1;
+                    let Some(item) = node.child(at).and_then(Child::item) else {
+                        continue;
+                    };
+                    let (group, beam) = (&self.groups[place], &self.beams[place]);
+                    let slab = &boxes.slab(at);
+                    let mut rays = eight(lanes, &BeamAndBox { group, beam, slab });
+                    if rays != 0
+                        && let Some(ball) = ball(item)
+                    {
+                        let (centre, radius, _) = ball.seen_from(self.origin);
+                        let asked = GroupAndBall {
+                            group,
+                            centre,
+                            radius,
+                        };
+                        rays &= eight(lanes, &asked);
+                    }
+                    rays &= self.there(place);
+                    if rays != 0 {
+                        let mut ended = Ended::default();
+                        visit(item, place * LANES, rays, &mut ended);
+                        is_shortened |= ended.lanes != 0;
+                        self.end(place, ended);
+                    }
                 }
             }
         }
         is_shortened
+    }
+
+    /// Which rays of a group there are, one bit each. Sizes without end meet what has none as well: the empty places behind
+    /// the last ray.
+    #[inline(always)]
+    fn there(&self, group: usize) -> u32 {
+        0xff >> (LANES - (self.count - group * LANES).min(LANES))
+    }
+
+    /// Lets rays of a group end sooner.
+    #[inline(always)]
+    fn end(&mut self, group: usize, mut ended: Ended) {
+        while ended.lanes != 0 {
+            let lane = ended.lanes.trailing_zeros() as usize % LANES;
+            ended.lanes &= ended.lanes - 1;
+            self.groups[group].end[lane] = frame_end(ended.ends[lane], self.scale);
+        }
     }
 }
 
@@ -274,8 +366,8 @@ impl Bvh {
         let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
         let mut end = bundle.farthest();
         let mut pending: Stack<Pending<(Child, u32)>> = Stack::new();
-        // A child with the place of its box in the list of all nodes' boxes.
-        let mut next = self.root.map(|root| (root, 0));
+        // A child with the place of its box in the list of all nodes' boxes, which the root has not.
+        let mut next = self.root.map(|root| (root, NOWHERE));
         while let Some((child, at)) = next {
             next = None;
             if patience == 0 {
@@ -291,7 +383,26 @@ impl Bvh {
                         node,
                         end,
                     };
-                    let (near_sq, met) = eight(lanes, &asked);
+                    let (near_sq, mut met) = eight(lanes, &asked);
+                    let items = met & node.items();
+                    if items.count_ones() >= MANY {
+                        met &= !items;
+                        let around = self.box_at(at);
+                        let ball = |item: u32| self.balls.get(item as usize).copied().flatten();
+                        let asked = (node, around.as_ref(), items);
+                        let is_shortened = bundle.try_items(
+                            lanes,
+                            asked,
+                            ball,
+                            #[inline(always)]
+                            |item, first, rays, ended| {
+                                visit(item, first, rays, ended);
+                            },
+                        );
+                        if is_shortened {
+                            end = bundle.farthest();
+                        }
+                    }
                     #[allow(clippy::cast_possible_truncation, reason = "one of eight")]
                     let at = |place: usize| number * WIDTH as u32 + place as u32;
                     let name = |place: usize| node.child(place).map(|child| (child, at(place)));
@@ -339,6 +450,13 @@ impl Bvh {
             }
         }
         true
+    }
+
+    /// The box in this place of all nodes.
+    #[inline(always)]
+    fn box_at(&self, at: u32) -> Option<Cell> {
+        let node = self.nodes.get(at as usize / WIDTH)?;
+        Some(node.cell(at as usize % WIDTH))
     }
 
     /// A ball that holds an item, whose box is at this place of all nodes, and that box if it tells more.

@@ -23,8 +23,8 @@ pub(crate) struct Group {
 /// A box as seen from the common origin, rounded outward.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slab {
-    low: [f32; 3],
-    high: [f32; 3],
+    pub(super) low: [f32; 3],
+    pub(super) high: [f32; 3],
 }
 
 impl Slab {

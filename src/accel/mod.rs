@@ -8,6 +8,7 @@
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
 
 mod ball;
+mod beam;
 mod block;
 mod build;
 mod bundle;

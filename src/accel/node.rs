@@ -346,6 +346,16 @@ impl Node {
         (child != Child::NOTHING).then_some(child)
     }
 
+    /// Which places hold items, one bit each.
+    #[inline(always)]
+    pub(super) fn items(&self) -> u32 {
+        let mut items = 0;
+        for (place, child) in self.children.iter().enumerate() {
+            items |= u32::from(child.item().is_some()) << place;
+        }
+        items
+    }
+
     /// The node with the indices of child nodes and blocks moved by so much.
     pub(super) fn shifted(&self, nodes: u32, blocks: u32) -> Self {
         let mut node = self.clone();
