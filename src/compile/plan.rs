@@ -2,6 +2,7 @@
 //! made, not asked about at every ray.
 
 use super::instance::Instance;
+use super::leaf::Leaf;
 use super::model::Model;
 use super::surface::Surface;
 use super::world::World;
@@ -17,14 +18,19 @@ impl World {
     pub fn plan(&self) -> Plan {
         let mut primitives: BTreeMap<&'static str, usize> = BTreeMap::new();
         let models = self.models();
-        let leaves = || models.iter().flat_map(|model| &model.leaves);
-        for leaf in leaves() {
-            *primitives.entry(leaf.shape.word().spelling()).or_default() += 1;
+        let mut behind_matrix = 0;
+        // There may be millions, most of them like their neighbours.
+        let are_alike = |a: &Leaf, b: &Leaf| a.shape.word() == b.shape.word();
+        for alike in models
+            .iter()
+            .flat_map(|model| model.leaves.chunk_by(are_alike))
+        {
+            let word = alike[0].shape.word();
+            *primitives.entry(word.spelling()).or_default() += alike.len();
+            let is_behind = |leaf: &&Leaf| leaf.object_from_world.is_some();
+            behind_matrix += alike.iter().filter(is_behind).count();
         }
         let combinations = models.iter().map(|model| model.programs.len()).sum();
-        let behind_matrix = leaves()
-            .filter(|leaf| leaf.object_from_world.is_some())
-            .count();
         let trees = models.iter().map(|model| &model.finder.tree);
         Plan {
             combinations,
