@@ -1,7 +1,7 @@
 //! Eight rays from one point against the eight boxes of a node at once, by the spans of their directions (Boulos and others
 //! 2006, "Interactive distribution ray tracing"), in single precision with every doubt in favour of being met.
 
-use super::group::{DOUBT, Group, LANES, Slab, all};
+use super::group::{DOUBT, Group, LANES, Slab, load, meet_box};
 use super::node::{Node, WIDTH, larger, smaller};
 use super::pyramid::Pyramid;
 use crate::math::lanes::{Eight, Kernel};
@@ -136,21 +136,8 @@ impl Kernel for BeamAndBox<'_> {
 
     #[inline(always)]
     fn run<E: Eight>(&self) -> u32 {
-        let (low, high) = (all::<E>(self.slab.low), all::<E>(self.slab.high));
-        let mut enter = E::all(0.0);
-        let mut leave = E::load(&self.group.end);
-        for axis in 0..3 {
-            let inverse = E::load(&self.beam.inverse[axis]);
-            let low = low[axis].times(inverse);
-            let high = high[axis].times(inverse);
-            // The running bound where a plane says nothing (zero times infinity).
-            enter = low.smaller(high).larger(enter);
-            leave = high.larger(low).smaller(leave);
-        }
-        let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
-        enter
-            .minus(slack)
-            .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+        let inverse: [E; 3] = load(&self.beam.inverse);
+        meet_box(inverse, E::load(&self.group.end), self.slab)
     }
 }
 

@@ -159,21 +159,28 @@ impl Kernel for GroupAndBox<'_> {
 
     #[inline(always)]
     fn run<E: Eight>(&self) -> u32 {
-        let mut enter = E::all(0.0);
-        let mut leave = E::load(&self.group.end);
-        for axis in 0..3 {
-            let inverse = E::all(1.0).over(E::load(&self.group.dir[axis]));
-            let low = E::all(self.slab.low[axis]).times(inverse);
-            let high = E::all(self.slab.high[axis]).times(inverse);
-            // The running bound where a plane says nothing (zero times infinity).
-            enter = low.smaller(high).larger(enter);
-            leave = high.larger(low).smaller(leave);
-        }
-        let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
-        enter
-            .minus(slack)
-            .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+        let dir: [E; 3] = load(&self.group.dir);
+        let one = E::all(1.0);
+        let inverse = [one.over(dir[0]), one.over(dir[1]), one.over(dir[2])];
+        meet_box(inverse, E::load(&self.group.end), self.slab)
     }
+}
+
+/// Which of eight rays of these inverse directions may meet a box before their ends, one bit each.
+#[inline(always)]
+pub(super) fn meet_box<E: Eight>(inverse: [E; 3], end: E, slab: &Slab) -> u32 {
+    let (mut enter, mut leave) = (E::all(0.0), end);
+    for (axis, inverse) in inverse.into_iter().enumerate() {
+        let low = E::all(slab.low[axis]).times(inverse);
+        let high = E::all(slab.high[axis]).times(inverse);
+        // The running bound where a plane says nothing (zero times infinity).
+        enter = low.smaller(high).larger(enter);
+        leave = high.larger(low).smaller(leave);
+    }
+    let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
+    enter
+        .minus(slack)
+        .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
 }
 
 /// The middle directions of eight groups, and how far a direction of the group can lie from it.
