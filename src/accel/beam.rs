@@ -149,7 +149,7 @@ mod tests {
     use crate::math::rounding::nearest;
     use glam::DVec3;
 
-    /// Rays about a direction, some of them along axes, in slow and in wide beams.
+    /// Rays about a direction, some of them along axes, in narrow and in wide beams.
     fn group(rng: &mut Random) -> Group {
         let (middle, spread) = (rng.vector(1.0), 0.5 * rng.share().powi(4));
         let flat = rng.bits() % 8;

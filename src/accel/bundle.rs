@@ -24,8 +24,8 @@ const LEAST_COSINE: f32 = 0.2;
 /// From farther away, in sizes of the tree, single precision cannot tell its items apart.
 pub(super) const FARTHEST: f64 = 256.0;
 
-/// How many nodes and items may be visited for each ray of a bundle. A ray by itself visits some twenty, each of which
-/// costs about as much.
+/// How many nodes and single items may be visited for each ray of a bundle; items of a node that are tried together cost
+/// little more than it. A ray by itself visits some twenty, each of which costs about as much.
 const PATIENCE: usize = 6;
 /// How many more may be visited by any bundle.
 const LEAST_PATIENCE: usize = 32;
