@@ -65,6 +65,7 @@ struct Face {
 
 /// A picture of a sheet.
 struct Entry {
+    folder: PathBuf,
     /// Of its files, without ending.
     name: String,
     /// The transform as a scene writes it.
@@ -74,6 +75,8 @@ struct Entry {
 
 /// The scene of all transforms, which is larger than the others by this.
 const OVERVIEW: (&str, u32) = ("overview", 2);
+/// POV-Ray spends most of the time of a small picture asleep, so many run at once on each processor.
+const AT_ONCE: usize = 8;
 
 fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr sheet".to_owned());
@@ -89,15 +92,18 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
     if judge.is_none() && !face.alone {
         say("povr: POV-Ray is not installed, so nothing is compared");
     }
+    let mut pictures = Vec::new();
+    for subject in &subjects {
+        pictures.extend(drawn(&face, subject, around)?);
+    }
+    let entries = judged(pictures, judge.as_ref())?;
     let mut sheets = Vec::new();
     let mut wrong = 0;
-    for subject in &subjects {
+    for (subject, entries) in subjects
+        .iter()
+        .zip(entries.chunk_by(|a, b| a.folder == b.folder))
+    {
         let folder = face.output.join(&subject.name);
-        make_folder(&folder)?;
-        if let Some((name, text)) = &subject.file {
-            write(&folder.join(name), text)?;
-        }
-        let entries = sheet(&face, subject, &folder, judge.as_ref(), around)?;
         let differing: Vec<&Entry> = entries
             .iter()
             .filter(|one| one.verdict.is_wrong())
@@ -115,7 +121,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
             entries.len(),
             differing.len()
         ));
-        contact::write(&folder, &subject.name, &entries, face.size.0)?;
+        contact::write(&folder, &subject.name, entries, face.size.0)?;
         sheets.push(subject.name.clone());
     }
     if sheets.len() > 1 {
@@ -177,46 +183,73 @@ fn own(path: &Path, object: Option<&str>) -> Result<Subject, CliError> {
     })
 }
 
-/// Writes, draws and compares all pictures of one shape.
-fn sheet(
-    face: &Face,
-    subject: &Subject,
-    folder: &Path,
-    judge: Option<&Judge>,
-    around: &Surroundings,
-) -> Result<Vec<Entry>, CliError> {
+/// A picture of a shape, as it is drawn.
+struct Drawn {
+    folder: PathBuf,
+    of: Move,
+    size: Size,
+}
+
+/// Writes and draws all pictures of one shape.
+fn drawn(face: &Face, subject: &Subject, around: &Surroundings) -> Result<Vec<Drawn>, CliError> {
+    let folder = face.output.join(&subject.name);
+    make_folder(&folder)?;
+    if let Some((name, text)) = &subject.file {
+        write(&folder.join(name), text)?;
+    }
     let moves = transforms::all();
     let large = Size(face.size.0 * OVERVIEW.1, face.size.1 * OVERVIEW.1);
-    let all = Move {
+    let overview = Move {
         name: OVERVIEW.0.to_owned(),
         text: "all transforms".to_owned(),
     };
-    let mut jobs = vec![(&all, subject.overview(&moves, large), large)];
+    let mut jobs = vec![(overview, subject.overview(&moves, large), large)];
     if !face.overview {
-        jobs.extend(
-            moves
-                .iter()
-                .map(|one| (one, subject.scene(one, face.size), face.size)),
-        );
+        jobs.extend(moves.into_iter().map(|one| {
+            let text = subject.scene(&one, face.size);
+            (one, text, face.size)
+        }));
     }
-    for (one, text, size) in &jobs {
-        let scene = folder.join(format!("{}.pov", one.name));
-        write(&scene, text)?;
-        draw(&scene, *size, around)?;
-    }
-    jobs.par_iter()
-        .map(|(one, _, size)| {
-            let verdict = match judge {
-                Some(judge) => judge.compare(folder, &one.name, *size)?,
-                None => Verdict::NotCompared,
-            };
-            Ok(Entry {
-                name: one.name.clone(),
-                text: one.text.clone(),
-                verdict,
+    jobs.into_iter()
+        .map(|(of, text, size)| {
+            let scene = folder.join(format!("{}.pov", of.name));
+            write(&scene, &text)?;
+            draw(&scene, size, around)?;
+            Ok(Drawn {
+                folder: folder.clone(),
+                of,
+                size,
             })
         })
         .collect()
+}
+
+/// Compares pictures with POV-Ray's.
+fn judged(pictures: Vec<Drawn>, judge: Option<&Judge>) -> Result<Vec<Entry>, CliError> {
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(AT_ONCE * processors)
+        .build()
+        .map_err(|error| CliError::new(format!("no threads to compare with: {error}")))?;
+    let entry = |Drawn { folder, of, size }| {
+        let verdict = match judge {
+            Some(judge) => judge.compare(&folder, &of.name, size)?,
+            None => Verdict::NotCompared,
+        };
+        Ok(Entry {
+            folder,
+            name: of.name,
+            text: of.text,
+            verdict,
+        })
+    };
+    pool.install(|| {
+        pictures
+            .into_par_iter()
+            .with_max_len(1)
+            .map(entry)
+            .collect()
+    })
 }
 
 /// Draws a scene beside itself.

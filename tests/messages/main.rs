@@ -22,9 +22,15 @@ use std::time::Duration;
 const FOLDER: &str = "tests/messages";
 /// POV-Ray needs half a second to start.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
+/// Of which it spends most asleep.
+const TESTS_PER_PROCESSOR: usize = 8;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::from_args();
+    let mut arguments = Arguments::from_args();
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    arguments
+        .test_threads
+        .get_or_insert(TESTS_PER_PROCESSOR * processors);
     let trials = match scenes() {
         Ok(scenes) => scenes.into_iter().map(trial).collect(),
         Err(error) => vec![Trial::test(FOLDER, move || Err(error.into()))],

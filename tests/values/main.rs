@@ -29,7 +29,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Statements that run before every scene; one that begins with `!` has none.
 const BEFORE: &str = "#version 3.7; global_settings { assumed_gamma 1 }\n";
 /// POV-Ray spends most of its wall time asleep, so more scenes run at once than there are processors.
-const AT_ONCE: usize = 4;
+const AT_ONCE: usize = 8;
 /// Where scenes write to.
 const WRITTEN: &str = "out.txt";
 
