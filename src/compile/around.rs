@@ -2,7 +2,7 @@
 //! through the tree. The same answers as one by one, to the bit.
 
 use super::csg::Found;
-use super::hits::{FourHits, FourWays, shadow_query};
+use super::hits::{FourHits, FourWays};
 use super::lot::Lot;
 use super::order::Numbered;
 use super::query::{Best, Query, Scratch, Seen, Way};
@@ -182,7 +182,7 @@ impl World {
         let mut lot = std::mem::take(&mut scratch.lot);
         let mut shadows = Shadows::default();
         let to_light = &*ways;
-        let query = |ray: usize| shadow_query(&hits[ray / 4], &to_light[ray / 4], ray % 4);
+        let query = |ray: usize| to_light[ray / 4].query(&hits[ray / 4], ray % 4);
         let points = (hits, to_light);
         for &item in &self.finder().unbounded {
             let rays = asked & !shadows.blocked;

@@ -208,23 +208,23 @@ impl FourWays {
         })
     }
 
+    /// The question what lies on one of them.
+    #[must_use]
+    #[inline(always)]
+    pub fn query(&self, hits: &FourHits, lane: usize) -> Query {
+        Query {
+            ray: Ray::new(hits.point(lane), self.to_light(lane)),
+            from: Some(hits.departure(lane)),
+            far: self.far[lane],
+            seen: Seen::Shadow,
+        }
+    }
+
     /// The direction to the lamp.
     #[must_use]
     #[inline(always)]
     pub fn to_light(&self, lane: usize) -> DVec3 {
         one_of(&self.to_light, lane)
-    }
-}
-
-/// The question what lies on the way from a hit to a lamp.
-#[must_use]
-#[inline(always)]
-pub(super) fn shadow_query(hits: &FourHits, ways: &FourWays, lane: usize) -> Query {
-    Query {
-        ray: Ray::new(hits.point(lane), ways.to_light(lane)),
-        from: Some(hits.departure(lane)),
-        far: ways.far[lane],
-        seen: Seen::Shadow,
     }
 }
 

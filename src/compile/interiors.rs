@@ -112,6 +112,12 @@ impl Interiors {
         !self.media.is_empty()
     }
 
+    /// Whether light from a source fades in some of them.
+    #[must_use]
+    pub fn fade_light(&self) -> bool {
+        self.written.iter().any(Interior::fades)
+    }
+
     /// Whether some of them split white light.
     #[must_use]
     pub fn split_light(&self) -> bool {

@@ -46,7 +46,7 @@ impl World {
             let surface = &self.surfaces[leaf.surface as usize];
             if leaf.shape.is_faceted()
                 || leaf.shape.knows_departures()
-                || !surface.filters_evenly()
+                || self.even_filter(leaf.surface).is_none()
                 || self.interiors.get(surface.interior).caustics != 0.0
             {
                 return None;

@@ -114,7 +114,7 @@ impl World {
             scratch.blockers.resize(light + 1, None);
         }
         // Neighbouring points are often in the shadow of the same object.
-        let last = scratch.blockers[light];
+        let last = scratch.blockers[light].filter(|_| !self.knows_around(number));
         // It need not be asked again if it is known not to lie there.
         let mut passed = u32::MAX;
         if let Some(item) = last {

@@ -153,6 +153,8 @@ struct Rare {
 pub(super) struct Overview {
     /// For each, whether nothing can be seen through it; empty if all are so.
     pub(super) opaque: Vec<bool>,
+    /// For each, the share of light that passes its textures everywhere, if there is such; empty if all are opaque.
+    pub(super) filters: Vec<Option<Rgb>>,
     /// Whether all are so.
     pub(super) is_opaque: bool,
     /// Whether some cannot be seen by some rays.
@@ -192,13 +194,19 @@ impl Overview {
             has_unlit,
             is_grainy,
         ] = is_some.reduce(|| [false; 6], either);
-        let opaque = surfaces.map(Surface::is_opaque);
+        let (mut opaque, mut filters) = (Vec::new(), Vec::new());
+        if shows_through {
+            surfaces
+                .clone()
+                .map(Surface::is_opaque)
+                .collect_into_vec(&mut opaque);
+            surfaces
+                .map(Surface::even_filter)
+                .collect_into_vec(&mut filters);
+        }
         Overview {
-            opaque: if shows_through {
-                opaque.collect()
-            } else {
-                Vec::new()
-            },
+            opaque,
+            filters,
             is_opaque: !shows_through,
             hides_some,
             has_fresnel,
@@ -414,21 +422,14 @@ impl Surface {
         self.traits.has(Traits::BUMPY)
     }
 
-    /// Whether the same share of light passes its textures everywhere.
-    #[must_use]
-    pub fn filters_evenly(&self) -> bool {
-        self.traits.has(Traits::FILTERS_EVENLY)
-    }
-
-    /// That share.
-    #[must_use]
-    #[inline]
-    pub fn even_filter(&self) -> Rgb {
+    /// The share of light that passes its textures, if that is the same everywhere.
+    fn even_filter(&self) -> Option<Rgb> {
         let layers = self.texture.layers().iter();
-        layers.fold(Rgb::WHITE, |light, layer| match &layer.pigment {
+        let share = layers.fold(Rgb::WHITE, |light, layer| match &layer.pigment {
             PreparedPigment::Plain(color) => light * color.transmission(),
             _ => light,
-        })
+        });
+        self.traits.has(Traits::FILTERS_EVENLY).then_some(share)
     }
 
     /// Whether the view through it matters to its mirror images.

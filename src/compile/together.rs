@@ -1,7 +1,7 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::csg::Found;
-use super::hits::{FourHits, FourWays, shadow_query};
+use super::hits::{FourHits, FourWays};
 use super::lot::Lot;
 use super::model::Item;
 use super::order::Numbered;
@@ -156,7 +156,7 @@ impl World {
         let mut lot = std::mem::take(&mut scratch.lot);
         let query = |ray: usize| {
             let place = usize::from(places[ray]);
-            shadow_query(&hits[place / 4], &to_light[place / 4], place % 4)
+            to_light[place / 4].query(&hits[place / 4], place % 4)
         };
         let was_of_use = with_widest(
             #[inline(always)]
@@ -286,7 +286,7 @@ impl World {
         scratch: &mut Scratch,
     ) -> Way {
         let place = usize::from(place);
-        let query = shadow_query(&hits[place / 4], &to_light[place / 4], place % 4);
+        let query = to_light[place / 4].query(&hits[place / 4], place % 4);
         self.way(&query, light, scratch)
     }
 

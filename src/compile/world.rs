@@ -187,6 +187,14 @@ impl World {
         self.overview.is_opaque
     }
 
+    /// The share of light that passes a surface, if that is the same everywhere and something can be seen through any.
+    #[must_use]
+    #[inline]
+    pub fn even_filter(&self, surface: u32) -> Option<Rgb> {
+        let filters = &self.overview.filters;
+        filters.get(surface as usize).copied().flatten()
+    }
+
     /// Whether the view through some surface matters to its mirror images.
     #[must_use]
     pub fn has_fresnel(&self) -> bool {

@@ -7,8 +7,8 @@ use super::coats::Coats;
 use super::plain_four::Looking;
 use super::shadows::Together;
 use super::waves::Waves;
-use super::{Path, Sample, Tracer, begin_sample};
-use crate::compile::{FourHits, Rays, Scratch, Seen};
+use super::{Sample, Tracer, begin_sample};
+use crate::compile::{FourHits, InteriorId, Rays, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::with_widest;
 use glam::DVec3;
@@ -62,9 +62,8 @@ impl Looking for FromCamera<'_, '_> {
         Some(Seen::Image)
     }
 
-    fn path(&self, lane: usize, hits: &FourHits) -> Path {
-        let origin = self.0.world.camera.location();
-        self.0.camera_path(Ray::new(origin, hits.dir(lane)))
+    fn inside(&self, _lane: usize) -> &[InteriorId] {
+        &self.0.around_camera
     }
 }
 

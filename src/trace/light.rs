@@ -110,6 +110,21 @@ impl Known {
     }
 }
 
+/// A way from a point to a light, and what is known of it.
+pub(super) struct LightWay<'i> {
+    /// The number of the light.
+    pub(super) light: u32,
+    /// The question what lies on it.
+    pub(super) query: Query,
+    pub(super) distance: f64,
+    /// What lies on it, if that was asked before.
+    pub(super) known: Option<Way>,
+    /// The interiors that the point is in.
+    pub(super) inside: &'i [InteriorId],
+    /// Whether photons stand for light that targets would let through to it.
+    pub(super) collects: bool,
+}
+
 /// The colour of a layer at a point.
 pub(super) struct Coat<'f> {
     pub(super) finish: &'f Finish,
@@ -264,7 +279,7 @@ impl Tracer<'_> {
     /// What is left of light after all that stands between a point and its source.
     pub(super) fn through_shadows(
         &self,
-        mut arriving: Rgb,
+        arriving: Rgb,
         lit: &Lit,
         light: u32,
         arrival: &Arrival,
@@ -281,12 +296,40 @@ impl Tracer<'_> {
         if source.is_shadowless() {
             return arriving;
         }
+        let known = lit.known.get(light as usize).and_then(|known| known.way);
+        let way = LightWay {
+            light,
+            query,
+            distance,
+            known,
+            inside: &lit.path.inside,
+            collects: lit.collects,
+        };
+        self.through_way(arriving, way, scratch)
+    }
+
+    /// What is left of light behind all that lies on its way.
+    pub(super) fn through_way(
+        &self,
+        mut arriving: Rgb,
+        way: LightWay,
+        scratch: &mut Scratch,
+    ) -> Rgb {
+        let LightWay {
+            light,
+            mut query,
+            distance,
+            known,
+            inside,
+            collects,
+        } = way;
+        let source = self.world.lights.get(light);
+        let ray = query.ray;
         let by_air = self.has_media
             && !self.world.media.is_empty()
             && source.media_attenuation
             && source.media_interaction;
         let minds_air = source.media_attenuation && !self.world.fogs.is_empty() || by_air;
-        let known = lit.known.get(light as usize).and_then(|known| known.way);
         match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
             Way::Free if !minds_air => return arriving,
             Way::Blocked => return Rgb::BLACK,
@@ -296,16 +339,16 @@ impl Tracer<'_> {
             }
             Way::Free | Way::Filtered => {}
         }
-        let mut inside = Inside::from_slice(&lit.path.inside);
         if !(minds_air || self.has_media || !self.quality.has_transparency)
             && let Some(passed) = self.world.all_among(&query, scratch)
         {
             let mut surfaces = passed.iter().map(|&(_, surface)| surface);
-            if lit.collects && surfaces.any(|surface| self.replaces(surface, light)) {
+            if collects && surfaces.any(|surface| self.replaces(surface, light)) {
                 return Rgb::BLACK;
             }
-            return self.through_all(arriving, &passed, &mut inside);
+            return self.through_all(arriving, &passed, inside);
         }
+        let mut inside = Inside::from_slice(inside);
         let mut left = distance;
         for _ in 0..super::MOST_PASSED {
             let hit = self.world.nearest_among(&query, scratch);
@@ -326,7 +369,7 @@ impl Tracer<'_> {
                 // As in POV-Ray interiors take no light from where nothing ends them.
                 return arriving;
             };
-            if lit.collects && self.replaces(hit.surface, light) {
+            if collects && self.replaces(hit.surface, light) {
                 return Rgb::BLACK;
             }
             arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
@@ -344,11 +387,16 @@ impl Tracer<'_> {
     }
 
     /// What is left of light behind surfaces each of which lets the same share through everywhere.
-    fn through_all(&self, mut arriving: Rgb, passed: &Passed, inside: &mut Inside) -> Rgb {
+    fn through_all(&self, mut arriving: Rgb, passed: &Passed, inside: &[InteriorId]) -> Rgb {
+        let mut inside = self.light_fades.then(|| Inside::from_slice(inside));
         let mut from = 0.0;
         for &(t, surface) in passed {
-            let surface = &self.world.surfaces[surface as usize];
-            arriving *= surface.even_filter() * self.fade(inside, surface.interior, t - from);
+            let mut share = self.world.even_filter(surface).unwrap_or(Rgb::WHITE);
+            if let Some(inside) = &mut inside {
+                let interior = self.world.surfaces[surface as usize].interior;
+                share = share * self.fade(inside, interior, t - from);
+            }
+            arriving *= share;
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }

@@ -132,6 +132,8 @@ pub struct Tracer<'w> {
     minds_interiors: bool,
     /// Whether rays meet media.
     has_media: bool,
+    /// Whether light from a source fades in some interior.
+    light_fades: bool,
     /// Whether light that arrives from behind may matter to some surface.
     minds_backs: bool,
     /// Whether it hangs on the surface to which light matters besides those that face it.
@@ -181,6 +183,7 @@ impl<'w> Tracer<'w> {
             world,
             quality,
             has_media,
+            light_fades: world.interiors.fade_light(),
             minds_backs: world.minds_backs(),
             minds_surfaces: world.minds_backs() || world.has_unlit(),
             sends_waves: !world.interiors.split_light() && !world.takes_chances(),

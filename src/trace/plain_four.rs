@@ -3,11 +3,11 @@
 //! ones.
 
 use super::coats::{Coats, PlainCoat};
-use super::light::{Known, Lit, NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::light::{LightWay, NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
-use super::{Path, Sample, Tracer};
+use super::{Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{FourHits, FourWays, LightList, Scratch, Seen};
+use crate::compile::{FourHits, FourWays, InteriorId, LightList, Scratch, Seen};
 use crate::light::Light;
 use crate::pattern::Spot;
 use crate::texture::{Finish, PreparedPigment};
@@ -41,8 +41,8 @@ pub(super) trait Looking {
     fn seen(&self, lane: usize) -> Seen;
     /// Who looks in all lanes, if that is the same.
     fn all_seen(&self) -> Option<Seen>;
-    /// The ray in this lane.
-    fn path(&self, lane: usize, hits: &FourHits) -> Path;
+    /// The interiors that the ray in this lane is in.
+    fn inside(&self, lane: usize) -> &[InteriorId];
 }
 
 impl<'w> FourSeen<'w> {
@@ -205,7 +205,7 @@ impl<'w> Tracer<'w> {
             let mut arriving = Arriving::of(light, ways, free);
             each_lane(filtered, |lane| {
                 let of = (all, 4 * four + lane);
-                let left = self.filtered(number, of, &rays.path(lane, hits), scratch);
+                let left = self.filtered(number, of, rays.inside(lane), scratch);
                 arriving.take(lane, left);
             });
             add_light(&arriving, ways, hits, &coats, &mut sum);
@@ -228,30 +228,24 @@ impl<'w> Tracer<'w> {
         &self,
         number: u32,
         (all, place): (&Together, usize),
-        path: &Path,
+        inside: &[InteriorId],
         scratch: &mut Scratch,
     ) -> Rgb {
         let (hits, lane) = (&all.hits[place / 4], place % 4);
-        let known = all.known(place);
         let ways = &all.ways[number as usize * all.hits.len() + place / 4];
-        let Known { arrival, share, .. } = Known::of(ways, lane);
-        let arriving = self.world.lights.get(number).color * share;
+        let arriving = self.world.lights.get(number).color * ways.share[lane];
         if is_nothing(arriving) {
             return Rgb::BLACK;
         }
-        let departure = hits.departure(lane);
-        let surface = &self.world.surfaces[hits.surface[lane] as usize];
-        let lit = Lit {
-            at: viewed(hits, lane),
-            departure: Some(&departure),
-            path,
-            known: &known,
-            arrived: None,
-            is_double_illuminated: surface.flags.double_illuminate,
-            lights: self.world.lights.of(surface.lights),
+        let way = LightWay {
+            light: number,
+            query: ways.query(hits, lane),
+            distance: ways.distance[lane],
+            known: if all.knows_ways { ways.way(lane) } else { None },
+            inside,
             collects: false,
         };
-        self.through_shadows(arriving, &lit, number, &arrival, scratch)
+        self.through_way(arriving, way, scratch)
     }
 
     /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.

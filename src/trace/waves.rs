@@ -11,7 +11,7 @@ use super::shadows::Together;
 use super::surface::{mirror, mirrored_off};
 use super::{Inside, MOST_PASSED, Path, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Departure, FourHits, Query, Scratch, Seen};
+use crate::compile::{Departure, FourHits, InteriorId, Query, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::with_widest;
 
@@ -123,8 +123,8 @@ impl Looking for Few<'_> {
         are_same.then_some(first)
     }
 
-    fn path(&self, lane: usize, _hits: &FourHits) -> Path {
-        self.rays[lane].path(self.insides)
+    fn inside(&self, lane: usize) -> &[InteriorId] {
+        &self.insides[self.rays[lane].inside]
     }
 }
 
