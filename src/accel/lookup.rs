@@ -140,24 +140,33 @@ impl Vista {
         let dir = (way / distance).as_vec3();
         let [across, up, along] = self.axes.map(Vec3::from_array);
         let end = nearest(distance) * (1.0 + 4.0 * DOUBT);
-        let mut is_stopped = |item: u32| self.may_lie_on(dir, end, item) && visit(item);
-        if self.around.iter().any(|&item| is_stopped(item)) {
-            return true;
-        }
-        let depth = along.dot(dir);
-        let grid = &self.raster.grid;
-        let mut cell = 0;
-        for (side, axis) in [(1, up), (0, across)] {
-            let at = axis.dot(dir) / depth * grid.rate[side] + grid.start[side];
-            let size = grid.size[side];
-            if !(depth > 0.0 && at >= 0.0 && at < as_number(size)) {
+        // One place that visits: what it does is compiled into it.
+        let (mut items, mut is_last) = (&self.around[..], false);
+        loop {
+            for &item in items {
+                if self.known[item as usize].near > end {
+                    break;
+                }
+                if self.may_lie_on(dir, end, item) && visit(item) {
+                    return true;
+                }
+            }
+            if is_last {
                 return false;
             }
-            cell = cell * size as usize + number_of(at);
+            let depth = along.dot(dir);
+            let grid = &self.raster.grid;
+            let mut cell = 0;
+            for (side, axis) in [(1, up), (0, across)] {
+                let at = axis.dot(dir) / depth * grid.rate[side] + grid.start[side];
+                let size = grid.size[side];
+                if !(depth > 0.0 && at >= 0.0 && at < as_number(size)) {
+                    return false;
+                }
+                cell = cell * size as usize + number_of(at);
+            }
+            (items, is_last) = (self.raster.items(cell), true);
         }
-        let items = self.raster.items(cell).iter();
-        let mut before = items.take_while(|&&item| self.known[item as usize].near <= end);
-        before.any(|&item| is_stopped(item))
     }
 
     /// Whether an item may lie on a ray from here in this direction before it ends.

@@ -97,11 +97,14 @@ impl Leaf {
         )
     }
 
+    /// A world ray in the space of the shape: itself, or one in `room`. What is only read is not copied: a vector that was
+    /// just written as one pair of numbers and a single is slow to read as a single and a pair.
     #[inline(always)]
-    pub(super) fn to_object(&self, ray: &Ray) -> Ray {
-        self.object_from_world
-            .as_ref()
-            .map_or(*ray, |matrix| ray.to_object(matrix))
+    fn to_object<'r>(&self, ray: &'r Ray, room: &'r mut Option<Ray>) -> &'r Ray {
+        match &self.object_from_world {
+            None => ray,
+            Some(matrix) => room.insert(ray.to_object(matrix)),
+        }
     }
 
     pub(super) fn point_to_object(&self, point: DVec3) -> DVec3 {
@@ -112,7 +115,7 @@ impl Leaf {
 
     /// All roots on the whole line of a world ray.
     pub fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        self.shape.roots(&self.to_object(ray), roots)
+        self.shape.roots(self.to_object(ray, &mut None), roots)
     }
 
     /// Whether all of a world ray from its start to `to` lies well inside; what is not known is false.
@@ -120,8 +123,8 @@ impl Leaf {
     #[inline]
     pub(super) fn holds(&self, ray: &Ray, to: f64) -> bool {
         match &self.shape {
-            Shape::Sphere(sphere) => sphere.holds(&self.to_object(ray), to),
-            Shape::Cuboid(cuboid) => cuboid.holds(&self.to_object(ray), to),
+            Shape::Sphere(sphere) => sphere.holds(self.to_object(ray, &mut None), to),
+            Shape::Cuboid(cuboid) => cuboid.holds(self.to_object(ray, &mut None), to),
             _ => false,
         }
     }
@@ -130,7 +133,7 @@ impl Leaf {
     #[must_use]
     #[inline(always)]
     pub fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        self.shape.nearest(&self.to_object(ray), from, to)
+        self.shape.nearest(self.to_object(ray, &mut None), from, to)
     }
 
     /// Whether a world ray that leaves the shape outward cannot meet it again; what is not known is false.
@@ -146,7 +149,7 @@ impl Leaf {
     /// Whether all that the line of a world ray enters lies before its start; what is not known is false.
     #[must_use]
     pub fn is_left_behind(&self, ray: &Ray) -> bool {
-        self.shape.is_left_behind(&self.to_object(ray))
+        self.shape.is_left_behind(self.to_object(ray, &mut None))
     }
 
     #[inline(never)]
@@ -157,8 +160,9 @@ impl Leaf {
     /// The first visible root of a world ray with `from < t < to` on any piece of a faceted shape but `face`.
     #[must_use]
     pub fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
-        let ray = self.to_object(ray);
-        self.shape.nearest_beside(&ray, from, to, face)
+        let room = &mut None;
+        self.shape
+            .nearest_beside(self.to_object(ray, room), from, to, face)
     }
 
     /// Whether a world point lies in the solid.

@@ -49,9 +49,9 @@ impl World {
     }
 
     /// The same for up to four rays.
-    pub fn nearest_of_four(
+    pub fn nearest_of_four<'q>(
         &self,
-        queries: impl Iterator<Item = Query>,
+        queries: impl Iterator<Item = &'q Query>,
         hits: &mut FourHits,
         scratch: &mut Scratch,
     ) {
@@ -61,8 +61,8 @@ impl World {
             #[inline(always)]
             |lanes| {
                 for (lane, query) in queries.enumerate().take(4) {
-                    scratch.rays.count(&query);
-                    bests[lane] = self.nearest_found(lanes, &query, scratch);
+                    scratch.rays.count(query);
+                    bests[lane] = self.nearest_found(lanes, query, scratch);
                     hits.aim(lane, query.ray.dir);
                     for (axis, origin) in origin.iter_mut().enumerate() {
                         origin[lane] = query.ray.origin[axis];

@@ -82,16 +82,22 @@ impl Machine {
 }
 
 /// Does the work with the best that the machine can.
-#[inline]
+#[inline(always)]
 pub(crate) fn with_widest<R>(work: impl FnOnce(Lanes) -> R) -> R {
     match Machine::at_hand() {
-        Machine::Any => work(Lanes::NARROW),
+        Machine::Any => with_any(work),
         // SAFETY: it needs nothing but the instructions that this machine has said it has.
         #[cfg(target_arch = "x86_64")]
         Machine::Wide => unsafe { with_wide(work) },
         #[cfg(not(target_arch = "x86_64"))]
-        Machine::Wide => work(Lanes::NARROW),
+        Machine::Wide => with_any(work),
     }
+}
+
+/// Not part of whoever calls it, so that what the work takes along is handed on in place.
+#[inline(never)]
+fn with_any<R>(work: impl FnOnce(Lanes) -> R) -> R {
+    work(Lanes::NARROW)
 }
 
 #[cfg(target_arch = "x86_64")]

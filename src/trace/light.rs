@@ -305,51 +305,48 @@ impl Tracer<'_> {
             inside: &lit.path.inside,
             collects: lit.collects,
         };
-        self.through_way(arriving, way, scratch)
+        self.through_way(arriving, &way, scratch)
     }
 
     /// What is left of light behind all that lies on its way.
     pub(super) fn through_way(
         &self,
         mut arriving: Rgb,
-        way: LightWay,
+        way: &LightWay,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let LightWay {
-            light,
-            mut query,
-            distance,
-            known,
-            inside,
-            collects,
-        } = way;
+        let (query, light) = (&way.query, way.light);
         let source = self.world.lights.get(light);
-        let ray = query.ray;
         let by_air = self.has_media
             && !self.world.media.is_empty()
             && source.media_attenuation
             && source.media_interaction;
         let minds_air = source.media_attenuation && !self.world.fogs.is_empty() || by_air;
-        match known.unwrap_or_else(|| self.world.way(&query, light, scratch)) {
+        match way
+            .known
+            .unwrap_or_else(|| self.world.way(query, light, scratch))
+        {
             Way::Free if !minds_air => return arriving,
             Way::Blocked => return Rgb::BLACK,
             // What was asked for many rays at once was not gathered.
-            Way::Free | Way::Filtered if known.is_some() => {
-                self.world.way_again(&query, light, scratch);
+            Way::Free | Way::Filtered if way.known.is_some() => {
+                self.world.way_again(query, light, scratch);
             }
             Way::Free | Way::Filtered => {}
         }
         if !(minds_air || self.has_media || !self.quality.has_transparency)
-            && let Some(passed) = self.world.all_among(&query, scratch)
+            && let Some(passed) = self.world.all_among(query, scratch)
         {
             let mut surfaces = passed.iter().map(|&(_, surface)| surface);
-            if collects && surfaces.any(|surface| self.replaces(surface, light)) {
+            if way.collects && surfaces.any(|surface| self.replaces(surface, light)) {
                 return Rgb::BLACK;
             }
-            return self.through_all(arriving, &passed, inside);
+            return self.through_all(arriving, &passed, way.inside);
         }
-        let mut inside = Inside::from_slice(inside);
-        let mut left = distance;
+        let ray = query.ray;
+        let mut query = *query;
+        let mut inside = Inside::from_slice(way.inside);
+        let mut left = way.distance;
         for _ in 0..super::MOST_PASSED {
             let hit = self.world.nearest_among(&query, scratch);
             if minds_air {
@@ -369,7 +366,7 @@ impl Tracer<'_> {
                 // As in POV-Ray interiors take no light from where nothing ends them.
                 return arriving;
             };
-            if collects && self.replaces(hit.surface, light) {
+            if way.collects && self.replaces(hit.surface, light) {
                 return Rgb::BLACK;
             }
             arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);

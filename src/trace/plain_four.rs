@@ -245,7 +245,7 @@ impl<'w> Tracer<'w> {
             inside,
             collects: false,
         };
-        self.through_way(arriving, way, scratch)
+        self.through_way(arriving, &way, scratch)
     }
 
     /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.

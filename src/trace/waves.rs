@@ -14,6 +14,7 @@ use crate::color::Rgb;
 use crate::compile::{Departure, FourHits, InteriorId, Query, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::with_widest;
+use glam::DVec3;
 
 /// So many surfaces that show others are looked at together; behind those rays are followed one by one, which needs no
 /// room for all the branches of a tree at once.
@@ -38,9 +39,7 @@ pub(super) struct Waves {
 /// A ray that goes on from a surface.
 #[derive(Clone, Copy, Debug)]
 struct Onward {
-    ray: Ray,
-    from: Option<Departure>,
-    seen: Seen,
+    query: Query,
     /// How many bends and mirrors lie behind it.
     level: u32,
     /// How many surfaces it has passed since then without a bend.
@@ -114,12 +113,12 @@ impl Waves {
 
 impl Looking for Few<'_> {
     fn seen(&self, lane: usize) -> Seen {
-        self.rays[lane].seen
+        self.rays[lane].query.seen
     }
 
     fn all_seen(&self) -> Option<Seen> {
-        let first = self.rays[0].seen;
-        let are_same = self.rays.iter().all(|onward| onward.seen == first);
+        let first = self.rays[0].query.seen;
+        let are_same = self.rays.iter().all(|onward| onward.query.seen == first);
         are_same.then_some(first)
     }
 
@@ -129,20 +128,21 @@ impl Looking for Few<'_> {
 }
 
 impl Onward {
-    fn query(&self) -> Query {
+    /// A question about the nearest surface on a ray.
+    fn query(ray: Ray, from: Option<Departure>, seen: Seen) -> Query {
         Query {
-            ray: self.ray,
-            from: self.from,
+            ray,
+            from,
             far: f64::INFINITY,
-            seen: self.seen,
+            seen,
         }
     }
 
     fn path(&self, insides: &[Inside]) -> Path {
         Path {
-            ray: self.ray,
-            from: self.from,
-            seen: self.seen,
+            ray: self.query.ray,
+            from: self.query.from,
+            seen: self.query.seen,
             level: self.level,
             weight: self.weight,
             gathered: 0,
@@ -165,10 +165,9 @@ impl Tracer<'_> {
         if waves.insides.is_empty() {
             waves.insides.push(Inside::from_slice(&self.around_camera));
         }
+        let ray = Ray::new(self.world.camera.location(), hits.dir(lane));
         let onward = Onward {
-            ray: Ray::new(self.world.camera.location(), hits.dir(lane)),
-            from: None,
-            seen: Seen::Image,
+            query: Onward::query(ray, None, Seen::Image),
             level: 0,
             passed: 0,
             weight: 1.0,
@@ -198,15 +197,11 @@ impl Tracer<'_> {
             behind: Sample::BLACK,
             image: Rgb::BLACK,
         };
-        let mirrored = Onward {
-            ray: Ray::new(at.point, at.view),
-            from: Some(hits.departure(lane)),
-            seen: met.seen.mirrored(),
-            level: met.level + 1,
-            passed: 0,
-            to: To::Image(number),
-            ..*met
-        };
+        let departure = Some(hits.departure(lane));
+        let onward =
+            |dir: DVec3, seen: Seen| Onward::query(Ray::new(at.point, dir), departure, seen);
+        let seen_in_mirror = met.query.seen.mirrored();
+        let level = met.level + 1;
         let interior = || self.world.surfaces[hits.surface[lane] as usize].interior;
         let mut filter = Rgb::WHITE;
         let mut image = None;
@@ -215,9 +210,12 @@ impl Tracer<'_> {
             let mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
             let weight = mirror.weight * f64::from(filter.grey());
             image = Some(Onward {
-                ray: Ray::new(at.point, mirror.dir),
+                query: onward(mirror.dir, seen_in_mirror),
+                level,
+                passed: 0,
                 weight: met.weight * weight,
-                ..mirrored
+                inside: met.inside,
+                to: To::Image(number),
             });
             shown.reflectivity = mirror.reflectivity;
             if finish.conserve_energy {
@@ -230,28 +228,22 @@ impl Tracer<'_> {
             let through = self.through(before, interior(), filter, None);
             shown.factor = through.factor;
             shown.transmit = through.transmit;
-            let behind = Onward {
-                weight: met.weight * through.weight,
-                to: To::Behind(number),
-                ..mirrored
-            };
+            let weight = met.weight * through.weight;
+            let to = To::Behind(number);
             let bend = bend(at.view, at.normal, through.passage.ratio);
             match bend {
                 Bend::None | Bend::To(_) => {
+                    let (dir, level, passed) = match bend {
+                        Bend::To(dir) => (dir, level, 0),
+                        _ => (at.view, met.level, met.passed + 1),
+                    };
                     waves.next.push(Onward {
-                        seen: met.seen,
+                        query: onward(dir, met.query.seen),
+                        level,
+                        passed,
+                        weight,
                         inside: waves.insides.len(),
-                        ..match bend {
-                            Bend::To(dir) => Onward {
-                                ray: Ray::new(at.point, dir),
-                                ..behind
-                            },
-                            _ => Onward {
-                                level: met.level,
-                                passed: met.passed + 1,
-                                ..behind
-                            },
-                        }
+                        to,
                     });
                     waves.insides.push(through.passage.inside);
                 }
@@ -261,8 +253,12 @@ impl Tracer<'_> {
                     image = None;
                     let dir = mirrored_off(at.view, at.normal, at.normal);
                     waves.next.push(Onward {
-                        ray: Ray::new(at.point, dir),
-                        ..behind
+                        query: onward(dir, seen_in_mirror),
+                        level,
+                        passed: 0,
+                        weight,
+                        inside: met.inside,
+                        to,
                     });
                 }
             }
@@ -322,7 +318,7 @@ impl Tracer<'_> {
         let mut all = std::mem::take(&mut waves.all);
         all.hits.resize(rays.len().div_ceil(4), FourHits::NOTHING);
         for (rays, hits) in rays.chunks(4).zip(&mut all.hits) {
-            let queries = rays.iter().map(Onward::query);
+            let queries = rays.iter().map(|onward| &onward.query);
             self.world.nearest_of_four(queries, hits, scratch);
         }
         // Where much is filtered each way is looked at alone.
