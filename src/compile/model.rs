@@ -118,16 +118,6 @@ impl Model {
         }
     }
 
-    /// Whether even one ray is better asked about an item as one of four: all lanes cost less than the way of a single ray,
-    /// which must know what to do in every case.
-    #[inline(always)]
-    pub(super) fn suits_one(&self, item: Item) -> bool {
-        match item {
-            Item::Leaf(leaf) => !matches!(self.leaves[leaf as usize].shape, Shape::Sphere(_)),
-            Item::Program(_) | Item::Instance(_) => true,
-        }
-    }
-
     /// Where a leaf is a part of an instance, that one.
     fn instance_of(&self, leaf: u32) -> Option<&Instance> {
         let is_own = (leaf as usize) < self.leaves.len();

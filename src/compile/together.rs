@@ -306,15 +306,10 @@ impl World {
         if !self.suits_four(item.item, seen) {
             return rays;
         }
-        let is_for_one = |rays: u32| rays.is_power_of_two() && !self.model.suits_one(item.item);
-        if is_for_one(rays) {
-            return rays;
-        }
         let mut left = 0;
         for half in [0, 4] {
             let some = rays >> half & 0b1111;
-            if some == 0 || is_for_one(some) {
-                left |= some << half;
+            if some == 0 {
                 continue;
             }
             let start = first + half;
