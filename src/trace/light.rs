@@ -1,13 +1,12 @@
-//! Light at a point of a surface: diffuse light, highlights, and what stands in the way of them.
+//! Light at a point of a surface: diffuse light and highlights; what stands in the way of them is told in [`super::way`].
 
 use super::area::Lamps;
 use super::arrived::Arrived;
 use super::surface::facing_normal;
-use super::{Inside, Path, Tracer, passage};
+use super::way::shadow_query;
+use super::{Path, Tracer};
 use crate::color::Rgb;
-use crate::compile::{
-    Departure, FourWays, Hit, InteriorId, Passed, Query, Scratch, Seen, Surface, Way, World,
-};
+use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Surface, Way, World};
 use crate::light::Arrival;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
@@ -108,21 +107,6 @@ impl Known {
         let ray = Ray::new(hit.point, self.arrival.to_light);
         shadow_query(world, Some(hit.departure), ray, self.arrival.distance)
     }
-}
-
-/// A way from a point to a light, and what is known of it.
-pub(super) struct LightWay<'i> {
-    /// The number of the light.
-    pub(super) light: u32,
-    /// The question what lies on it.
-    pub(super) query: Query,
-    pub(super) distance: f64,
-    /// What lies on it, if that was asked before.
-    pub(super) known: Option<Way>,
-    /// The interiors that the point is in.
-    pub(super) inside: &'i [InteriorId],
-    /// Whether photons stand for light that targets would let through to it.
-    pub(super) collects: bool,
 }
 
 /// The colour of a layer at a point.
@@ -276,132 +260,6 @@ impl Tracer<'_> {
         }
     }
 
-    /// What is left of light after all that stands between a point and its source.
-    pub(super) fn through_shadows(
-        &self,
-        arriving: Rgb,
-        lit: &Lit,
-        light: u32,
-        arrival: &Arrival,
-        scratch: &mut Scratch,
-    ) -> Rgb {
-        let ray = Ray::new(lit.at.point, arrival.to_light);
-        let distance = arrival.distance;
-        let mut query = shadow_query(self.world, lit.departure.copied(), ray, distance);
-        let Some(far) = self.world.shadow_reach(&query, light, scratch) else {
-            return Rgb::BLACK;
-        };
-        query.far = far;
-        let source = self.world.lights.get(light);
-        if source.is_shadowless() {
-            return arriving;
-        }
-        let known = lit.known.get(light as usize).and_then(|known| known.way);
-        let way = LightWay {
-            light,
-            query,
-            distance,
-            known,
-            inside: &lit.path.inside,
-            collects: lit.collects,
-        };
-        self.through_way(arriving, &way, scratch)
-    }
-
-    /// What is left of light behind all that lies on its way.
-    pub(super) fn through_way(
-        &self,
-        mut arriving: Rgb,
-        way: &LightWay,
-        scratch: &mut Scratch,
-    ) -> Rgb {
-        let (query, light) = (&way.query, way.light);
-        let source = self.world.lights.get(light);
-        let by_air = self.has_media
-            && !self.world.media.is_empty()
-            && source.media_attenuation
-            && source.media_interaction;
-        let minds_air = source.media_attenuation && !self.world.fogs.is_empty() || by_air;
-        match way
-            .known
-            .unwrap_or_else(|| self.world.way(query, light, scratch))
-        {
-            Way::Free if !minds_air => return arriving,
-            Way::Blocked => return Rgb::BLACK,
-            // What was asked for many rays at once was not gathered.
-            Way::Free | Way::Filtered if way.known.is_some() => {
-                self.world.way_again(query, light, scratch);
-            }
-            Way::Free | Way::Filtered => {}
-        }
-        if !(minds_air || self.has_media || !self.quality.has_transparency)
-            && let Some(passed) = self.world.all_among(query, scratch)
-        {
-            let mut surfaces = passed.iter().map(|&(_, surface)| surface);
-            if way.collects && surfaces.any(|surface| self.replaces(surface, light)) {
-                return Rgb::BLACK;
-            }
-            return self.through_all(arriving, &passed, way.inside);
-        }
-        let ray = query.ray;
-        let mut query = *query;
-        let mut inside = Inside::from_slice(way.inside);
-        let mut left = way.distance;
-        for _ in 0..super::MOST_PASSED {
-            let hit = self.world.nearest_among(&query, scratch);
-            if minds_air {
-                let length = hit.map_or(left, |hit| hit.t);
-                if source.media_attenuation
-                    && let Some(fog) = self.fog(&query.ray, length)
-                    && self.is_in_air(&inside)
-                {
-                    arriving *= fog.factor;
-                }
-            }
-            if by_air {
-                let length = hit.map_or(left, |hit| hit.t);
-                arriving *= self.dimmed_by_air(&query.ray, length, &inside, scratch);
-            }
-            let Some(hit) = hit else {
-                // As in POV-Ray interiors take no light from where nothing ends them.
-                return arriving;
-            };
-            if way.collects && self.replaces(hit.surface, light) {
-                return Rgb::BLACK;
-            }
-            arriving *= self.dimmed_inside(&query.ray, hit.t, &inside, scratch);
-            left -= hit.t;
-            let interior = self.world.surfaces[hit.surface as usize].interior;
-            arriving *= self.transmission(&hit, &ray) * self.fade(&mut inside, interior, hit.t);
-            if is_nothing(arriving) {
-                return Rgb::BLACK;
-            }
-            query.ray.origin = hit.point;
-            query.from = Some(hit.departure);
-            query.far -= hit.t;
-        }
-        Rgb::BLACK
-    }
-
-    /// What is left of light behind surfaces each of which lets the same share through everywhere.
-    fn through_all(&self, mut arriving: Rgb, passed: &Passed, inside: &[InteriorId]) -> Rgb {
-        let mut inside = self.light_fades.then(|| Inside::from_slice(inside));
-        let mut from = 0.0;
-        for &(t, surface) in passed {
-            let mut share = self.world.even_filter(surface).unwrap_or(Rgb::WHITE);
-            if let Some(inside) = &mut inside {
-                let interior = self.world.surfaces[surface as usize].interior;
-                share = share * self.fade(inside, interior, t - from);
-            }
-            arriving *= share;
-            if is_nothing(arriving) {
-                return Rgb::BLACK;
-            }
-            from = t;
-        }
-        arriving
-    }
-
     /// What light from one direction gives to a layer.
     #[inline]
     pub(super) fn shine(
@@ -440,38 +298,12 @@ impl Tracer<'_> {
         }
         sum
     }
-
-    /// The fading of light along a segment of this length that ends at the surface of an interior, which changes what the
-    /// light is inside of.
-    fn fade(&self, inside: &mut Inside, interior: InteriorId, length: f64) -> Rgb {
-        if passage::cross(inside, interior) {
-            self.world.interiors.get(interior).fade_on_light(length)
-        } else {
-            Rgb::WHITE
-        }
-    }
 }
 
 /// The next number of `crand`, from 0 to 1.
 fn grain(scratch: &mut Scratch) -> f64 {
     scratch.crand = hash::next(scratch.crand);
     f64::from(scratch.crand) / f64::from(u32::MAX)
-}
-
-/// The question what lies between a point and a light.
-#[inline]
-pub(super) fn shadow_query(
-    world: &World,
-    from: Option<Departure>,
-    ray: Ray,
-    distance: f64,
-) -> Query {
-    Query {
-        ray,
-        from,
-        far: world.reach(ray.at(distance), distance),
-        seen: Seen::Shadow,
-    }
 }
 
 /// Bumps hardly ever let a surface face a light that is farther behind it.

@@ -29,6 +29,7 @@ mod surface;
 mod tests;
 mod through;
 mod waves;
+mod way;
 
 use crate::atmosphere::{self, WAY_TO_NOTHING};
 use crate::color::Rgb;

@@ -3,8 +3,9 @@
 //! ones.
 
 use super::coats::{Coats, PlainCoat};
-use super::light::{LightWay, NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
+use super::way::LightWay;
 use super::{Sample, Tracer};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, InteriorId, LightList, Scratch, Seen};
