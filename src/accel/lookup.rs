@@ -16,7 +16,10 @@ const WHOLE: f32 = 12_582_912.0;
 pub(crate) struct EightRays {
     group: Group,
     scale: f64,
+    /// Where the last of them ends, as far as that is known.
     farthest: f32,
+    /// Whether that is to be found anew.
+    have_new_ends: bool,
     /// Which of them are there, one bit each.
     there: u32,
 }
@@ -26,7 +29,7 @@ impl EightRays {
     #[inline(always)]
     pub(crate) fn end(&mut self, ray: usize, end: f64) {
         self.group.end[ray % LANES] = frame_end(end, self.scale);
-        self.farthest = self.group.farthest();
+        self.have_new_ends = true;
     }
 }
 
@@ -39,6 +42,7 @@ impl Vista {
             group: Group::EMPTY,
             scale: self.frame.scale(),
             farthest: 0.0,
+            have_new_ends: false,
             there,
         };
         rays.group.take(0, halves[0], rays.scale);
@@ -92,6 +96,10 @@ impl Vista {
                 let may_meet = asked & self.may_meet(lanes, item, &rays.group);
                 if may_meet != 0 {
                     visit(item, may_meet, rays);
+                    if rays.have_new_ends {
+                        rays.farthest = rays.group.farthest();
+                        rays.have_new_ends = false;
+                    }
                 }
             }
             if left == 0 {
