@@ -491,11 +491,9 @@ impl World {
                 );
                 continue;
             }
-            let roots = &mut scratch.roots;
-            roots.clear();
-            found_leaf.roots(&query(start + lane).ray, roots);
-            match roots.iter().find(|root| root.t == found.t[lane]) {
-                Some(&root) => take(
+            let ray = query(start + lane).ray;
+            match found_leaf.root_at(&ray, found.t[lane], &mut scratch.roots) {
+                Some(root) => take(
                     lot,
                     start + lane,
                     Found {

@@ -118,6 +118,18 @@ impl Leaf {
         self.shape.roots(self.to_object(ray, &mut None), roots)
     }
 
+    /// The root that a world ray is known to have at `t`; none where it is none after all.
+    pub(super) fn root_at(&self, ray: &Ray, t: f64, roots: &mut Vec<Root>) -> Option<Root> {
+        if let (Shape::Sphere(sphere), None) = (&self.shape, &self.object_from_world)
+            && let Some(root) = sphere.root_at(ray, t)
+        {
+            return Some(root);
+        }
+        roots.clear();
+        self.roots(ray, roots);
+        roots.iter().find(|root| root.t == t).copied()
+    }
+
     /// Whether all of a world ray from its start to `to` lies well inside; what is not known is false.
     #[must_use]
     #[inline]

@@ -10,7 +10,9 @@
 use super::four::{
     FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
 };
-use super::{Geometry, Root, Start, WELL_INSIDE, even_scale, first_visible, push_span, read, span};
+use super::{
+    Crossing, Geometry, Root, Start, WELL_INSIDE, even_scale, first_visible, push_span, read, span,
+};
 use crate::args::{Args, Parse};
 use crate::math::chord::{MARGIN, ball_chord};
 use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
@@ -21,6 +23,10 @@ use std::f64::consts::{PI, TAU};
 
 /// What is entered after so many times the distance up to which nothing counts is not what the ray starts on.
 const SURELY_AFTER: f64 = 17.0;
+
+/// What lies so far from the middle of a chord, as a share of its distance and the radius, is on that side of it for all
+/// roundings.
+const SURELY_ASIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,6 +149,23 @@ impl Sphere {
         Some(if goes_out { enter } else { leave })
     }
 
+    /// The root that a ray, whose direction has length 1, is known to have at `t`, if it lies surely on one side of the
+    /// middle of the chord.
+    #[inline]
+    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let from_middle = (ray.origin - self.centre).dot(ray.dir) + t;
+        let is_sure = from_middle.abs() > SURELY_ASIDE * (t.abs() + self.radius);
+        is_sure.then_some(Root {
+            t,
+            crossing: match from_middle < 0.0 {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face: 0,
+            is_visible: true,
+        })
+    }
+
     /// Whether the ray begins outside and goes away: what it would meet lies behind.
     #[inline(always)]
     fn is_behind(&self, ray: &Ray) -> bool {
@@ -233,6 +256,7 @@ impl Geometry for Sphere {
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::random::Random;
     use crate::shape::check;
 
     fn unit_sphere() -> Sphere {
@@ -253,6 +277,28 @@ mod tests {
             centre: sphere.centre * k,
             radius: sphere.radius * k,
         });
+    }
+
+    #[test]
+    fn a_root_is_known_by_its_place() {
+        let mut rng = Random::new(11);
+        let mut known = 0;
+        for exponent in 0..20_000 {
+            let sphere = Sphere {
+                centre: rng.vector(1.0),
+                radius: 1.0,
+            };
+            let away = 2.0_f64.powi(exponent % 20 - 2);
+            let origin = away * rng.vector(1.0);
+            let aim = sphere.centre + rng.vector(1.0);
+            let ray = Ray::new(origin, (aim - origin).normalize_or(DVec3::X));
+            for root in sphere.span(&ray).into_iter().flatten() {
+                let found = sphere.root_at(&ray, root.t);
+                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
+                known += usize::from(found.is_some());
+            }
+        }
+        assert!(known > 20_000, "{known}");
     }
 
     #[test]
