@@ -113,7 +113,8 @@ impl World {
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, None);
         }
-        // Neighbouring points are often in the shadow of the same object.
+        // Neighbouring points are often in the shadow of the same object. Where it is known what lies around a lamp, to try it
+        // first costs more than it saves.
         let last = scratch.blockers[light].filter(|_| !self.knows_around(number));
         // It need not be asked again if it is known not to lie there.
         let mut passed = u32::MAX;
