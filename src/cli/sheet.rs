@@ -227,8 +227,9 @@ fn drawn(face: &Face, subject: &Subject, around: &Surroundings) -> Result<Vec<Dr
 /// Compares pictures with POV-Ray's.
 fn judged(pictures: Vec<Drawn>, judge: Option<&Judge>) -> Result<Vec<Entry>, CliError> {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let at_once = judge.map_or(1, |_| AT_ONCE * processors);
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(AT_ONCE * processors)
+        .num_threads(at_once)
         .build()
         .map_err(|error| CliError::new(format!("no threads to compare with: {error}")))?;
     let entry = |Drawn { folder, of, size }| {

@@ -6,7 +6,7 @@
 //!
 //! AVX-512 is not used. The masks that it has for lanes of 256 bits took 2 to 8 % off the time of tracing spheres on a
 //! Zen 5, but with it the compiler copies 64 bytes at a time, also where they have just been written as twice 32, for which
-//! an Intel Xeon waits: there tracing took 10 to 25 % longer than with AVX2.
+//! an Intel Xeon waits: there tracing took 10 to 25 % longer than with AVX2 in all scenes of the bench but the mirrors.
 //!
 //! Only what is inlined into the work is compiled so: hot loops say `#[inline(always)]`.
 #![allow(
