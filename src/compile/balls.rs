@@ -1,9 +1,14 @@
-//! Balls that become leaves when the order of the tree is known: where there are a million of them, writing them once less
-//! is a tenth of the time it takes to prepare them.
+//! Balls that become leaves when the order of the tree is known, and get their looks then: where there are a million of them,
+//! going through them once less is a tenth of the time it takes to prepare them, and what is seen together lies together.
 
+use super::flatten::index;
+use super::interiors::InteriorId;
 use super::leaf::{Absorb, Extent, Leaf};
-use super::row::Row;
-use crate::shape::Shape;
+use super::order::AHEAD;
+use super::row::{Alike, Row};
+use super::surface::Surface;
+use crate::shape::{Shape, Sphere};
+use rayon::prelude::*;
 
 /// Balls of one colour in the order of the file, by a number of their own.
 #[derive(Debug, Default)]
@@ -16,22 +21,27 @@ pub(super) struct Balls {
 #[derive(Debug)]
 struct Stretch {
     first: u32,
-    /// The looks of the first; those of the others follow.
-    surface: u32,
+    /// The interior of the first; those of the others follow.
+    interior: InteriorId,
     row: Row,
 }
 
 impl Balls {
-    /// Adds a row of `count` balls whose looks begin at `surface`; gives the number of the first.
-    pub(super) fn add(&mut self, row: Row, count: u32, surface: u32) -> u32 {
+    /// Adds a row of `count` balls whose interiors begin at `interior`; gives the number of the first.
+    pub(super) fn add(&mut self, row: Row, count: u32, interior: InteriorId) -> u32 {
         let first = self.count;
         self.count += count;
         self.stretches.push(Stretch {
             first,
-            surface,
+            interior,
             row,
         });
         first
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.count as usize
     }
 
     /// Where a ball is: its stretch, and the number in that.
@@ -42,27 +52,45 @@ impl Balls {
         (stretch, number - stretch.first)
     }
 
-    /// Says that the ball of this number will be asked for soon.
+    /// The ball of this number.
     #[inline]
-    pub(super) fn expect(&self, number: u32) {
+    pub(super) fn ball(&self, number: u32) -> Sphere {
         let (stretch, at) = self.place(number);
-        stretch.row.expect(at as usize);
+        let sphere = stretch.row.ball(at as usize);
+        sphere.expect("the row is one of balls")
     }
 
-    /// The leaf of the ball of this number.
+    /// The leaf of the ball of this number with this surface, and how it looks.
     #[inline]
-    pub(super) fn leaf(&self, number: u32) -> Leaf {
+    fn leaf(&self, number: u32, surface: u32, alike: &mut Alike) -> (Leaf, Surface) {
         let (stretch, at) = self.place(number);
+        let InteriorId(interior) = stretch.interior;
+        let looks = alike.surface_at(&stretch.row, at as usize, InteriorId(interior + at));
         let sphere = stretch.row.ball(at as usize);
         let shape = Shape::Sphere(sphere.expect("the row is one of balls"));
         let place = (&[][..], Absorb::AllItCan);
-        Leaf::new(shape, place, stretch.surface + at, Extent::Surface).0
+        (Leaf::new(shape, place, surface, Extent::Surface).0, looks)
     }
 
-    /// Lets go of them.
-    pub(super) fn forget(self) {
+    /// The leaves of all of them in this order; their looks are added to `surfaces` in the same.
+    pub(super) fn into_leaves(self, order: &[u32], surfaces: &mut Vec<Surface>) -> Vec<Leaf> {
+        let first = surfaces.len();
+        let leaf = |alike: &mut Alike, (place, &number): (usize, &u32)| {
+            // Each comes from somewhere else.
+            if let Some(&ahead) = order.get(place + AHEAD) {
+                let (stretch, at) = self.place(ahead);
+                stretch.row.expect(at as usize);
+            }
+            self.leaf(number, index(first + place), alike)
+        };
+        let order = order.par_iter().enumerate();
+        let mut lists = (Vec::new(), std::mem::take(surfaces));
+        lists.par_extend(order.map_init(Alike::default, leaf));
+        let leaves;
+        (leaves, *surfaces) = lists;
         for stretch in self.stretches {
             stretch.row.forget();
         }
+        leaves
     }
 }

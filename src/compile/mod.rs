@@ -39,6 +39,7 @@ mod state;
 mod surface;
 mod targets;
 mod together;
+mod traits;
 mod vistas;
 mod world;
 
@@ -50,7 +51,7 @@ pub use passed::Passed;
 pub use probe::Probed;
 pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;
-pub use surface::{Flags, Kept, Surface};
+pub use surface::{Kept, Surface};
 pub use world::{Globals, World};
 
 use crate::options::RenderOptions;

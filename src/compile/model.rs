@@ -11,6 +11,7 @@ use super::four::Way;
 use super::instance::Instance;
 use super::leaf::Leaf;
 use super::order::Finder;
+use super::surface::Surface;
 use crate::math::Bounds;
 use crate::shape::{Shape, Shares};
 use glam::DVec3;
@@ -73,13 +74,14 @@ pub(super) struct Model {
 }
 
 impl Model {
-    /// Builds the tree over these parts, and brings them into its order; `projectors` are the programs that use leaves
-    /// of theirs besides.
+    /// Builds the tree over these parts, and brings them into its order; the looks of its balls are added to `surfaces`,
+    /// and `projectors` are the programs that use leaves of theirs besides.
     pub(super) fn new<'p>(
         mut parts: Parts,
+        surfaces: &mut Vec<Surface>,
         projectors: impl Iterator<Item = &'p mut Program>,
     ) -> Model {
-        let finder = Finder::new(&mut parts, projectors);
+        let finder = Finder::new(&mut parts, surfaces, projectors);
         let cluster = finder.cluster(&parts);
         let ways_of_four = parts.programs.iter();
         Model {

@@ -7,6 +7,7 @@ use super::flatten::index;
 use super::instance::Instance;
 use super::leaf::Leaf;
 use super::model::{Item, Part, Parts};
+use super::surface::Surface;
 use crate::accel::Bvh;
 use crate::math::Bounds;
 use crate::memory::expect_use;
@@ -15,7 +16,7 @@ use rayon::prelude::*;
 use std::mem::take;
 
 /// How many leaves before its turn one is sent for: as long as memory takes.
-const AHEAD: usize = 16;
+pub(super) const AHEAD: usize = 32;
 
 /// An item with its number, which is its place in the file.
 #[derive(Clone, Copy, Debug)]
@@ -36,9 +37,11 @@ pub(super) struct Finder {
 }
 
 impl Finder {
-    /// Builds the tree and brings what `parts` holds into its order; `projectors` follow their leaves.
+    /// Builds the tree and brings what `parts` holds into its order; the looks of its balls are added to `surfaces`, and
+    /// `projectors` follow their leaves.
     pub(super) fn new<'p>(
         parts: &mut Parts,
+        surfaces: &mut Vec<Surface>,
         projectors: impl Iterator<Item = &'p mut Program>,
     ) -> Self {
         let count = index(parts.items.len());
@@ -74,7 +77,7 @@ impl Finder {
         parts.bounds = Vec::new();
         let mut sorter = Sorter::new(take(parts));
         let (unbounded, bounded) = (sorter.take(unbounded), sorter.take(order));
-        *parts = sorter.finish(projectors);
+        *parts = sorter.finish(surfaces, projectors);
         let (leaves, programs) = (&parts.leaves, &parts.programs);
         tree.know_balls(bounded.len(), |place| match bounded[place].item {
             Item::Leaf(leaf) => leaves[leaf as usize].ball_around(),
@@ -113,22 +116,16 @@ impl Finder {
     }
 }
 
-/// Where a leaf comes from.
-#[derive(Clone, Copy, Debug)]
-enum Origin {
-    /// The leaf of this number in the order of the file.
-    Leaf(u32),
-    /// The ball of this number.
-    Ball(u32),
-}
-
 /// What a model is made from on its way to the order of its items.
 struct Sorter {
     from: Parts,
     instances: Vec<Option<Instance>>,
-    /// For each leaf of the file, its place in `leaves`.
+    /// The balls by their numbers in the file. They are the first leaves.
+    balls: Vec<u32>,
+    /// Behind them, the other leaves by theirs.
+    leaves: Vec<u32>,
+    /// For each of these in the file, its place among all leaves.
     places: Vec<u32>,
-    leaves: Vec<Origin>,
     to: Parts,
 }
 
@@ -141,8 +138,9 @@ impl Sorter {
         };
         Sorter {
             instances: from.instances.drain(..).map(Some).collect(),
+            balls: Vec::with_capacity(from.balls.len()),
+            leaves: Vec::with_capacity(from.leaves.len()),
             places: vec![u32::MAX; from.leaves.len()],
-            leaves: Vec::with_capacity(from.leaves.len().max(from.items.len())),
             from,
             to,
         }
@@ -163,8 +161,8 @@ impl Sorter {
     fn take_part(&mut self, number: u32, part: Part) -> Numbered {
         let item = match part {
             Part::Ball(ball) => {
-                self.leaves.push(Origin::Ball(ball));
-                Item::Leaf(index(self.leaves.len() - 1))
+                self.balls.push(ball);
+                Item::Leaf(index(self.balls.len() - 1))
             }
             Part::Leaf(leaf) => Item::Leaf(self.take_leaf(leaf)),
             Part::Program(from) => {
@@ -185,21 +183,26 @@ impl Sorter {
     }
 
     fn take_leaf(&mut self, leaf: u32) -> u32 {
-        let place = index(self.leaves.len());
+        let place = index(self.from.balls.len() + self.leaves.len());
         self.places[leaf as usize] = place;
-        self.leaves.push(Origin::Leaf(leaf));
+        self.leaves.push(leaf);
         place
     }
 
-    /// All in order, when every item is taken; `projectors` use leaves too.
-    fn finish<'p>(mut self, projectors: impl Iterator<Item = &'p mut Program>) -> Parts {
+    /// All in order, when every item is taken; the looks of the balls are added to `surfaces`, and `projectors` use leaves
+    /// too.
+    fn finish<'p>(
+        mut self,
+        surfaces: &mut Vec<Surface>,
+        projectors: impl Iterator<Item = &'p mut Program>,
+    ) -> Parts {
         // Behind the others the leaves of what bounds combinations, and of what lights are projected through.
         for leaf in 0..index(self.places.len()) {
             if self.places[leaf as usize] == u32::MAX {
                 self.take_leaf(leaf);
             }
         }
-        let mut next = index(self.leaves.len());
+        let mut next = index(self.balls.len() + self.leaves.len());
         for instance in &mut self.to.instances {
             instance.first = next;
             next += instance.model.len();
@@ -207,36 +210,16 @@ impl Sorter {
         let programs = self.to.programs.par_iter_mut();
         programs.for_each(|program| program.move_leaves(&self.places));
         projectors.for_each(|program| program.move_leaves(&self.places));
-        // What is no more than numbers several threads fetch: each comes from somewhere else.
+        self.to.leaves = self.from.balls.into_leaves(&self.balls, surfaces);
+        self.to.leaves.reserve_exact(self.leaves.len());
         let mut unsorted = self.from.leaves;
-        let balls = &self.from.balls;
-        let expect = |place: usize, unsorted: &[Leaf]| match self.leaves.get(place + AHEAD) {
-            Some(Origin::Ball(ball)) => balls.expect(*ball),
-            Some(Origin::Leaf(leaf)) => expect_use(&unsorted[*leaf as usize]),
-            None => {}
-        };
-        let fetch = |(place, origin): (usize, &Origin)| {
-            expect(place, &unsorted);
-            match *origin {
-                Origin::Ball(ball) => balls.leaf(ball),
-                Origin::Leaf(leaf) => {
-                    let leaf = &unsorted[leaf as usize];
-                    leaf.ball().map_or(Leaf::NOTHING, |_| leaf.clone())
-                }
+        for (place, &leaf) in self.leaves.iter().enumerate() {
+            if let Some(&ahead) = self.leaves.get(place + AHEAD) {
+                expect_use(&unsorted[ahead as usize]);
             }
-        };
-        let origins = self.leaves.par_iter().enumerate();
-        self.to.leaves = origins.map(fetch).collect();
-        for (place, origin) in self.leaves.iter().enumerate() {
-            expect(place, &unsorted);
-            if let Origin::Leaf(leaf) = origin {
-                let leaf = &mut unsorted[*leaf as usize];
-                if leaf.ball().is_none() {
-                    self.to.leaves[place] = std::mem::replace(leaf, Leaf::NOTHING);
-                }
-            }
+            let leaf = std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
+            self.to.leaves.push(leaf);
         }
-        self.from.balls.forget();
         self.to
     }
 }

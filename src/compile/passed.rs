@@ -63,7 +63,7 @@ impl World {
                     if root.t <= search.blur {
                         return None;
                     }
-                    if surface.flags.is_seen(query.seen) {
+                    if surface.is_seen(query.seen) {
                         passed.push((root.t, leaf.surface));
                     }
                 }

@@ -2,6 +2,7 @@
 
 use super::flatten::Flat;
 use super::query::{Query, Scratch, Seen};
+use super::surface::Surface;
 use super::world::World;
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
@@ -104,9 +105,7 @@ pub(super) fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Flat::default();
     flat.asks_insides = true;
     flat.add(object);
-    for surface in &mut flat.surfaces {
-        surface.flags.no_image = false;
-    }
+    flat.surfaces.iter_mut().for_each(Surface::show);
     let scene = Scene {
         camera: Camera::default(),
         objects: Objects::default(),

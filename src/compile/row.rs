@@ -6,7 +6,8 @@ use super::interiors::InteriorId;
 use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::LightList;
 use super::model::Part;
-use super::surface::{Flags, Kept, Surface};
+use super::surface::{Kept, Surface};
+use super::traits::Flags;
 use crate::color::Color;
 use crate::math::Bounds;
 use crate::memory::{self, expect_use};
@@ -35,7 +36,7 @@ pub(super) struct Row {
 /// The surfaces of what looks alike but for its colour, of which one thread makes many. Each thread keeps the finish of its
 /// own: threads that count who has it would wait for each other.
 #[derive(Default)]
-struct Alike {
+pub(super) struct Alike {
     /// Where the finish was seen last.
     seen: usize,
     finish: Arc<Finish>,
@@ -98,12 +99,12 @@ impl Flat {
     }
 
     fn take_row(&mut self, row: Row) {
-        let first_surface = index(self.surfaces.len());
-        self.take_looks(&row);
+        self.last_surface = None;
+        let interior = self.interiors.unnamed_ones(index(row.len()));
         if row.is_of_balls() {
-            self.take_balls(row, first_surface);
+            self.take_balls(row, interior);
         } else {
-            self.take_shapes(&row, first_surface);
+            self.take_shapes(&row, interior);
             let is_large = row.len() >= LARGE;
             row.forget();
             if is_large {
@@ -112,20 +113,22 @@ impl Flat {
         }
     }
 
-    /// Takes in the balls of a row; their looks begin at `surface`.
-    fn take_balls(&mut self, row: Row, surface: u32) {
+    /// Takes in the balls of a row; their interiors begin at `interior`.
+    fn take_balls(&mut self, row: Row, interior: InteriorId) {
         let count = index(row.len());
         let parts = &mut self.parts;
         let places = (0..row.len()).into_par_iter();
         let bounds = |at| row.ball(at).map_or(Bounds::EMPTY, |ball| ball.bounds());
         parts.bounds.par_extend(places.map(bounds));
-        let first = parts.balls.add(row, count, surface);
+        let first = parts.balls.add(row, count, interior);
         let balls = (first..first + count).into_par_iter();
         parts.items.par_extend(balls.map(Part::Ball));
     }
 
-    /// Takes in the shapes of a row as leaves; their looks begin at `surface`.
-    fn take_shapes(&mut self, row: &Row, surface: u32) {
+    /// Takes in the shapes of a row as leaves; their interiors begin at `interior`.
+    fn take_shapes(&mut self, row: &Row, interior: InteriorId) {
+        let surface = index(self.surfaces.len());
+        self.take_looks(row, interior);
         let count = row.len();
         let numbers = |first: u32| first..first + index(count);
         let parts = &mut self.parts;
@@ -145,18 +148,14 @@ impl Flat {
     }
 
     /// Takes in how the shapes of a row look.
-    fn take_looks(&mut self, row: &Row) {
+    fn take_looks(&mut self, row: &Row, InteriorId(first): InteriorId) {
         let count = row.len();
-        let InteriorId(first) = self.interiors.unnamed_ones(index(count));
-        let surface = |alike: &mut Alike, (at, interior)| {
-            let Colored { color, finish, .. } = row.object(at);
-            alike.surface(color, finish, InteriorId(interior))
-        };
+        let surface =
+            |alike: &mut Alike, (at, interior)| alike.surface_at(row, at, InteriorId(interior));
         let places = (0..count).into_par_iter();
         let looks = places.zip(first..first + index(count));
         let looks = looks.map_init(Alike::default, surface);
         self.surfaces.par_extend(looks);
-        self.last_surface = None;
     }
 }
 
@@ -209,7 +208,16 @@ impl Row {
 }
 
 impl Alike {
+    /// The surface of the object at a place of a row.
+    #[inline]
+    pub(super) fn surface_at(&mut self, row: &Row, at: usize, interior: InteriorId) -> Surface {
+        let looks = row.entry(at).looks();
+        let (color, finish) = looks.expect("it was found to be of one colour");
+        self.surface(color, finish, interior)
+    }
+
     /// The surface of this colour and finish.
+    #[inline]
     fn surface(&mut self, color: Color, finish: &Arc<Finish>, interior: InteriorId) -> Surface {
         let place = ptr::from_ref(&**finish).addr();
         if self.seen != place {
@@ -236,6 +244,11 @@ mod tests {
     use crate::options::{ReadOptions, RenderOptions};
     use crate::source::Sources;
     use std::fmt::Write;
+
+    #[test]
+    fn a_surface_of_one_color_is_a_line_of_memory() {
+        assert_eq!(size_of::<crate::compile::Surface>(), 64);
+    }
 
     #[test]
     fn balls_in_rows_keep_their_looks_wherever_the_tree_puts_them() {

@@ -251,7 +251,7 @@ impl Flat {
         let slots = std::mem::replace(&mut self.slots, slots_around);
         let slots = slots.map_or_else(Vec::new, |slots| slots.list);
         let hull = hull(&parts);
-        let model = Model::new(parts, std::iter::empty());
+        let model = Model::new(parts, &mut Vec::new(), std::iter::empty());
         Shared {
             _children: Arc::clone(children),
             model: Arc::new(model),
@@ -321,7 +321,10 @@ impl Flat {
 fn hull(parts: &Parts) -> Vec<Piece> {
     let ball = |item: &Part| match item {
         Part::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
-        Part::Ball(ball) => parts.balls.leaf(*ball).ball(),
+        Part::Ball(ball) => {
+            let ball = parts.balls.ball(*ball);
+            Some((ball.centre, ball.radius))
+        }
         Part::Program(_) | Part::Instance(_) => None,
     };
     let piece = |(item, bounds): (&Part, &Bounds)| match ball(item) {

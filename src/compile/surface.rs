@@ -4,6 +4,7 @@ use super::cutaway::Cutaway;
 use super::interiors::InteriorId;
 use super::lights::LightList;
 use super::query::Seen;
+use super::traits::{Flags, Traits};
 use crate::color::{Color, Rgb};
 use crate::light::PhotonRole;
 use crate::math::{Step, Transform};
@@ -17,47 +18,6 @@ use std::sync::Arc;
 
 /// So few surfaces are not worth asking other threads.
 const FEW: usize = 4096;
-
-/// The object switches that matter while tracing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Flags {
-    /// Casts no shadow.
-    pub no_shadow: bool,
-    /// Not seen by camera rays and their straight or refracted continuations.
-    pub no_image: bool,
-    /// Not seen by reflected rays.
-    pub no_reflection: bool,
-    /// Not seen by rays that gather light from other surfaces.
-    pub no_radiosity: bool,
-    /// How many of the rays that gather light and meet it count, if it says so.
-    pub importance: Option<Importance>,
-    /// Does not displace the atmosphere around it.
-    pub hollow: bool,
-    /// Lit from both sides.
-    pub double_illuminate: bool,
-    /// All its patterns are asked at texture coordinates.
-    pub uv_mapping: bool,
-    /// What it does with photons, where these are shot.
-    pub photons: PhotonRole,
-}
-
-impl Flags {
-    /// Whether some rays do not see it.
-    fn hides_from_some(&self) -> bool {
-        self.no_image || self.no_reflection || self.no_radiosity || self.no_shadow
-    }
-
-    /// Whether who looks sees it.
-    pub(super) fn is_seen(&self, seen: Seen) -> bool {
-        match seen {
-            Seen::Image => !self.no_image,
-            Seen::Reflection => !self.no_reflection,
-            Seen::Gathering => !self.no_radiosity,
-            Seen::GatheringReflection => !(self.no_reflection || self.no_radiosity),
-            Seen::Shadow => !self.no_shadow,
-        }
-    }
-}
 
 /// A shape before its transforms, where they have gone into its own numbers and texture coordinates are asked for.
 #[derive(Clone, Debug)]
@@ -122,8 +82,9 @@ impl Kept {
     }
 }
 
-/// How the surface of an object looks and what lies behind it.
+/// How the surface of an object looks and what lies behind it. One of one colour is a line of memory.
 #[derive(Debug)]
+#[repr(align(64))]
 pub struct Surface {
     /// The layers, with all transforms of the object taken in.
     pub texture: Kept,
@@ -131,12 +92,10 @@ pub struct Surface {
     pub interior: InteriorId,
     /// The lights that shine on it.
     pub lights: LightList,
-    /// Its switches.
-    pub flags: Flags,
+    /// Its switches, and what follows from its textures.
+    traits: Traits,
     /// What few surfaces have; of others there may be a million.
     rare: Option<Box<Rare>>,
-    /// What follows from its textures.
-    traits: Traits,
 }
 
 /// What few surfaces have.
@@ -146,6 +105,10 @@ struct Rare {
     skins: Box<[Arc<PreparedTexture>]>,
     unmoved: Option<Unmoved>,
     cutaway: Option<Arc<Cutaway>>,
+    /// How many of the rays that gather light and meet it count, if it says so.
+    importance: Option<Importance>,
+    /// What it does with photons, where these are shot.
+    photons: PhotonRole,
 }
 
 /// What holds of the surfaces of a world, found by looking at each once: there may be millions.
@@ -175,7 +138,7 @@ impl Overview {
         let is_some = surfaces.clone().map(|surface| {
             [
                 !surface.is_opaque(),
-                surface.flags.hides_from_some(),
+                surface.traits.hides_from_some(),
                 surface.has_fresnel(),
                 surface.is_lit_from_behind() || surface.is_bumpy(),
                 !surface.takes_light(),
@@ -217,34 +180,6 @@ impl Overview {
     }
 }
 
-/// Answers about the textures of a surface that every ray may ask for, a bit each: the textures lie elsewhere in memory.
-#[derive(Clone, Copy, Debug, Default)]
-struct Traits(u16);
-
-impl Traits {
-    const OPAQUE: u16 = 1;
-    const TAKES_LIGHT: u16 = 1 << 1;
-    const LIT_FROM_BEHIND: u16 = 1 << 2;
-    const FRESNEL: u16 = 1 << 3;
-    const PLAIN: u16 = 1 << 4;
-    const NEARLY_PLAIN: u16 = 1 << 5;
-    const BUMPY: u16 = 1 << 6;
-    const GRAINY: u16 = 1 << 7;
-    const USES_UV: u16 = 1 << 8;
-    const FILTERS_EVENLY: u16 = 1 << 9;
-
-    /// Those that hold.
-    fn new(all: [(u16, bool); 10]) -> Self {
-        let held = all.into_iter().filter(|(_, holds)| *holds);
-        Traits(held.fold(0, |bits, (bit, _)| bits | bit))
-    }
-
-    #[inline(always)]
-    fn has(self, bit: u16) -> bool {
-        self.0 & bit != 0
-    }
-}
-
 impl Rare {
     /// Whether the two need not be told apart.
     fn is_same(&self, other: &Rare) -> bool {
@@ -256,7 +191,11 @@ impl Rare {
         let has_more = |rare: &Rare| {
             !rare.skins.is_empty() || rare.unmoved.is_some() || rare.cutaway.is_some()
         };
-        same_inside && !has_more(self) && !has_more(other)
+        same_inside
+            && self.importance == other.importance
+            && self.photons == other.photons
+            && !has_more(self)
+            && !has_more(other)
     }
 }
 
@@ -278,7 +217,7 @@ impl Surface {
         };
         let uses_uv = flags.uv_mapping || textures().any(|texture| texture.uses_uv());
         let is_one = textures().count() == 1;
-        let traits = Traits::new([
+        let known = [
             (Traits::USES_UV, uses_uv),
             (
                 Traits::OPAQUE,
@@ -301,26 +240,36 @@ impl Surface {
                 Traits::NEARLY_PLAIN,
                 is_one && texture.is_nearly_plain() && !uses_uv,
             ),
-            (Traits::BUMPY, has(&|layer| layer.normal.is_some())),
+            (Traits::BUMPY, has(&|layer| layer.normal().is_some())),
             (Traits::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
             (Traits::FILTERS_EVENLY, is_one && texture.is_even()),
-        ]);
-        let is_rare = inside_texture.is_some() || !skins.is_empty();
+        ];
+        let traits = Traits::new(&known, &flags);
+        let Flags {
+            importance,
+            photons,
+            ..
+        } = flags;
+        let is_rare = inside_texture.is_some()
+            || !skins.is_empty()
+            || importance.is_some()
+            || photons != PhotonRole::default();
         let rare = is_rare.then(|| {
             Box::new(Rare {
                 inside_texture,
                 skins,
                 unmoved: None,
                 cutaway: None,
+                importance,
+                photons,
             })
         });
         Surface {
             texture,
             interior,
             lights,
-            flags,
-            rare,
             traits,
+            rare,
         }
     }
 
@@ -331,9 +280,8 @@ impl Surface {
             texture: Kept::Own(self.texture.in_color(color)?),
             interior,
             lights: self.lights,
-            flags: self.flags,
-            rare: None,
             traits: self.traits,
+            rare: None,
         })
     }
 
@@ -385,6 +333,44 @@ impl Surface {
         self.rare.get_or_insert_default().cutaway = Some(cutaway);
     }
 
+    /// Whether who looks sees it.
+    #[inline]
+    pub(super) fn is_seen(&self, seen: Seen) -> bool {
+        self.traits.is_seen(seen)
+    }
+
+    /// Lets the camera see it.
+    pub(super) fn show(&mut self) {
+        self.traits.show();
+    }
+
+    /// How many of the rays that gather light and meet it count, if it says so.
+    #[must_use]
+    pub fn importance(&self) -> Option<Importance> {
+        self.rare.as_ref()?.importance
+    }
+
+    /// What it does with photons, where these are shot.
+    #[must_use]
+    pub fn photons(&self) -> PhotonRole {
+        self.rare
+            .as_ref()
+            .map(|rare| rare.photons)
+            .unwrap_or_default()
+    }
+
+    /// Whether all its patterns are asked at texture coordinates.
+    #[must_use]
+    pub fn is_mapped(&self) -> bool {
+        self.traits.has(Traits::UV_MAPPING)
+    }
+
+    /// Whether it is lit from both sides.
+    #[must_use]
+    pub fn is_double_illuminated(&self) -> bool {
+        self.traits.has(Traits::DOUBLE_ILLUMINATE)
+    }
+
     /// Whether something in its looks asks for texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
@@ -401,7 +387,8 @@ impl Surface {
     /// Whether light that comes from behind can be seen on it.
     #[must_use]
     pub fn is_lit_from_behind(&self) -> bool {
-        self.flags.double_illuminate || self.traits.has(Traits::LIT_FROM_BEHIND)
+        self.traits
+            .has(Traits::DOUBLE_ILLUMINATE | Traits::LIT_FROM_BEHIND)
     }
 
     /// Whether it is one opaque layer all over, with nothing to it but light and highlights.
@@ -451,7 +438,7 @@ impl Surface {
             && self.texture.is_same(&other.texture)
             && (self.interior == other.interior || has_no_inside(self) && has_no_inside(other))
             && self.lights == other.lights
-            && self.flags == other.flags
+            && self.traits == other.traits
     }
 
     /// Whether nothing can be seen through it.

@@ -101,7 +101,7 @@ impl World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
         let parts = std::mem::take(&mut flat.parts);
-        let model = Model::new(parts, flat.lights.projectors_mut());
+        let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
         let transparent = Color {
             transmit: 1.0,
             ..Color::default()
@@ -303,7 +303,7 @@ impl World {
 
     #[inline(always)]
     pub(super) fn is_seen(&self, found: &Found, seen: Seen) -> bool {
-        !self.overview.hides_some || self.surfaces[found.surface as usize].flags.is_seen(seen)
+        !self.overview.hides_some || self.surfaces[found.surface as usize].is_seen(seen)
     }
 }
 

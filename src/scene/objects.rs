@@ -81,7 +81,6 @@ pub(crate) enum Entry {
 /// A shape of one colour and how it is moved.
 pub(crate) struct Colored<'a> {
     pub(crate) shape: Cow<'a, Shape>,
-    pub(crate) color: Color,
     pub(crate) finish: &'a Arc<Finish>,
     pub(crate) steps: &'a [Step],
 }
@@ -259,30 +258,33 @@ impl Entry {
         }
     }
 
+    /// The colour and finish of a shape of one colour, if it is one.
+    pub(crate) fn looks(&self) -> Option<(Color, &Arc<Finish>)> {
+        match self {
+            Entry::Ball { color, finish, .. }
+            | Entry::Colored { color, finish, .. }
+            | Entry::Moved { color, finish, .. } => Some((*color, finish)),
+            _ => None,
+        }
+    }
+
     /// It as a shape of one colour, if it is one.
     pub(crate) fn colored(&self) -> Option<Colored<'_>> {
-        let (shape, color, finish, steps) = match self {
-            Entry::Ball {
-                sphere,
-                color,
-                finish,
-            } => (Cow::Owned(Shape::Sphere(*sphere)), color, finish, &[][..]),
-            Entry::Colored {
-                shape,
-                color,
-                finish,
-            } => (Cow::Borrowed(&**shape), color, finish, &[][..]),
+        let (shape, finish, steps) = match self {
+            Entry::Ball { sphere, finish, .. } => {
+                (Cow::Owned(Shape::Sphere(*sphere)), finish, &[][..])
+            }
+            Entry::Colored { shape, finish, .. } => (Cow::Borrowed(&**shape), finish, &[][..]),
             Entry::Moved {
                 shape,
-                color,
                 finish,
                 steps,
-            } => (Cow::Borrowed(&**shape), color, finish, &**steps),
+                ..
+            } => (Cow::Borrowed(&**shape), finish, &**steps),
             _ => return None,
         };
         Some(Colored {
             shape,
-            color: *color,
             finish,
             steps,
         })

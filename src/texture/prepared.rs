@@ -16,10 +16,6 @@ use std::sync::Arc;
 #[derive(Debug, Default)]
 pub struct PreparedTexture {
     layers: Layers,
-    is_opaque: bool,
-    has_reflection: bool,
-    uses_uv: bool,
-    minds_normal: bool,
 }
 
 /// The layers of a texture. There may be a million textures, most of which have one.
@@ -42,12 +38,17 @@ impl Default for Layers {
 pub struct PreparedLayer {
     /// The colour.
     pub pigment: PreparedPigment,
-    /// The colour in previews of quality 5 and less: `quick_color`, if the scene gives one.
-    pub quick_color: Option<Box<Color>>,
     /// The answer to light.
     pub finish: Arc<Finish>,
-    /// Bumps.
-    pub normal: Option<Box<PreparedNormal>>,
+    /// What few have.
+    more: Option<Box<More>>,
+}
+
+/// What few layers have.
+#[derive(Debug)]
+struct More {
+    quick_color: Option<Color>,
+    normal: Option<PreparedNormal>,
 }
 
 /// A pigment ready for rays. There may be a million of them, most of them plain.
@@ -71,46 +72,32 @@ impl PreparedTexture {
     /// The form for drawing, with the transforms of what carries it after its own; normals have been turned so `far` on
     /// their way to it.
     pub(super) fn new(texture: &Texture, after: &[Step], far: &Turns, settings: &Settings) -> Self {
-        let prepare = |layer: &Layer| PreparedLayer {
-            pigment: PreparedPigment::new(&layer.pigment, after, settings),
-            quick_color: layer.pigment.quick_color.clone(),
-            finish: Arc::clone(&layer.finish),
-            normal: layer
-                .normal
-                .as_ref()
-                .and_then(|normal| PreparedNormal::new(normal, after, settings))
-                .map(|normal| Box::new(normal.within(far))),
+        let prepare = |layer: &Layer| {
+            let normal = layer.normal.as_ref();
+            let normal = normal.and_then(|normal| PreparedNormal::new(normal, after, settings));
+            let normal = normal.map(|normal| normal.within(far));
+            let quick_color = layer.pigment.quick_color.as_deref().copied();
+            let has_more = normal.is_some() || quick_color.is_some();
+            PreparedLayer {
+                pigment: PreparedPigment::new(&layer.pigment, after, settings),
+                finish: Arc::clone(&layer.finish),
+                more: has_more.then(|| {
+                    Box::new(More {
+                        quick_color,
+                        normal,
+                    })
+                }),
+            }
         };
         let mut layers: Vec<PreparedLayer> = texture.layers().iter().rev().map(prepare).collect();
         let choice = texture.pattern();
         let choice = choice.and_then(|choice| Choice::new(choice, after, far, settings));
-        let (is_opaque, has_reflection) = match &choice {
-            None => (
-                layers
-                    .iter()
-                    .any(|layer| !layer.pigment.can_be_transparent()),
-                layers.iter().any(|layer| layer.finish.has_reflection()),
-            ),
-            Some(choice) => (
-                choice.textures().all(PreparedTexture::is_opaque),
-                choice.textures().any(PreparedTexture::has_reflection),
-            ),
-        };
-        let uses_uv = match &choice {
-            None => layers.iter().any(PreparedLayer::uses_uv),
-            Some(choice) => choice.uses_uv(),
-        };
-        let minds_normal = choice.as_ref().is_some_and(Choice::minds_normal);
         PreparedTexture {
             layers: match choice {
                 Some(choice) => Layers::Chosen(Box::new((choice, layers))),
                 None if layers.len() == 1 => layers.pop().map(Layers::One).unwrap_or_default(),
                 None => Layers::Some(layers),
             },
-            is_opaque,
-            has_reflection,
-            uses_uv,
-            minds_normal,
         }
     }
 
@@ -118,16 +105,11 @@ impl PreparedTexture {
     #[must_use]
     pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Self {
         PreparedTexture {
-            is_opaque: !color.is_transparent(),
-            has_reflection: finish.has_reflection(),
             layers: Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(color),
-                quick_color: None,
                 finish,
-                normal: None,
+                more: None,
             }),
-            uses_uv: false,
-            minds_normal: false,
         }
     }
 
@@ -137,9 +119,8 @@ impl PreparedTexture {
         match &self.layers {
             Layers::One(PreparedLayer {
                 pigment: PreparedPigment::Plain(_),
-                quick_color: None,
                 finish,
-                normal: None,
+                more: None,
             }) => Some(PreparedTexture::colored(color, Arc::clone(finish))),
             _ => None,
         }
@@ -202,33 +183,40 @@ impl PreparedTexture {
         let lowest = layers.position(|layer| !layer.pigment.can_be_transparent());
         let seen = lowest.map_or(self.layers().len(), |lowest| lowest + 1);
         let mut bumps = self.layers()[..seen].iter().rev();
-        let bumps = bumps.find_map(|layer| layer.normal.as_ref())?;
+        let bumps = bumps.find_map(PreparedLayer::normal)?;
         Some(bumps.tilted_and_seen(point, flat.normal, flat).1)
     }
 
     /// Whether normals decide which textures are seen of it.
     #[must_use]
     pub fn minds_normal(&self) -> bool {
-        self.minds_normal
+        self.choice().is_some_and(Choice::minds_normal)
     }
 
     /// Whether something in it asks for the texture coordinates of the surface.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
-        self.uses_uv
+        match self.choice() {
+            None => self.layers().iter().any(PreparedLayer::uses_uv),
+            Some(choice) => choice.uses_uv(),
+        }
     }
 
     /// Whether no light passes anywhere: some layer has neither filter nor transmit.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.is_opaque
+        let is_opaque = |layer: &PreparedLayer| !layer.pigment.can_be_transparent();
+        match self.choice() {
+            None => self.layers().iter().any(is_opaque),
+            Some(choice) => choice.textures().all(PreparedTexture::is_opaque),
+        }
     }
 
     /// Whether it is one opaque layer with nothing to it but light and highlights: no bumps, no mirror image, no film, no
     /// grain.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.is_opaque && !self.has_reflection && self.is_nearly_plain()
+        self.is_opaque() && !self.has_reflection() && self.is_nearly_plain()
     }
 
     /// Whether it is that but for a mirror image and what shines through.
@@ -237,10 +225,10 @@ impl PreparedTexture {
         match self.layers() {
             [layer] if self.choice().is_none() => {
                 let finish = &layer.finish;
-                layer.normal.is_none()
+                layer.normal().is_none()
                     && finish.crand <= 0.0
                     && finish.irid.amount <= 0.0
-                    && (!self.has_reflection || finish.reflection.exponent == 1.0)
+                    && (!finish.has_reflection() || finish.reflection.exponent == 1.0)
             }
             _ => false,
         }
@@ -256,30 +244,46 @@ impl PreparedTexture {
     /// Whether some layer has a mirror image.
     #[must_use]
     pub fn has_reflection(&self) -> bool {
-        self.has_reflection
+        let has_reflection = |layer: &PreparedLayer| layer.finish.has_reflection();
+        match self.choice() {
+            None => self.layers().iter().any(has_reflection),
+            Some(choice) => choice.textures().any(PreparedTexture::has_reflection),
+        }
     }
 
     /// The only layer and its colour, if there is one layer and it is of one colour.
     #[must_use]
     pub fn plain(&self) -> Option<(Color, &Finish)> {
         match self.layers() {
-            [
-                PreparedLayer {
-                    pigment: PreparedPigment::Plain(color),
-                    finish,
-                    normal: None,
-                    ..
-                },
-            ] if self.choice().is_none() => Some((*color, finish)),
+            [layer] if self.choice().is_none() && layer.normal().is_none() => {
+                match &layer.pigment {
+                    PreparedPigment::Plain(color) => Some((*color, &layer.finish)),
+                    _ => None,
+                }
+            }
             _ => None,
         }
     }
 }
 
 impl PreparedLayer {
+    /// The colour in previews of quality 5 and less: `quick_color`, if the scene gives one.
+    #[must_use]
+    #[inline]
+    pub fn quick_color(&self) -> Option<&Color> {
+        self.more.as_ref()?.quick_color.as_ref()
+    }
+
+    /// Bumps.
+    #[must_use]
+    #[inline]
+    pub fn normal(&self) -> Option<&PreparedNormal> {
+        self.more.as_ref()?.normal.as_ref()
+    }
+
     fn uses_uv(&self) -> bool {
-        let normal = self.normal.as_ref();
-        self.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+        let normal = self.normal();
+        self.pigment.uses_uv() || normal.is_some_and(PreparedNormal::uses_uv)
     }
 }
 

@@ -75,7 +75,7 @@ impl Tracer<'_> {
 
     /// Whether photons stand for the light of a lamp that a surface lets through.
     pub(super) fn replaces(&self, surface: u32, light: u32) -> bool {
-        let role = &self.world.surfaces[surface as usize].flags.photons;
+        let role = self.world.surfaces[surface as usize].photons();
         role.target.is_some() && role.refracts(&self.world.lights.get(light).photons)
     }
 }

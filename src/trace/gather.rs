@@ -237,7 +237,7 @@ impl Tracer<'_> {
 
     /// How much the ray of this number counts for what it met: those of less important objects stand for more of them.
     fn weight_of(&self, hit: Option<&Hit>, radiosity: &Radiosity, number: u32, count: u32) -> f64 {
-        let own = hit.and_then(|hit| self.world.surfaces[hit.surface as usize].flags.importance);
+        let own = hit.and_then(|hit| self.world.surfaces[hit.surface as usize].importance());
         let importance = own.map_or(radiosity.importance, Importance::share);
         if importance >= 1.0 {
             return 1.0;

@@ -123,7 +123,7 @@ impl<'w> Tracer<'w> {
                 return;
             };
             let surface = &self.world.surfaces[hit.surface as usize];
-            let role = surface.flags.photons;
+            let role = surface.photons();
             self.through_media(&mut flight, hit.t, surface.lights, shot, scratch);
             flight.way += hit.t;
             let was_met = flight.has_met;

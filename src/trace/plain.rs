@@ -49,7 +49,7 @@ impl Tracer<'_> {
         coat: &Coat,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let Some(side) = coat.side(lit.cosine, surface.flags.double_illuminate) else {
+        let Some(side) = coat.side(lit.cosine, surface.is_double_illuminated()) else {
             return Rgb::BLACK;
         };
         let arriving = self.world.lights.get(lit.number).color * lit.share;

@@ -191,7 +191,7 @@ impl Tracer<'_> {
             texture.look(point, 1.0, &mut chosen);
             return chosen.looks;
         }
-        let is_mapped = self.world.surfaces[hit.surface as usize].flags.uv_mapping;
+        let is_mapped = self.world.surfaces[hit.surface as usize].is_mapped();
         Looks::from_buf([Look {
             weight: 1.0,
             texture,
@@ -212,7 +212,7 @@ impl Tracer<'_> {
             return (hit.point, spot);
         }
         spot.uv = self.world.uv(hit);
-        let is_mapped = surface.flags.uv_mapping;
+        let is_mapped = surface.is_mapped();
         let point = if is_mapped {
             spot.on_the_map()
         } else {
@@ -248,9 +248,9 @@ impl Tracer<'_> {
             path,
             known,
             arrived,
-            is_double_illuminated: surface.flags.double_illuminate,
+            is_double_illuminated: surface.is_double_illuminated(),
             lights: self.world.lights.of(surface.lights),
-            collects: self.has_caustics() && !surface.flags.photons.keeps_none,
+            collects: self.has_caustics() && !surface.photons().keeps_none,
         };
         let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
         let mut filter = Rgb::WHITE;
@@ -260,7 +260,7 @@ impl Tracer<'_> {
         let flat = lit.at.normal;
         let mut top = None;
         for layer in texture.layers() {
-            lit.at.normal = match &layer.normal {
+            lit.at.normal = match layer.normal() {
                 Some(bumps) if self.quality.has_normals => {
                     let (normal, seen) = bumps.tilted_and_seen(look.point, flat, &spot);
                     *tilted = Some(seen);
@@ -391,8 +391,8 @@ impl Tracer<'_> {
     /// The colour of a layer, in previews its quick colour.
     #[inline]
     pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
-        match &layer.quick_color {
-            Some(quick) if !self.quality.has_transparency => **quick,
+        match layer.quick_color() {
+            Some(quick) if !self.quality.has_transparency => *quick,
             _ => layer.pigment.patterned(point, spot),
         }
     }
@@ -400,7 +400,7 @@ impl Tracer<'_> {
     /// The normal of a layer on the side that is seen, tilted by its bumps.
     #[inline]
     pub(super) fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
-        match &layer.normal {
+        match layer.normal() {
             Some(bumps) if self.quality.has_normals => bumps.tilted(point, spot.normal, spot),
             _ => spot.normal,
         }
