@@ -247,7 +247,7 @@ impl Bvh {
     }
 
     /// Whether blocks hold all items: those that nodes hold come first.
-    fn holds_balls_alone(&self) -> bool {
+    pub fn holds_balls_alone(&self) -> bool {
         self.firsts.first() == Some(&0)
     }
 

@@ -121,6 +121,9 @@ struct Asked<'w> {
 impl World {
     /// The items that are meshes through which rays go together; none if there are too many of them.
     pub(super) fn large_meshes(&self) -> Vec<Numbered> {
+        if self.finder().tree.holds_balls_alone() {
+            return Vec::new();
+        }
         let is_large = |item: &&Numbered| {
             let asked = self.asked(**item);
             asked.is_some_and(|asked| asked.mesh.is_patch() && asked.mesh.len() >= LEAST_TRIANGLES)
