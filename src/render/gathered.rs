@@ -5,8 +5,10 @@
 //! gone through in their order: where samples were missing, or one has come since that counts there, a point of the
 //! picture is drawn again, and what is missing is made; everything else stands.
 
+use super::Tile;
+use super::canvas::Drawn;
 use super::pretrace::pretrace;
-use super::{Kept, Rays, Tile};
+use crate::compile::Rays;
 use crate::options::{RadiosityTaken, RenderOptions};
 use crate::radiosity::{Mode, Notes, Session};
 use crate::trace::{BlockScratch, Tracer};
@@ -20,9 +22,6 @@ pub(super) struct Gathered {
     pub(super) rays: Rays,
     taken: RadiosityTaken,
 }
-
-/// A tile as it was drawn.
-type Drawn = (Tile, Kept, Rays);
 
 impl Gathered {
     /// With the samples that are made before drawing; none without radiosity.

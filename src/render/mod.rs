@@ -1,6 +1,7 @@
 //! From a world to a film: tiles over all cores.
 
 mod antialias;
+mod canvas;
 mod converge;
 mod gathered;
 mod pretrace;
@@ -11,19 +12,19 @@ pub use shot::Shot;
 pub use unfinished::{Found, Unfinished};
 
 use crate::compile::{Rays, World};
-use crate::film::{self, Film, Leveller, Levels, Pixel};
+use crate::film::{self, Film, Leveller, Pixel};
 use crate::options::{RadiosityTaken, Reached, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use antialias::Sampler;
+use canvas::{Canvas, Kept};
 use gathered::Gathered;
-use rayon::prelude::*;
 use std::ops::Range;
 use unfinished::Piece;
 
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
 
-/// So many tiles are drawn before they are put into the film.
+/// Where light is gathered, so many tiles are drawn before they are put into the film.
 const LEAST_AT_ONCE: usize = 128;
 /// Or so many for each thread: at the end of each turn threads wait for the last.
 const TILES_OF_THREAD: usize = 32;
@@ -51,12 +52,6 @@ pub struct Drawn {
 
 /// Pixels of a tile, row by row, and the rays that they took.
 type Pixels = (Vec<Pixel>, Rays);
-
-/// What is kept of the pixels of a tile, row by row.
-enum Kept {
-    Light(Vec<Pixel>),
-    Levels(Vec<u8>),
-}
 
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
 /// The picture is the same for any number of threads, unless it is to be stopped at some time; and the same if a part
@@ -110,38 +105,23 @@ pub fn render(
         };
         (tile, kept, rays)
     };
-    let (width, height) = (options.width, options.height);
-    let (columns, rows) = (options.columns.clone(), options.rows.clone());
-    let mut film = match &leveller {
-        Some(leveller) => Film::of_levels(Levels::black(leveller, width, height), columns, rows),
-        None => Film::new(width, height, columns, rows),
-    };
-    let mut rays = gathered
-        .as_ref()
-        .map_or(Rays::default(), |gathered| gathered.rays);
-    // Tiles by tiles, or all pixels would lie in memory twice.
-    let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
-    for some in tiles.chunks(at_once) {
-        let drawn: Vec<(Tile, Kept, Rays)> = match (&mut gathered, &mut in_order) {
-            (None, None) => some
-                .par_iter()
-                .map_init(BlockScratch::default, draw)
-                .collect(),
-            (None, Some(scratch)) => some.iter().map(|tile| draw(scratch, tile)).collect(),
-            (Some(gathered), _) => gathered.draw(some, &draw, progress),
-        };
-        for (tile, kept, of_tile) in drawn {
-            rays += of_tile;
-            match (kept, &mut film.levels) {
-                (Kept::Light(pixels), _) => put(&mut film.pixels, &pixels, &tile, width, 1),
-                (Kept::Levels(bytes), Some(levels)) => {
-                    let of_pixel = levels.bytes_of_pixel();
-                    put(levels.bytes_mut(), &bytes, &tile, width, of_pixel);
-                }
-                (Kept::Levels(_), None) => {}
+    let rays = gathered.as_ref().map(|gathered| gathered.rays);
+    let mut canvas = Canvas::new(options, leveller.as_ref(), rays.unwrap_or_default());
+    match (&mut gathered, &mut in_order) {
+        (None, None) => canvas = canvas.draw_all(&tiles, draw),
+        (None, Some(scratch)) => {
+            let drawn = tiles.iter().map(|tile| draw(scratch, tile));
+            drawn.for_each(|drawn| canvas.take(drawn));
+        }
+        (Some(gathered), _) => {
+            let at_once = LEAST_AT_ONCE.max(TILES_OF_THREAD * rayon::current_num_threads());
+            for some in tiles.chunks(at_once) {
+                let drawn = gathered.draw(some, &draw, progress);
+                drawn.into_iter().for_each(|drawn| canvas.take(drawn));
             }
         }
     }
+    let Canvas { film, rays } = canvas;
     Drawn {
         film,
         rays,
@@ -169,15 +149,6 @@ fn with_all_before(options: &RenderOptions) -> RenderOptions {
         columns: 0..options.width,
         rows: 0..options.rows.end,
         ..options.clone()
-    }
-}
-
-/// Puts what a tile holds, so many values for each pixel, into a picture of this width.
-fn put<T: Copy>(picture: &mut [T], of_tile: &[T], tile: &Tile, width: u32, of_pixel: usize) {
-    let length = tile.columns.len() * of_pixel;
-    for (y, row) in tile.rows.clone().zip(of_tile.chunks(length.max(1))) {
-        let start = (y as usize * width as usize + tile.columns.start as usize) * of_pixel;
-        picture[start..start + length].copy_from_slice(row);
     }
 }
 
