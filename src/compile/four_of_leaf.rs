@@ -80,7 +80,7 @@ impl World {
         number: u32,
         (lot, start, mut there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
-        mut take: impl FnMut(&mut Lot, usize, Found),
+        take: &mut impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
         let rays = lot.four(start);
         let from = rays.from;

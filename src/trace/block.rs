@@ -4,7 +4,7 @@
 //! goes one pixel at a time, as for a single one.
 
 use super::coats::Coats;
-use super::plain_four::Looking;
+use super::plain_four::{FourSeen, Looking};
 use super::shadows::Together;
 use super::waves::Waves;
 use super::{Sample, Tracer, begin_sample};
@@ -270,12 +270,13 @@ impl Tracer<'_> {
         with_widest(
             #[inline(always)]
             |_| {
+                let mut seen = FourSeen::NOTHING;
                 for (four, places) in places.chunks(4).enumerate() {
                     let BlockScratch {
                         single, all, coats, ..
                     } = scratch;
                     let kept = (single, coats);
-                    let seen = self.plain_four(&FromCamera(self), (four, count), all, kept);
+                    self.plain_four(&FromCamera(self), (four, count), all, kept, &mut seen);
                     if seen.is_known(places.len()) {
                         for lane in 0..places.len() {
                             take(4 * four + lane, seen.known(lane), all.hits.get(four));

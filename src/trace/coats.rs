@@ -79,6 +79,13 @@ impl Coats {
         self.other = coat?;
         Some(&self.other)
     }
+
+    /// The coat of the surface of this number, if it is kept.
+    #[inline(always)]
+    pub(super) fn known(&self, number: u32) -> Option<&PlainCoat> {
+        let (kept, coat) = &self.kept[number as usize % KEPT];
+        (*kept == number).then_some(coat)
+    }
 }
 
 impl Tracer<'_> {

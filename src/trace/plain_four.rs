@@ -14,16 +14,24 @@ use crate::pattern::Spot;
 use crate::texture::{Finish, PreparedPigment};
 use glam::DVec2;
 
+/// A number for each of four places, far enough from the next four that the two are not read as one: what was just written
+/// in two pieces is slow to read in one. For the same reason all that is told of four places stays where it is.
+#[derive(Clone, Copy)]
+#[repr(align(32))]
+struct Row([f32; 4]);
+
+/// The colours of four places, channel by channel.
+type FourRgb = [Row; 3];
+
 /// What is seen at four places.
 pub(super) struct FourSeen<'w> {
-    rgb: [[f32; 4]; 3],
+    rgb: FourRgb,
     transmit: [f32; 4],
     /// At which of them it is known, one bit each.
     known: u32,
     /// At which of them it is known of the surface itself, which shows others.
     half_known: u32,
-    /// The coats, if there are such.
-    coats: Option<FourCoats<'w>>,
+    coats: FourCoats<'w>,
 }
 
 /// What is seen of a surface that shows others.
@@ -47,23 +55,20 @@ pub(super) trait Looking {
 }
 
 impl<'w> FourSeen<'w> {
-    const NOTHING: FourSeen<'static> = FourSeen {
-        rgb: [[0.0; 4]; 3],
+    pub(super) const NOTHING: FourSeen<'static> = FourSeen {
+        rgb: BLACK,
         transmit: [0.0; 4],
         known: 0,
         half_known: 0,
-        coats: None,
+        coats: FourCoats::NOTHING,
     };
 
-    /// The same at all of these.
+    /// Takes note of the same at all of these.
     #[inline(always)]
-    fn alike(Sample { rgb, transmit }: Sample, known: u32) -> FourSeen<'w> {
-        FourSeen {
-            rgb: [[rgb.r; 4], [rgb.g; 4], [rgb.b; 4]],
-            transmit: [transmit; 4],
-            known,
-            ..FourSeen::NOTHING
-        }
+    fn see(&mut self, Sample { rgb, transmit }: Sample, known: u32) {
+        self.rgb = all_of(rgb);
+        self.transmit = [transmit; 4];
+        self.known = known;
     }
 
     /// What is seen at one of them, if that is known.
@@ -90,7 +95,7 @@ impl<'w> FourSeen<'w> {
     /// What is seen of a surface itself at one of them, if that shows others and is known.
     #[inline(always)]
     pub(super) fn showing(&self, lane: usize) -> Option<Showing<'w>> {
-        let coats = self.coats.as_ref()?;
+        let coats = &self.coats;
         let finish = coats.finishes[lane].filter(|_| self.half_known >> lane & 1 == 1)?;
         Some(Showing {
             own: one_of(&self.rgb, lane),
@@ -102,11 +107,10 @@ impl<'w> FourSeen<'w> {
 }
 
 /// The outermost layers at four hits.
-#[derive(Clone, Copy)]
 struct FourCoats<'w> {
     /// What they shine of themselves.
-    own: [[f32; 4]; 3],
-    rgb: [[f32; 4]; 3],
+    own: FourRgb,
+    rgb: FourRgb,
     /// How much of white light from straight above they scatter.
     diffuse: [f64; 4],
     finishes: [Option<&'w Finish>; 4],
@@ -121,8 +125,8 @@ struct FourCoats<'w> {
 
 impl FourCoats<'_> {
     const NOTHING: FourCoats<'static> = FourCoats {
-        own: [[0.0; 4]; 3],
-        rgb: [[0.0; 4]; 3],
+        own: BLACK,
+        rgb: BLACK,
         diffuse: [0.0; 4],
         finishes: [None; 4],
         shiny: 0,
@@ -132,15 +136,52 @@ impl FourCoats<'_> {
     };
 }
 
+impl<'w> FourCoats<'w> {
+    /// Takes in the coat of one hit.
+    #[inline(always)]
+    fn put(&mut self, lane: usize, coat: &PlainCoat, finish: Option<&'w Finish>) {
+        put(&mut self.own, lane, coat.own);
+        put(&mut self.rgb, lane, coat.rgb);
+        self.diffuse[lane] = coat.diffuse;
+        self.finishes[lane] = finish;
+        self.shiny |= u32::from(coat.is_shiny) << lane;
+        if coat.shows_more {
+            self.showing |= 1 << lane;
+            self.through[lane] = coat.through;
+        }
+    }
+
+    /// Takes in the coat that all four hits have.
+    #[inline(always)]
+    fn put_all(&mut self, coat: &PlainCoat, finish: Option<&'w Finish>) {
+        self.own = all_of(coat.own);
+        self.rgb = all_of(coat.rgb);
+        self.diffuse = [coat.diffuse; 4];
+        self.finishes = [finish; 4];
+        self.shiny = if coat.is_shiny { 0b1111 } else { 0 };
+        if coat.shows_more {
+            self.showing = 0b1111;
+            self.through = [coat.through; 4];
+        }
+    }
+}
+
+const BLACK: FourRgb = [Row([0.0; 4]); 3];
+
 #[inline(always)]
-fn one_of(of: &[[f32; 4]; 3], lane: usize) -> Rgb {
-    Rgb::new(of[0][lane], of[1][lane], of[2][lane])
+fn all_of(rgb: Rgb) -> FourRgb {
+    [Row([rgb.r; 4]), Row([rgb.g; 4]), Row([rgb.b; 4])]
 }
 
 #[inline(always)]
-fn put(to: &mut [[f32; 4]; 3], lane: usize, rgb: Rgb) {
+fn one_of(of: &FourRgb, lane: usize) -> Rgb {
+    Rgb::new(of[0].0[lane], of[1].0[lane], of[2].0[lane])
+}
+
+#[inline(always)]
+fn put(to: &mut FourRgb, lane: usize, rgb: Rgb) {
     for (to, channel) in to.iter_mut().zip([rgb.r, rgb.g, rgb.b]) {
-        to[lane] = channel;
+        to.0[lane] = channel;
     }
 }
 
@@ -154,7 +195,7 @@ fn each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl<'w> Tracer<'w> {
-    /// What rays see at the first `count` of these four places of a block, where that is plain.
+    /// What rays see at the first `count` of these four places of a block, where that is plain, put into `seen`.
     #[inline(always)]
     pub(super) fn plain_four(
         &self,
@@ -162,10 +203,11 @@ impl<'w> Tracer<'w> {
         (four, count): (usize, usize),
         all: &Together,
         (scratch, kept): (&mut Scratch, &mut Coats),
-    ) -> FourSeen<'w> {
-        let mut seen = FourSeen::NOTHING;
+        seen: &mut FourSeen<'w>,
+    ) {
+        (seen.known, seen.half_known) = (0, 0);
         if !self.takes_plain || self.stop.is_asked() {
-            return seen;
+            return;
         }
         let hits = &all.hits[four];
         let there = 0b1111 >> (4 - (count - 4 * four).min(4));
@@ -174,8 +216,10 @@ impl<'w> Tracer<'w> {
             && self.world.sky.is_none()
             && let Some(who) = rays.all_seen()
         {
-            return FourSeen::alike(self.background_of(who).seen, there);
+            seen.see(self.background_of(who).seen, there);
+            return;
         }
+        seen.transmit = [0.0; 4];
         each_lane(there & !hits.met, |lane| {
             let behind = self.behind_everything(hits.dir(lane), rays.seen(lane));
             put(&mut seen.rgb, lane, behind.rgb);
@@ -183,10 +227,12 @@ impl<'w> Tracer<'w> {
             seen.known |= 1 << lane;
         });
         if meets_nothing {
-            return seen;
+            return;
         }
-        let (coats, mut lit) = self.coats(hits, there & hits.met, kept);
-        let mut sum = [[0.0; 4]; 3];
+        let mut lit = self.coats(hits, there & hits.met, kept, &mut seen.coats);
+        let coats = &seen.coats;
+        let mut sum = BLACK;
+        let mut arriving = Arriving { rgb: BLACK, lit: 0 };
         for &number in self.world.lights.of(coats.lights) {
             let ways = &all.ways[number as usize * all.hits.len() + four];
             let arrives = ways.asked & !ways.blocked;
@@ -203,13 +249,13 @@ impl<'w> Tracer<'w> {
             if free | filtered == 0 {
                 continue;
             }
-            let mut arriving = Arriving::of(light, ways, free);
+            arriving.come(light, ways, free);
             each_lane(filtered, |lane| {
                 let of = (all, 4 * four + lane);
                 let left = self.filtered(number, of, rays.inside(lane), scratch);
                 arriving.take(lane, left);
             });
-            add_light(&arriving, ways, hits, &coats, &mut sum);
+            add_light(&arriving, ways, hits, coats, &mut sum);
         }
         each_lane(lit, |lane| {
             let rgb = Rgb::BLACK + (one_of(&coats.own, lane) + one_of(&sum, lane));
@@ -217,10 +263,6 @@ impl<'w> Tracer<'w> {
         });
         seen.known |= lit & !coats.showing;
         seen.half_known = lit & coats.showing;
-        if seen.half_known != 0 {
-            seen.coats = Some(coats);
-        }
-        seen
     }
 
     /// What is left of the light of this number at a place behind all that filters it on its way.
@@ -249,14 +291,26 @@ impl<'w> Tracer<'w> {
         self.through_way(arriving, &way, scratch)
     }
 
-    /// The layers at these of four hits, and at which of them diffuse light and highlights are all that there is.
+    /// Puts the layers at these of four hits into `coats`. Gives those of them at which diffuse light and highlights are all
+    /// that there is, one bit each.
     #[inline(always)]
-    fn coats(&self, hits: &FourHits, asked: u32, kept: &mut Coats) -> (FourCoats<'w>, u32) {
+    fn coats(
+        &self,
+        hits: &FourHits,
+        asked: u32,
+        kept: &mut Coats,
+        coats: &mut FourCoats<'w>,
+    ) -> u32 {
         let first = hits.surface[asked.trailing_zeros() as usize % 4];
-        let mut coats = FourCoats {
-            lights: self.world.surfaces[first as usize].lights,
-            ..FourCoats::NOTHING
-        };
+        coats.lights = self.world.surfaces[first as usize].lights;
+        (coats.shiny, coats.showing) = (0, 0);
+        if asked == 0b1111
+            && hits.surface == [first; 4]
+            && let Some(coat) = kept.known(first)
+        {
+            coats.put_all(coat, self.finish_of(first, coat));
+            return asked;
+        }
         let mut plain = 0;
         each_lane(
             asked,
@@ -268,25 +322,25 @@ impl<'w> Tracer<'w> {
                     #[inline(always)]
                     || self.coat_at(hits, lane),
                 );
-                let Some(coat) = coat.filter(|coat| coat.lights == coats.lights) else {
-                    return;
-                };
-                put(&mut coats.own, lane, coat.own);
-                put(&mut coats.rgb, lane, coat.rgb);
-                coats.diffuse[lane] = coat.diffuse;
-                coats.shiny |= u32::from(coat.is_shiny) << lane;
-                if coat.is_shiny || coat.shows_more {
-                    let layers = self.world.surfaces[number as usize].texture.layers();
-                    coats.finishes[lane] = layers.first().map(|layer| &*layer.finish);
+                if let Some(coat) = coat
+                    && coat.lights == coats.lights
+                {
+                    coats.put(lane, coat, self.finish_of(number, coat));
+                    plain |= 1 << lane;
                 }
-                if coat.shows_more {
-                    coats.showing |= 1 << lane;
-                    coats.through[lane] = coat.through;
-                }
-                plain |= 1 << lane;
             },
         );
-        (coats, plain)
+        plain
+    }
+
+    /// The finish of a surface, where it matters besides what the coat tells.
+    #[inline(always)]
+    fn finish_of(&self, surface: u32, coat: &PlainCoat) -> Option<&'w Finish> {
+        if !coat.is_shiny && !coat.shows_more {
+            return None;
+        }
+        let layers = self.world.surfaces[surface as usize].texture.layers();
+        layers.first().map(|layer| &*layer.finish)
     }
 
     /// The layer at one of four hits, if it is plain, and whether it is so everywhere on its surface.
@@ -309,24 +363,20 @@ impl<'w> Tracer<'w> {
 
 /// The light of one lamp that arrives at four hits.
 struct Arriving {
-    rgb: [[f32; 4]; 3],
+    rgb: FourRgb,
     /// At which of them any arrives, one bit each.
     lit: u32,
 }
 
 impl Arriving {
-    /// Light of which nothing is stopped on its way to these hits.
+    /// Becomes the light of a lamp, of which nothing is stopped on its way to these hits.
     #[inline(always)]
-    fn of(light: &Light, ways: &FourWays, free: u32) -> Arriving {
-        let rgb = light.color;
-        let mut arriving = Arriving {
-            rgb: [[rgb.r; 4], [rgb.g; 4], [rgb.b; 4]],
-            lit: if is_nothing(rgb) { 0 } else { free },
-        };
+    fn come(&mut self, light: &Light, ways: &FourWays, free: u32) {
+        self.rgb = all_of(light.color);
+        self.lit = if is_nothing(light.color) { 0 } else { free };
         if !light.has_even_share() {
-            each_lane(free, |lane| arriving.take(lane, rgb * ways.share[lane]));
+            each_lane(free, |lane| self.take(lane, light.color * ways.share[lane]));
         }
-        arriving
     }
 
     /// Takes what arrives at one of them.
@@ -358,26 +408,30 @@ fn add_light(
     ways: &FourWays,
     hits: &FourHits,
     coats: &FourCoats,
-    sum: &mut [[f32; 4]; 3],
+    sum: &mut FourRgb,
 ) {
-    let (lit, arriving) = (arriving.lit, &arriving.rgb);
     let mut strength = [0.0; 4];
     for (lane, strength) in strength.iter_mut().enumerate() {
         *strength = coats.diffuse[lane] * ways.cosine[lane];
     }
-    let mut given = [[0.0; 4]; 3];
+    let mut given = BLACK;
     for channel in 0..3 {
         for lane in 0..4 {
-            let tinted = coats.rgb[channel][lane] * arriving[channel][lane];
+            let tinted = coats.rgb[channel].0[lane] * arriving.rgb[channel].0[lane];
             let scattered = (f64::from(tinted) * strength[lane]) as f32;
-            given[channel][lane] = if coats.diffuse[lane] != 0.0 {
+            given[channel].0[lane] = if coats.diffuse[lane] != 0.0 {
                 scattered
             } else {
                 0.0
             };
         }
     }
-    each_lane(lit & coats.shiny, |lane| {
+    let shining = arriving.lit & coats.shiny;
+    if shining == 0 {
+        add(&given, arriving.lit, sum);
+        return;
+    }
+    each_lane(shining, |lane| {
         let Some(finish) = coats.finishes[lane] else {
             return;
         };
@@ -385,19 +439,25 @@ fn add_light(
         if strength != 0.0 {
             let pigment = one_of(&coats.rgb, lane);
             let shine = metallic(finish.metallic, pigment, ways.cosine[lane]);
-            let shine = one_of(arriving, lane) * shine * strength;
+            let shine = one_of(&arriving.rgb, lane) * shine * strength;
             let both = one_of(&given, lane) + shine;
             put(&mut given, lane, both);
         }
     });
+    add(&given, arriving.lit, sum);
+}
+
+/// Adds the light given by those that are lit.
+#[inline(always)]
+fn add(given: &FourRgb, lit: u32, sum: &mut FourRgb) {
     for channel in 0..3 {
         for lane in 0..4 {
             let given = if lit >> lane & 1 == 1 {
-                given[channel][lane]
+                given[channel].0[lane]
             } else {
                 0.0
             };
-            sum[channel][lane] += given;
+            sum[channel].0[lane] += given;
         }
     }
 }

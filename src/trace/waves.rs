@@ -6,7 +6,7 @@
 use super::block::{AROUND, MANY_LIGHTS};
 use super::coats::Coats;
 use super::passage::{Bend, bend};
-use super::plain_four::{Looking, Showing, viewed};
+use super::plain_four::{FourSeen, Looking, Showing, viewed};
 use super::shadows::Together;
 use super::surface::{mirror, mirrored_off};
 use super::{Inside, MOST_PASSED, Path, Sample, Tracer};
@@ -326,13 +326,14 @@ impl Tracer<'_> {
         with_widest(
             #[inline(always)]
             |_| {
+                let mut seen = FourSeen::NOTHING;
                 for (four, onwards) in rays.chunks(4).enumerate() {
                     let few = Few {
                         rays: onwards,
                         insides: &waves.insides,
                     };
                     let kept = (&mut *scratch, &mut *coats);
-                    let seen = self.plain_four(&few, (four, rays.len()), &all, kept);
+                    self.plain_four(&few, (four, rays.len()), &all, kept, &mut seen);
                     for (lane, onward) in onwards.iter().enumerate() {
                         let showing = seen.showing(lane).filter(|_| waves.have_room());
                         let sample = match (seen.sample(lane), showing) {
