@@ -415,11 +415,12 @@ fn add_light(
         *strength = coats.diffuse[lane] * ways.cosine[lane];
     }
     let mut given = BLACK;
-    for channel in 0..3 {
-        for lane in 0..4 {
-            let tinted = coats.rgb[channel].0[lane] * arriving.rgb[channel].0[lane];
+    let tints = coats.rgb.iter().zip(&arriving.rgb);
+    for (given, (rgb, arriving)) in given.iter_mut().zip(tints) {
+        for (lane, given) in given.0.iter_mut().enumerate() {
+            let tinted = rgb.0[lane] * arriving.0[lane];
             let scattered = (f64::from(tinted) * strength[lane]) as f32;
-            given[channel].0[lane] = if coats.diffuse[lane] != 0.0 {
+            *given = if coats.diffuse[lane] != 0.0 {
                 scattered
             } else {
                 0.0
@@ -450,14 +451,10 @@ fn add_light(
 /// Adds the light given by those that are lit.
 #[inline(always)]
 fn add(given: &FourRgb, lit: u32, sum: &mut FourRgb) {
-    for channel in 0..3 {
-        for lane in 0..4 {
-            let given = if lit >> lane & 1 == 1 {
-                given[channel].0[lane]
-            } else {
-                0.0
-            };
-            sum[channel].0[lane] += given;
+    for (sum, given) in sum.iter_mut().zip(given) {
+        for (lane, sum) in sum.0.iter_mut().enumerate() {
+            let is_lit = lit >> lane & 1 == 1;
+            *sum += if is_lit { given.0[lane] } else { 0.0 };
         }
     }
 }
