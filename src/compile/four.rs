@@ -444,7 +444,7 @@ impl World {
         (lot, start, there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
-        mut take: impl FnMut(&mut Lot, usize, Found),
+        take: &mut impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
         let rays = lot.four(start);
         let (from, left) = (rays.from, rays.left);

@@ -99,7 +99,7 @@ impl World {
         lanes: Lanes,
         number: u32,
         (lot, start, there): (&mut Lot, usize, u32),
-        mut take: impl FnMut(&mut Lot, usize, Found),
+        take: &mut impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
         let copy = &self.model.instances[number as usize];
         let rays = lot.four(start);

@@ -316,26 +316,20 @@ impl World {
         hits: &mut FourHits,
     ) {
         hits.meet_nothing();
-        let mut centre = [[0.0; 4]; 3];
-        let (mut met, mut balls) = (0, 0);
-        for (lane, best) in bests.iter().enumerate().take(4) {
-            let Some(Best { found, .. }) = best else {
-                continue;
-            };
-            met |= 1 << lane;
-            hits.t[lane] = found.root.t;
-            hits.leaf[lane] = found.leaf;
-            hits.face[lane] = found.root.face;
-            hits.surface[lane] = found.surface;
-            hits.crossing[lane] = found.root.crossing;
-            if let Some(leaf) = self.model.leaves.get(found.leaf as usize)
-                && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
-            {
-                put(&mut centre, lane, sphere.centre);
-                balls |= 1 << lane;
-            }
-        }
-        hits.met = met;
+        // Spelt out, so that the numbers of four need not be written one by one to be read together.
+        let mut balls = 0;
+        let [a, b, c, d] = [
+            self.note_met(bests, 0, hits, &mut balls),
+            self.note_met(bests, 1, hits, &mut balls),
+            self.note_met(bests, 2, hits, &mut balls),
+            self.note_met(bests, 3, hits, &mut balls),
+        ];
+        let centre = [
+            [a.x, b.x, c.x, d.x],
+            [a.y, b.y, c.y, d.y],
+            [a.z, b.z, c.z, d.z],
+        ];
+        let met = hits.met;
         if met == 0 {
             return;
         }
@@ -359,6 +353,33 @@ impl World {
             }
         }
         fours(lanes, Turning { hits });
+    }
+
+    /// Notes what one of four rays has met. If that is a ball it is marked, and the centre given.
+    #[inline(always)]
+    fn note_met(
+        &self,
+        bests: &[Option<Best>],
+        lane: usize,
+        hits: &mut FourHits,
+        balls: &mut u32,
+    ) -> DVec3 {
+        let Some(Some(Best { found, .. })) = bests.get(lane) else {
+            return DVec3::ZERO;
+        };
+        hits.met |= 1 << lane;
+        hits.t[lane] = found.root.t;
+        hits.leaf[lane] = found.leaf;
+        hits.face[lane] = found.root.face;
+        hits.surface[lane] = found.surface;
+        hits.crossing[lane] = found.root.crossing;
+        if let Some(leaf) = self.model.leaves.get(found.leaf as usize)
+            && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
+        {
+            *balls |= 1 << lane;
+            return sphere.centre;
+        }
+        DVec3::ZERO
     }
 
     /// The same for one of them, the point of which is known or not.

@@ -107,6 +107,7 @@ impl Leaf {
         }
     }
 
+    #[inline(always)]
     pub(super) fn point_to_object(&self, point: DVec3) -> DVec3 {
         self.object_from_world
             .as_ref()
@@ -215,6 +216,7 @@ impl Leaf {
         self.shape.shares(self.point_to_object(point), face)
     }
 
+    #[inline(always)]
     fn to_world(&self, normal: DVec3) -> DVec3 {
         let normal = match &self.object_from_world {
             Some(matrix) => normal_from_inverse(matrix, normal),

@@ -355,7 +355,14 @@ impl LightOrder {
         self.seen.clear();
         for ways in ways {
             let seen = four(lanes, &Seen { ways, across, up });
-            self.seen.push(seen.map(|lanes| lanes.map(nearest)));
+            // Spelt out: `map` is not always inlined.
+            let mut rounded = [[0.0; 4]; 2];
+            for axis in 0..2 {
+                for lane in 0..4 {
+                    rounded[axis][lane] = nearest(seen[axis][lane]);
+                }
+            }
+            self.seen.push(rounded);
         }
         let seen = |place: u16| {
             let [x, y] = &self.seen[usize::from(place) / 4];
