@@ -350,13 +350,13 @@ impl StepTable {
         Some(StepTable { curve, stretches })
     }
 
+    #[inline]
     fn level(&self, c: f32) -> u8 {
-        if (Self::FIRST..1.0).contains(&c) {
-            let key = (c.to_bits() >> Self::SHIFT) - (Self::FIRST.to_bits() >> Self::SHIFT);
-            let stretch = self.stretches[key as usize];
-            stretch.level + u8::from(c >= stretch.next_at)
-        } else {
-            self.curve.level_8(c)
+        // What is below the first, negative or not a number is far beyond the last by its bits.
+        let key = c.to_bits().wrapping_sub(Self::FIRST.to_bits()) >> Self::SHIFT;
+        match self.stretches.get(key as usize) {
+            Some(stretch) => stretch.level + u8::from(c >= stretch.next_at),
+            None => self.curve.level_8(c),
         }
     }
 }
