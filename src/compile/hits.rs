@@ -7,6 +7,7 @@ use super::world::World;
 use crate::math::Ray;
 use crate::math::lanes::three::{Three, dot, largest, load, minus, plus, scaled, store};
 use crate::math::lanes::{Four, FourWork, Lanes, Row, fours};
+use crate::memory::expect_use;
 use crate::shape::{Crossing, Shape};
 use glam::DVec3;
 
@@ -373,6 +374,10 @@ impl World {
         hits.face[lane] = found.root.face;
         hits.surface[lane] = found.surface;
         hits.crossing[lane] = found.root.crossing;
+        // It will be looked at when the light is known.
+        if let Some(surface) = self.surfaces.get(found.surface as usize) {
+            expect_use(surface);
+        }
         if let Some(leaf) = self.model.leaves.get(found.leaf as usize)
             && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
         {
