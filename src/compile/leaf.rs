@@ -121,10 +121,15 @@ impl Leaf {
 
     /// The root that a world ray is known to have at `t`; none where it is none after all.
     pub(super) fn root_at(&self, ray: &Ray, t: f64, roots: &mut Vec<Root>) -> Option<Root> {
-        if let (Shape::Sphere(sphere), None) = (&self.shape, &self.object_from_world)
-            && let Some(root) = sphere.root_at(ray, t)
-        {
-            return Some(root);
+        let room = &mut None;
+        let by_place = match &self.shape {
+            Shape::Sphere(sphere) if self.object_from_world.is_none() => sphere.root_at(ray, t),
+            Shape::Cuboid(cuboid) => cuboid.root_at(self.to_object(ray, room), t),
+            Shape::Cylinder(cylinder) => cylinder.root_at(self.to_object(ray, room), t),
+            _ => None,
+        };
+        if by_place.is_some() {
+            return by_place;
         }
         roots.clear();
         self.roots(ray, roots);

@@ -5,7 +5,10 @@
 //! Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
 
 use super::four::{FourRays, FourSpans, Three, minus, same};
-use super::{Geometry, Root, Start, WELL_INSIDE, first_visible, push_span, read, span};
+use super::{
+    Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, first_visible, push_span, read,
+    span,
+};
 use crate::args::{Args, Parse};
 use crate::math::lanes::Four;
 use crate::math::{Bounds, Ray, Step};
@@ -64,6 +67,35 @@ impl Cuboid {
             (enter, face(enter_axis, ray.dir[enter_axis] < 0.0)),
             (leave, face(leave_axis, ray.dir[leave_axis] > 0.0)),
         )
+    }
+
+    /// The root that a ray is known to have at `t`, if it lies surely on one face alone.
+    #[inline]
+    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let point = ray.at(t);
+        let (low, high) = ((point - self.min).abs(), (point - self.max).abs());
+        let off = low.min(high);
+        let (axis, dir, is_upper) = if off.x <= off.y && off.x <= off.z {
+            (0, ray.dir.x, high.x < low.x)
+        } else if off.y <= off.z {
+            (1, ray.dir.y, high.y < low.y)
+        } else {
+            (2, ray.dir.z, high.z < low.z)
+        };
+        let lengths = ray.origin.abs() + (t * ray.dir).abs() + self.min.abs() + self.max.abs();
+        let care = SURELY_ASIDE * lengths.max_element();
+        // The second least of three.
+        let next = off.x.min(off.y).max(off.x.max(off.y).min(off.z));
+        let is_sure = next > care && low.max(high).min_element() > care && dir != 0.0;
+        is_sure.then_some(Root {
+            t,
+            crossing: match is_upper == (dir < 0.0) {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face: face(axis, is_upper),
+            is_visible: true,
+        })
     }
 
     /// Whether a ray lies well inside from its start to `to`: no rounding brings a face there.
@@ -204,6 +236,7 @@ impl Geometry for Cuboid {
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::random::Random;
     use crate::shape::check;
 
     fn cube() -> Cuboid {
@@ -247,6 +280,30 @@ mod tests {
         let sheet = Cuboid::new(DVec3::new(-1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
         let ray = Ray::new(DVec3::new(0.0, 0.0, -2.0), DVec3::Z);
         assert_eq!(sheet.span(&ray).unwrap().map(|root| root.t), [2.0, 2.0]);
+    }
+
+    #[test]
+    fn a_root_is_known_by_its_place() {
+        let mut rng = Random::new(12);
+        let mut known = 0;
+        for number in 0..20_000 {
+            let corner = rng.vector(1.0);
+            let cuboid = Cuboid::new(corner, corner + rng.vector(1.0));
+            let away = 2.0_f64.powi(number % 20 - 2);
+            let origin = away * rng.vector(1.0);
+            let aim = corner + rng.vector(0.5);
+            let mut dir = (0.1 + rng.share()) * (aim - origin);
+            if number % 7 == 0 {
+                dir.x = 0.0;
+            }
+            let ray = Ray::new(origin, dir);
+            for root in cuboid.span(&ray).into_iter().flatten() {
+                let found = cuboid.root_at(&ray, root.t);
+                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
+                known += usize::from(found.is_some());
+            }
+        }
+        assert!(known > 10_000, "{known}");
     }
 
     #[test]

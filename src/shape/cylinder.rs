@@ -7,9 +7,11 @@
 //! Error bound: that of the ball; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹ times
 //! its size (`shape/roundings.rs`).
 
-use super::axial::{APEX, Axis, BASE};
+use super::axial::{APEX, Axis, BASE, SIDE};
 use super::four::{self, FourRays, FourSpans, across, chords, dot, minus, same};
-use super::{Geometry, Root, Start, first_visible, push_span, read, unease};
+use super::{
+    Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, push_span, read, unease,
+};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
 use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
@@ -97,6 +99,40 @@ impl Cylinder {
             ball_chord(p, dir, self.radius)?
         };
         slab.clip(side, self.is_open)
+    }
+
+    /// The root that a ray is known to have at `t`, if it lies surely on the side or one cap alone.
+    #[inline]
+    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let (from_base, way) = (ray.origin - self.axis.base, t * ray.dir);
+        let p = from_base + way;
+        let to_apex = self.axis.apex - self.axis.base;
+        let height = self.axis.unit.dot(p);
+        let rest = self.axis.unit.dot(to_apex) - height;
+        let off = p - height * self.axis.unit;
+        let lengths = from_base.abs() + way.abs() + to_apex.abs();
+        let care = SURELY_ASIDE * (lengths.max_element() + self.radius);
+        let is_on_cap = off.length_squared() < (self.radius - care) * (self.radius - care);
+        let slope = self.axis.unit.dot(ray.dir);
+        let along = off.dot(ray.dir);
+        let (enters, is_sure, face) = match (height > care, rest > care) {
+            (true, true) => {
+                let is_sure = along.abs() > care * ray.dir.abs().max_element();
+                (along < 0.0, is_sure, SIDE)
+            }
+            (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
+            (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
+            (false, false) => return None,
+        };
+        (is_sure && !self.is_open && self.radius > care).then_some(Root {
+            t,
+            crossing: match enters {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face,
+            is_visible: true,
+        })
     }
 
     /// Whether [`Cylinder::four`] knows anything.
@@ -201,7 +237,8 @@ mod tests {
     use super::*;
     use crate::args::text::TextArgs;
     use crate::math::Transform;
-    use crate::shape::{Crossing, check};
+    use crate::math::random::Random;
+    use crate::shape::check;
 
     fn cylinder(text: &str) -> Cylinder {
         Cylinder::read(&mut TextArgs::new(text)).unwrap()
@@ -215,6 +252,29 @@ mod tests {
             Cylinder::new(tilted.axis.base * k, tilted.axis.apex * k, 1.3 * k).unwrap()
         });
         check::solid(&cylinder("<0,-1,0>, <0,2,0>, 0.4"));
+    }
+
+    #[test]
+    fn a_root_is_known_by_its_place() {
+        let mut rng = Random::new(13);
+        let mut known = [0; 3];
+        for number in 0..30_000 {
+            let base = rng.vector(1.0);
+            let radius = 0.02 + rng.share();
+            let Some(cylinder) = Cylinder::new(base, base + rng.vector(1.0), radius) else {
+                continue;
+            };
+            let away = 2.0_f64.powi(number % 20 - 2);
+            let origin = away * rng.vector(1.0);
+            let aim = base + rng.vector(0.5);
+            let ray = Ray::new(origin, (0.1 + rng.share()) * (aim - origin));
+            for root in cylinder.span(&ray).into_iter().flatten() {
+                let found = cylinder.root_at(&ray, root.t);
+                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
+                known[root.face as usize] += usize::from(found.is_some());
+            }
+        }
+        assert!(known.iter().all(|&known| known > 4000), "{known:?}");
     }
 
     #[test]

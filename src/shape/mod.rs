@@ -480,6 +480,9 @@ fn alternate_into(
     start
 }
 
+/// What lies so far aside of something, as a share of the lengths that it is worked out from, does so for all roundings.
+const SURELY_ASIDE: f64 = 1.0 / (1u64 << 20) as f64;
+
 /// Appends the span of a convex bounded solid.
 fn push_span(span: Option<[Root; 2]>, roots: &mut Vec<Root>) -> Start {
     if let Some(span) = span {

@@ -11,7 +11,8 @@ use super::four::{
     FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
 };
 use super::{
-    Crossing, Geometry, Root, Start, WELL_INSIDE, even_scale, first_visible, push_span, read, span,
+    Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, even_scale, first_visible,
+    push_span, read, span,
 };
 use crate::args::{Args, Parse};
 use crate::math::chord::{MARGIN, ball_chord};
@@ -23,10 +24,6 @@ use std::f64::consts::{PI, TAU};
 
 /// What is entered after so many times the distance up to which nothing counts is not what the ray starts on.
 const SURELY_AFTER: f64 = 17.0;
-
-/// What lies so far from the middle of a chord, as a share of its distance and the radius, is on that side of it for all
-/// roundings.
-const SURELY_ASIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
