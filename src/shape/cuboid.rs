@@ -285,7 +285,7 @@ mod tests {
     #[test]
     fn a_root_is_known_by_its_place() {
         let mut rng = Random::new(12);
-        let mut known = 0;
+        let (mut known, mut all) = (0, 0);
         for number in 0..20_000 {
             let corner = rng.vector(1.0);
             let cuboid = Cuboid::new(corner, corner + rng.vector(1.0));
@@ -301,9 +301,10 @@ mod tests {
                 let found = cuboid.root_at(&ray, root.t);
                 assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
                 known += usize::from(found.is_some());
+                all += 1;
             }
         }
-        assert!(known > 10_000, "{known}");
+        assert!(all > 5000 && known * 10 > all * 8, "{known} of {all}");
     }
 
     #[test]
