@@ -12,7 +12,7 @@ use super::surface::{Overview, Surface};
 use super::vistas::Vistas;
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
-use crate::color::{Color, Rgb};
+use crate::color::{Color, Gamma, Rgb};
 use crate::interior::PreparedMedia;
 use crate::math::Bounds;
 use crate::math::noise::NoiseGenerator;
@@ -46,6 +46,8 @@ pub struct Globals {
     pub rules_37: bool,
     /// Whether the picture keeps the transparency of the background.
     pub has_alpha: bool,
+    /// The working space; `None` without gamma handling.
+    pub working_gamma: Option<Gamma>,
 }
 
 /// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
@@ -146,6 +148,7 @@ impl World {
                 irid_wavelength: scene.globals.irid_wavelength,
                 rules_37: scene.version >= 3.7,
                 has_alpha: options.alpha,
+                working_gamma: scene.working_gamma(),
             },
             ties_by_box: has_tree,
             least_distance: options.least_distance,

@@ -229,8 +229,7 @@ fn draw_tile(
             draw_blocks(tracer, &wanted, options, scratch)
         }
         Sampling::PovRay(how) => {
-            let single = scratch.single();
-            let whole = Sampler::new(tracer, options, how).block(tile, single);
+            let whole = Sampler::new(tracer, options, how).tile(tile, scratch);
             (cut_out(&whole, tile, &wanted), scratch.take_rays())
         }
     };

@@ -1,0 +1,204 @@
+//! Method 2: a pixel is divided into four squares as long as the corners of a square differ, and is the mean of them.
+
+use super::super::Tile;
+use super::{Graded, Place, Sampler, Sum, cells};
+use crate::film::Pixel;
+use crate::trace::BlockScratch;
+use rustc_hash::FxHashMap;
+
+/// A place on the finest grid of a pixel: the pixel's number, then column and row.
+type Point = (usize, u32, u32);
+
+/// The pixels of a tile, which share their corners.
+pub(super) struct Corners<'s, 'a> {
+    sampler: &'s Sampler<'a>,
+    scratch: &'s mut BlockScratch,
+    /// Whether each sample is traced as soon as it is asked for.
+    in_order: bool,
+    /// The centre of the upper left pixel.
+    first: Place,
+    width: usize,
+    height: usize,
+    /// The samples inside of pixels; none yet where one is missing.
+    inner: FxHashMap<Point, Option<Graded>>,
+    /// The samples that are missing.
+    wanted: Vec<Point>,
+}
+
+/// A square of a pixel.
+struct Square {
+    /// The number of its pixel.
+    pixel: usize,
+    /// Its middle on the finest grid.
+    middle: (u32, u32),
+    /// Upper left, upper right, lower left, lower right.
+    corners: [Graded; 4],
+    /// How many times it may be divided; half its side on the finest grid is 2 to the power of this.
+    level: u32,
+}
+
+impl<'s, 'a> Corners<'s, 'a> {
+    pub(super) fn new(
+        sampler: &'s Sampler<'a>,
+        tile: &Tile,
+        scratch: &'s mut BlockScratch,
+    ) -> Self {
+        Corners {
+            sampler,
+            in_order: scratch.single().minds_order(),
+            scratch,
+            first: (f64::from(tile.columns.start), f64::from(tile.rows.start)),
+            width: tile.columns.len(),
+            height: tile.rows.len(),
+            inner: FxHashMap::default(),
+            wanted: Vec::new(),
+        }
+    }
+
+    /// The pixels, row by row.
+    pub(super) fn pixels(mut self) -> Vec<Pixel> {
+        let corners = self.trace_corners();
+        let mut pixels = vec![Pixel::default(); self.width * self.height];
+        let mut open: Vec<usize> = (0..pixels.len()).collect();
+        while !open.is_empty() {
+            open.retain(|&number| {
+                let pixel = self.mean(&self.whole(number, &corners));
+                pixels[number] = pixel.unwrap_or_default();
+                pixel.is_none()
+            });
+            self.trace_wanted();
+        }
+        pixels
+    }
+
+    /// The samples at the corners of all pixels, row by row.
+    fn trace_corners(&mut self) -> Vec<Graded> {
+        let (wide, high) = (self.width + 1, self.height + 1);
+        let numbers: Vec<usize> = match self.in_order {
+            true => (0..wide * high).collect(),
+            false => cells(wide, high).collect(),
+        };
+        let place = |&at: &usize| {
+            let (x, y) = self.place(at % wide, at / wide);
+            (x - 0.5, y - 0.5)
+        };
+        let places: Vec<Place> = numbers.iter().map(place).collect();
+        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
+        let mut corners = vec![Graded::default(); numbers.len()];
+        for (at, pixel) in numbers.into_iter().zip(pixels) {
+            corners[at] = self.sampler.scale.graded(pixel);
+        }
+        corners
+    }
+
+    fn whole(&self, number: usize, corners: &[Graded]) -> Square {
+        let wide = self.width + 1;
+        let at = number / self.width * wide + number % self.width;
+        let level = self.sampler.how.depth - 1;
+        Square {
+            pixel: number,
+            middle: (1 << level, 1 << level),
+            corners: [at, at + 1, at + wide, at + wide + 1].map(|at| corners[at]),
+            level,
+        }
+    }
+
+    /// The mean of a square; nothing if samples are missing, which are noted.
+    fn mean(&mut self, square: &Square) -> Option<Pixel> {
+        let corners = &square.corners;
+        let differ = |a: usize, b: usize| self.sampler.differ(&corners[a], &corners[b]);
+        let is_rough = square.level > 0 && (0..4).any(|a| (a + 1..4).any(|b| differ(a, b)));
+        if !is_rough {
+            return Some(mean(&corners.map(|corner| corner.pixel)));
+        }
+        let parts = self.divided(square)?;
+        let parts = parts.map(|part| self.mean(&part));
+        let [Some(a), Some(b), Some(c), Some(d)] = parts else {
+            return None;
+        };
+        Some(mean(&[a, b, c, d]))
+    }
+
+    /// The quarters of a square, in POV-Ray's order: the left two first.
+    fn divided(&mut self, square: &Square) -> Option<[Square; 4]> {
+        let &Square {
+            pixel,
+            middle: (x, y),
+            corners: [upper_left, upper_right, lower_left, lower_right],
+            level,
+        } = square;
+        let d = 1u32 << level;
+        let asked = [(x - d, y), (x, y - d), (x + d, y), (x, y + d), (x, y)]
+            .map(|(column, row)| self.sample((pixel, column, row)));
+        let [
+            Some(left),
+            Some(above),
+            Some(right),
+            Some(below),
+            Some(middle),
+        ] = asked
+        else {
+            return None;
+        };
+        let q = d / 2;
+        let part = |middle, corners| Square {
+            pixel,
+            middle,
+            corners,
+            level: level - 1,
+        };
+        Some([
+            part((x - q, y - q), [upper_left, above, left, middle]),
+            part((x - q, y + q), [left, middle, lower_left, below]),
+            part((x + q, y - q), [above, upper_right, middle, right]),
+            part((x + q, y + q), [middle, right, below, lower_right]),
+        ])
+    }
+
+    fn sample(&mut self, point: Point) -> Option<Graded> {
+        if let Some(&known) = self.inner.get(&point) {
+            return known;
+        }
+        self.inner.insert(point, None);
+        self.wanted.push(point);
+        if self.in_order {
+            self.trace_wanted();
+        }
+        self.inner[&point]
+    }
+
+    /// Traces the samples that are missing.
+    fn trace_wanted(&mut self) {
+        let wanted = std::mem::take(&mut self.wanted);
+        let places: Vec<Place> = wanted.iter().map(|&at| self.inner_place(at)).collect();
+        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
+        for (point, pixel) in wanted.into_iter().zip(pixels) {
+            let sample = self.sampler.scale.graded(pixel);
+            self.inner.insert(point, Some(sample));
+        }
+    }
+
+    fn inner_place(&self, (pixel, column, row): Point) -> Place {
+        let cells = f64::from(1u32 << self.sampler.how.depth);
+        let cell = 1.0 / cells;
+        let (x, y) = self.place(pixel % self.width, pixel / self.width);
+        let x = x - 0.5 + f64::from(column) * cell;
+        let y = y - 0.5 + f64::from(row) * cell;
+        Sampler::jittered((x, y), self.sampler.how.jitter / (1.0 / cell + 1.0))
+    }
+
+    #[allow(
+        clippy::cast_precision_loss,
+        reason = "a tile has few rows and columns"
+    )]
+    fn place(&self, column: usize, row: usize) -> Place {
+        let (x, y) = self.first;
+        (x + column as f64, y + row as f64)
+    }
+}
+
+fn mean(of: &[Pixel; 4]) -> Pixel {
+    let mut sum = Sum::default();
+    of.iter().for_each(|pixel| sum.add(pixel));
+    sum.mean(4.0)
+}
