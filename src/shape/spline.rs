@@ -14,6 +14,9 @@ use smallvec::SmallVec;
 /// Points nearer than this are one: POV-Ray's distance, by which it decides whether an outline is closed.
 const SAME_POINT: f64 = 1e-10;
 
+/// The share of the size of a cubic below which the sign of a Bernstein coefficient may be that of its rounding.
+const BERNSTEIN_SLACK: f64 = 1e-14;
+
 /// How a curve follows its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -233,6 +236,12 @@ impl Segment {
         }
     }
 
+    /// The squared distance of a point from the box.
+    fn box_distance_sq(&self, point: DVec2) -> f64 {
+        let outside = (self.low - point).max(point - self.high);
+        outside.max(DVec2::ZERO).length_squared()
+    }
+
     /// The place nearest to a point, and its squared distance.
     fn nearest(&self, point: DVec2) -> (f64, f64) {
         let away = |x: f64| (x, (self.at(x) - point).length_squared());
@@ -256,23 +265,26 @@ impl Segment {
     }
 }
 
-/// The segment nearest to a point and the place on it; `None` for an empty chain.
+/// The segment nearest to a point and the place on it, the first of those equally near; `None` for an empty chain.
 pub(super) fn nearest(segments: &[Segment], point: DVec2) -> Option<(usize, f64)> {
-    let mut best = None;
-    let mut least = f64::INFINITY;
+    // The segment whose box is nearest tells which others need not be solved.
+    let boxes = segments
+        .iter()
+        .map(|segment| segment.box_distance_sq(point))
+        .enumerate();
+    let (likely, _) = boxes.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (x, mut least) = segments[likely].nearest(point);
+    let mut best = (likely, x);
     for (number, segment) in segments.iter().enumerate() {
-        let outside = (segment.low - point)
-            .max(point - segment.high)
-            .max(DVec2::ZERO);
-        if outside.length_squared() > least {
+        if number == likely || segment.box_distance_sq(point) > least {
             continue;
         }
         let (x, distance_sq) = segment.nearest(point);
-        if distance_sq < least || best.is_none() {
-            (best, least) = (Some((number, x)), distance_sq);
+        if distance_sq < least || distance_sq == least && number < best.0 {
+            (best, least) = ((number, x), distance_sq);
         }
     }
-    best
+    Some(best)
 }
 
 /// Visits the places where closed chains of segments cross the line `normal · (p − from) + offset = 0`.
@@ -295,14 +307,24 @@ pub(super) fn line_crossings(
             continue;
         }
         let c = [constant, linear, normal.dot(c2), normal.dot(c3)];
-        let reach = c[1].abs() + c[2].abs() + c[3].abs();
-        if starts_negative == ends_negative && constant.abs() > reach {
+        if starts_negative == ends_negative && has_one_sign(&c) {
             continue;
         }
         for x in sign_changes_between(&c[..=segment.degree], starts_negative, ends_negative) {
             visit(number, x);
         }
     }
+}
+
+/// Whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
+/// do.
+fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
+    let slack = BERNSTEIN_SLACK * (c0.abs() + c1.abs() + c2.abs() + c3.abs());
+    let (even, odd) = (c0 + c2, c1 + c3);
+    let (even_inner, odd_inner) = (c0 - c2 / 3.0, c1 / 3.0 - c3);
+    let least = (even - odd.abs()).min(even_inner - odd_inner.abs());
+    let most = (even + odd.abs()).max(even_inner + odd_inner.abs());
+    least > slack || most < -slack
 }
 
 /// Whether closed chains of segments wind around a point an odd number of times.

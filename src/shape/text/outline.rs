@@ -65,6 +65,11 @@ impl Outline {
         let dir_sq = dir.length_squared();
         for (number, piece) in (0..).zip(&self.pieces) {
             let side = piece.points.map(|point| dir.perp_dot(point - origin));
+            let [first, middle, last] = side.map(|side| side < 0.0);
+            // Most pieces lie on one side of the line.
+            if first == middle && middle == last {
+                continue;
+            }
             for s in sign_changes(side) {
                 let t = dir.dot(piece.at(s) - origin) / dir_sq;
                 found.push((t, number));
