@@ -1,4 +1,4 @@
-//! Objects, CSG and what they carry.
+//! Objects and what they carry.
 
 use super::ahead::{Defaults, Taker};
 use super::plain::Read;
@@ -7,7 +7,7 @@ use super::value::Value;
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::interior::Interior;
 use crate::math::shorten;
-use crate::scene::{Attached, Kind, LightGroup, Object, Operation};
+use crate::scene::{Attached, Kind, Object, Operation};
 use crate::shape::Shape;
 use crate::source::{Code, Diagnostic};
 use crate::syntax::{Class, Kind as Tok, Symbol};
@@ -164,39 +164,6 @@ impl Reader<'_> {
             Some(usage) => Box::new(error.with_hint(format!("Write {usage}."))),
             None => error,
         }
-    }
-
-    pub(super) fn csg(&mut self, operation: Operation) -> Parse<Object> {
-        self.pass();
-        let word = self.source_text(self.taken_span()).to_owned();
-        let start = self.taken_span();
-        self.open_block()?;
-        if let Some(known) = self.object_of_name()? {
-            let mut object = (*known).clone();
-            self.modifiers(&mut object, &word)?;
-            return Ok(object);
-        }
-        let mut children = Vec::new();
-        loop {
-            self.take_literal_objects(&mut children)?;
-            let Some(child) = self.object()? else { break };
-            children.push(child);
-            self.count_object()?;
-        }
-        let is_lone = children.len() < 2;
-        let mut object = Object::new(Kind::Csg {
-            operation,
-            children: Arc::new(children),
-        });
-        let is_group = word == Word::LightGroup.spelling();
-        object.light_group = is_group.then(LightGroup::default);
-        self.check_size(&object, start)?;
-        self.modifiers(&mut object, &word)?;
-        if is_lone && !is_group {
-            let text = format!("`{word}` should have at least two objects");
-            self.warning(Diagnostic::warning(start, text));
-        }
-        Ok(object)
     }
 
     /// Everything behind the parameters of an object, up to its `}`.
@@ -383,46 +350,6 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `clipped_by { objects }`, `bounded_by { objects }`, and either `{ the other }`.
-    fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
-        self.pass();
-        let start = self.taken_span();
-        self.open_block()?;
-        let is_clip = word == Word::ClippedBy;
-        let other = if is_clip {
-            Word::BoundedBy
-        } else {
-            Word::ClippedBy
-        };
-        if self.take_word(other)? {
-            let copied = if is_clip {
-                object.bounded_by().to_vec()
-            } else {
-                object.clipped_by().to_vec()
-            };
-            for attached in copied {
-                clip_or_bound(object, is_clip, attached);
-            }
-            return Args::close(self);
-        }
-        let mut count = 0;
-        loop {
-            let next = match self.object()? {
-                Some(next) => Some(next),
-                None => self.object_of_name()?,
-            };
-            let Some(next) = next else { break };
-            let next = object.attach(next);
-            clip_or_bound(object, is_clip, next);
-            self.check_size(object, start)?;
-            count += 1;
-        }
-        if count == 0 {
-            return Err(self.expected_here(&format!("an object in `{word}`")));
-        }
-        Args::close(self)
-    }
-
     /// "`word` is not built yet" at the token at hand.
     pub(super) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
         let message = format!("`{word}` is not built yet");
@@ -465,12 +392,4 @@ pub(super) fn baked(object: &mut Object) -> &mut Texture {
     attached.after = steps.len();
     object.steps = steps;
     texture
-}
-
-fn clip_or_bound(object: &mut Object, is_clip: bool, by: Attached<Arc<Object>>) {
-    if is_clip {
-        object.clip(by);
-    } else {
-        object.bound(by);
-    }
 }

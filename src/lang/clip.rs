@@ -1,0 +1,56 @@
+//! `clipped_by` and `bounded_by`: the objects that cut an object or lie around it.
+
+use super::reader::Reader;
+use crate::args::{Args, Parse, Word};
+use crate::scene::{Attached, Object};
+use std::sync::Arc;
+
+impl Reader<'_> {
+    /// `clipped_by { objects }`, `bounded_by { objects }`, and either `{ the other }`.
+    pub(super) fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
+        self.pass();
+        let start = self.taken_span();
+        self.open_block()?;
+        let is_clip = word == Word::ClippedBy;
+        let other = if is_clip {
+            Word::BoundedBy
+        } else {
+            Word::ClippedBy
+        };
+        if self.take_word(other)? {
+            let copied = if is_clip {
+                object.bounded_by().to_vec()
+            } else {
+                object.clipped_by().to_vec()
+            };
+            for attached in copied {
+                clip_or_bound(object, is_clip, attached);
+            }
+            return Args::close(self);
+        }
+        let mut count = 0;
+        loop {
+            let next = match self.object()? {
+                Some(next) => Some(next),
+                None => self.object_of_name()?,
+            };
+            let Some(next) = next else { break };
+            let next = object.attach(next);
+            clip_or_bound(object, is_clip, next);
+            self.check_size(object, start)?;
+            count += 1;
+        }
+        if count == 0 {
+            return Err(self.expected_here(&format!("an object in `{word}`")));
+        }
+        Args::close(self)
+    }
+}
+
+fn clip_or_bound(object: &mut Object, is_clip: bool, by: Attached<Arc<Object>>) {
+    if is_clip {
+        object.clip(by);
+    } else {
+        object.bound(by);
+    }
+}
