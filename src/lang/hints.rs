@@ -316,6 +316,11 @@ fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
         "object" if wants_value(wanted) => {
             format!("`{name}` is drawn by `object {{ {name} }}`; a number must stand here.")
         }
+        "object" if wanted.starts_with("a modifier") || wanted.starts_with("a transform") => {
+            format!(
+                "Parts of a combination stand before its modifiers: move `{name}` there, or behind the `}}`."
+            )
+        }
         _ if wanted.contains("statement") => {
             format!("A {element} stands in an object: `{element} {{ {name} }}`.")
         }

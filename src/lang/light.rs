@@ -1,10 +1,11 @@
-//! `light_source`: a light with the objects that it may hold.
+//! `light_source`: a light with the objects that it may hold. `light_group`: lights with the objects that they shine on.
 
+use super::object::fold_steps;
 use super::reader::Reader;
-use crate::args::{Parse, Word, transform_step};
+use crate::args::{Args, Parse, Word, transform_step};
 use crate::light::Light;
 use crate::math::Step;
-use crate::scene::{Kind, Object};
+use crate::scene::{Kind, LightGroup, Object, Operation};
 use std::sync::Arc;
 
 /// The objects that a light holds.
@@ -15,7 +16,7 @@ struct Held {
 }
 
 impl Reader<'_> {
-    /// `light_source { ... }`. Behind a name stand the modifiers of any object.
+    /// `light_source { ... }`. Behind the name of an object stand the modifiers of any object.
     pub(super) fn light(&mut self) -> Parse<Object> {
         self.has_light = true;
         self.pass();
@@ -62,6 +63,37 @@ impl Reader<'_> {
         }))
     }
 
+    /// `light_group { ... }`: objects and lights, then transforms, `global_lights` and `photons`, and nothing else. Other
+    /// than in combinations a name may come first.
+    pub(super) fn light_group(&mut self) -> Parse<Object> {
+        self.pass();
+        let start = self.taken_span();
+        self.open_block()?;
+        let children = self.children()?;
+        let mut object = Object::new(Kind::Csg {
+            operation: Operation::Union,
+            children: Arc::new(children),
+        });
+        self.check_size(&object, start)?;
+        let mut group = LightGroup::default();
+        while !self.take_close()? {
+            if let Some(step) = transform_step(self)? {
+                object.steps.push(step);
+                fold_steps(&mut object);
+            } else if self.take_word(Word::GlobalLights)? {
+                group.global_lights = self.float_or(1.0)? != 0.0;
+            } else if self.take_word(Word::Photons)? {
+                object.photons_mut().read(self)?;
+            } else {
+                return Err(self.expected_here(
+                    "a transform, `global_lights`, `photons` or `}` in `light_group`",
+                ));
+            }
+        }
+        object.light_group = Some(group);
+        Ok(object)
+    }
+
     /// `looks_like { OBJECT modifiers }` and `projected_through { OBJECT modifiers }`.
     fn held_object(&mut self, word: Word, light: &Light, held: &mut Held) -> Parse<()> {
         self.pass();
@@ -75,11 +107,7 @@ impl Reader<'_> {
             return Err(self.error_taken(format!("a light has one `{word}` at most")));
         }
         self.open_block()?;
-        let known = match self.object_of_name()? {
-            Some(object) => Some(object),
-            None => self.object()?,
-        };
-        let Some(known) = known else {
+        let Some(known) = self.object_or_name()? else {
             return Err(self.expected_here(&format!("an object in `{word}`")));
         };
         let mut object = (*known).clone();

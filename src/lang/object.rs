@@ -52,7 +52,7 @@ impl Reader<'_> {
             Word::Object => self.object_block()?,
             Word::LightSource => self.light()?,
             _ if word.class() == Class::Shape => self.shape(word)?,
-            Word::LightGroup => self.csg(Operation::Union)?,
+            Word::LightGroup => self.light_group()?,
             _ => return Ok(None),
         };
         object.steps.shrink_to_fit();
@@ -99,15 +99,19 @@ impl Reader<'_> {
         }
     }
 
+    /// The object at hand, in words or by its name.
+    pub(super) fn object_or_name(&mut self) -> Parse<Option<Arc<Object>>> {
+        match self.object()? {
+            Some(object) => Ok(Some(object)),
+            None => self.object_of_name(),
+        }
+    }
+
     /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
     fn object_block(&mut self) -> Parse<Object> {
         self.pass();
         self.open_block()?;
-        let inner = match self.object_of_name()? {
-            Some(object) => Some(object),
-            None => self.object()?,
-        };
-        let Some(inner) = inner else {
+        let Some(inner) = self.object_or_name()? else {
             return Err(self.expected_here("an object in `object { }`"));
         };
         let mut object = (*inner).clone();
@@ -278,15 +282,6 @@ impl Reader<'_> {
                     // The others change no picture of what is built.
                     _ => {}
                 }
-                return Ok(true);
-            }
-            Word::GlobalLights => {
-                let Some(group) = &mut object.light_group else {
-                    return Ok(false);
-                };
-                self.pass();
-                let is_on = self.float_or(1.0)? != 0.0;
-                group.global_lights = is_on;
                 return Ok(true);
             }
             Word::Photons => {
