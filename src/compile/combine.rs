@@ -260,7 +260,12 @@ impl Flat {
                 factors.push((leaf, child.is_inverse != is_exchanged));
             }
             let place = (node, child.is_inverse != is_exchanged);
+            let is_light = matches!(child.kind, Kind::Light { .. });
             let child = self.add_node(child, below, program, place, is_hidden);
+            if is_light {
+                // It cuts nothing: intersections and differences pass it over.
+                continue;
+            }
             if is_product {
                 sum.solid = sum.solid.intersection(&child.solid);
                 sum.shown = sum.solid;
