@@ -21,7 +21,7 @@ impl Reader<'_> {
         self.has_light = true;
         self.pass();
         self.open_block()?;
-        if let Some(known) = self.object_of_name()? {
+        if let Some(known) = self.object_in_shape()? {
             let mut object = (*known).clone();
             self.modifiers(&mut object, Word::LightSource.spelling())?;
             return Ok(object);

@@ -82,7 +82,7 @@ impl Reader<'_> {
     }
 
     /// The same where a vector may stand as well: an item of an array may be either.
-    fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
+    pub(super) fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
         let token = self.peek()?;
         let name = token.symbol().and_then(|name| self.scopes.get(name));
         if !matches!(name, Some(Value::Array(_))) {
