@@ -67,6 +67,11 @@ pub trait Args {
     fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         Err(self.expected("an object"))
     }
+    /// The same with the transforms behind it, which move it. Whoever holds no more than its name may leave them where they
+    /// are: nothing else takes them there.
+    fn moved_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        self.object_any()
+    }
     /// Reads a mesh with its modifiers, as a value of the type of meshes in their places.
     fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
         Err(self.expected("a mesh"))

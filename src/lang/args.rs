@@ -88,17 +88,24 @@ impl Args for Reader<'_> {
     }
 
     fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
-        let found = match self.object()? {
-            Some(object) => Some(object),
-            None => self.object_of_name()?,
-        };
-        match found {
+        match self.object_or_name()? {
             Some(object) => {
                 self.check_probed(&object)?;
                 Ok(object)
             }
             None => Err(self.expected_here("an object")),
         }
+    }
+
+    fn moved_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let Some(object) = self.object_or_name()? else {
+            return Err(self.expected_here("an object"));
+        };
+        self.check_probed(&object)?;
+        let mut moved = [object];
+        self.move_all(&mut moved)?;
+        let [object] = moved;
+        Ok(object)
     }
 
     fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {

@@ -6,7 +6,8 @@ use crate::scene::{Attached, Object};
 use std::sync::Arc;
 
 impl Reader<'_> {
-    /// `clipped_by { objects }`, `bounded_by { objects }`, and either `{ the other }`.
+    /// `clipped_by { objects transforms }`, `bounded_by { objects transforms }`, and either `{ the other }`. The transforms
+    /// move all of the objects.
     pub(super) fn clip_or_bound(&mut self, object: &mut Object, word: Word) -> Parse<()> {
         self.pass();
         let start = self.taken_span();
@@ -28,20 +29,18 @@ impl Reader<'_> {
             }
             return Args::close(self);
         }
-        let mut count = 0;
-        loop {
-            let next = match self.object()? {
-                Some(next) => Some(next),
-                None => self.object_of_name()?,
-            };
-            let Some(next) = next else { break };
+        let mut objects = Vec::new();
+        while let Some(next) = self.object_or_name()? {
+            objects.push(next);
+        }
+        if objects.is_empty() {
+            return Err(self.expected_here(&format!("an object in `{word}`")));
+        }
+        self.move_all(&mut objects)?;
+        for next in objects {
             let next = object.attach(next);
             clip_or_bound(object, is_clip, next);
             self.check_size(object, start)?;
-            count += 1;
-        }
-        if count == 0 {
-            return Err(self.expected_here(&format!("an object in `{word}`")));
         }
         Args::close(self)
     }

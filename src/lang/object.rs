@@ -107,6 +107,24 @@ impl Reader<'_> {
         }
     }
 
+    /// Moves objects by the transforms at hand.
+    pub(super) fn move_all(&mut self, objects: &mut [Arc<Object>]) -> Parse<()> {
+        let mut steps = Vec::new();
+        while let Some(step) = transform_step(self)? {
+            steps.push(step);
+            shorten(&mut steps, 0);
+        }
+        if steps.is_empty() {
+            return Ok(());
+        }
+        for object in objects {
+            let object = Arc::make_mut(object);
+            object.steps.extend_from_slice(&steps);
+            fold_steps(object);
+        }
+        Ok(())
+    }
+
     /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
     fn object_block(&mut self) -> Parse<Object> {
         self.pass();

@@ -25,8 +25,7 @@ struct Prepared(Option<Arc<dyn Solid>>);
 
 pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
     args.open()?;
-    let object = args.object_any()?;
-    args.comma()?;
+    let object = args.moved_object_any()?;
     Ok(Box::new(Inside {
         object,
         solid: Arc::default(),
