@@ -352,6 +352,10 @@ impl lang::Probe for OwnObjects {
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
         self.0.is_inside(object, point)
     }
+
+    fn solid_of(&self) -> Option<pattern::SolidOf> {
+        Some(compile::solid_of)
+    }
 }
 
 fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {

@@ -48,7 +48,7 @@ pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
 pub use passed::Passed;
-pub use probe::Probed;
+pub use probe::{Probed, solid_of};
 pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;
 pub use surface::{Kept, Surface};
@@ -80,7 +80,7 @@ pub fn compile_apart(
 ) -> World {
     let mut scene = scene.near_the_origin().in_comfort();
     let mut flat = Flat::new(Settings {
-        solid_of: Some(probe::solid_of),
+        solid_of: Some(solid_of),
         ..scene.pattern_settings()
     });
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;

@@ -95,7 +95,7 @@ impl Solid for Asked {
 }
 
 /// An object of a scene ready for points.
-pub(super) fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
+pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
     let object = Arc::clone(object).downcast::<Object>().ok()?;
     Some(Arc::new(Asked(compiled(&object))))
 }

@@ -290,7 +290,10 @@ impl Reader<'_> {
     }
 
     fn pattern_settings(&self) -> Settings {
-        self.globals.pattern_settings(self.version)
+        Settings {
+            solid_of: self.probe.solid_of(),
+            ..self.globals.pattern_settings(self.version)
+        }
     }
 
     /// The function as a caller at this place means it: `f_noise3d` has the noise that the scene has by now.

@@ -3,6 +3,7 @@
 use super::reader::Reader;
 use super::value::{Number, Value};
 use crate::args::Parse;
+use crate::pattern::SolidOf;
 use crate::scene::Object;
 use crate::source::Diagnostic;
 use crate::syntax::{Kind, Symbol};
@@ -18,6 +19,11 @@ pub trait Probe {
 
     /// Whether a point lies in a solid object.
     fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool;
+
+    /// What makes objects ready for the `object` patterns in functions; without it nothing is inside of anything.
+    fn solid_of(&self) -> Option<SolidOf> {
+        None
+    }
 }
 
 /// Sees nothing: for reading without a drawing wing.

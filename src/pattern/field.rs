@@ -29,6 +29,9 @@ pub fn read_field(
             args.expected(WHAT)
         });
     };
+    if pattern.has_open_block() {
+        args.close()?;
+    }
     let mut modifiers = Modifiers::default();
     while !args.accept_close()? {
         let Some(word) = args.word()? else {
