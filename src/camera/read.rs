@@ -21,6 +21,8 @@ const HALF: f64 = 0.5;
 #[derive(Default)]
 struct Pending {
     angle_deg: Option<f64>,
+    /// Whether there is an `angle`, be it one of 0, which opens the view to nothing else.
+    has_angle: bool,
     look_at: Option<(DVec3, Span)>,
     has_frame: bool,
     transform: Option<Transform>,
@@ -81,7 +83,10 @@ impl Camera {
             return Err(args.expected("a parameter of `camera` or `}`"));
         };
         match word {
-            Word::Angle => pending.angle_deg = self.read_angle(args)?,
+            Word::Angle => {
+                pending.angle_deg = self.read_angle(args)?;
+                pending.has_angle = true;
+            }
             Word::LookAt => pending.look_at = Some(look_at(args)?),
             Word::Up | Word::Right => {
                 self.read_vector(word, args)?;
@@ -189,7 +194,7 @@ impl Camera {
             self.aim(args, point, at)?;
         }
         let is_orthographic = self.projection == Projection::Orthographic;
-        if is_orthographic && (pending.angle_deg.is_some() || !pending.has_frame) {
+        if is_orthographic && (pending.has_angle || !pending.has_frame) {
             self.fit_orthographic();
         }
         Ok(())
