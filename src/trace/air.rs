@@ -1,7 +1,7 @@
 //! What rays cross on their way: media, rainbows and fog, where nothing solid is around them.
 
 use super::{Inside, Path, Sample, Tracer};
-use crate::atmosphere::{Tint, mean_of, sum_of};
+use crate::atmosphere::{Tint, WAY_TO_NOTHING, mean_of, sum_of};
 use crate::compile::{LightList, Scratch};
 use crate::math::Ray;
 
@@ -16,27 +16,39 @@ pub(super) struct Air {
     fog: Option<Tint>,
 }
 
+/// Where the way of a ray through the air ends.
+#[derive(Clone, Copy)]
+pub(super) enum End {
+    /// At a surface this far away, with the lights that media scatter before it.
+    Surface(f64, LightList),
+    /// Nowhere.
+    Nothing,
+}
+
 impl Tracer<'_> {
     /// Whether air does anything anywhere.
     pub(super) fn has_air(&self) -> bool {
         self.has_media || !(self.world.fogs.is_empty() && self.world.rainbows.is_empty())
     }
 
-    /// What the air does to light along a ray from its start over `length`; `None` where it does nothing. `lights` are those
-    /// that media scatter.
+    /// What the air does to light along a ray from its start; `None` where it does nothing. A ray that meets nothing is not
+    /// touched by the media of what it is in, but by those of the atmosphere (measured with POV-Ray).
     ///
     /// An object that is not `hollow` keeps the air out, also where it is only the half-space of a plane.
-    pub(super) fn air(
-        &self,
-        path: &Path,
-        length: f64,
-        lights: LightList,
-        scratch: &mut Scratch,
-    ) -> Option<Air> {
+    pub(super) fn air(&self, path: &Path, end: End, scratch: &mut Scratch) -> Option<Air> {
         if !self.has_air() || self.is_airless(path) || !self.is_in_air(&path.inside) {
             return None;
         }
-        let inside = self.media_inside(path, length, lights, scratch);
+        let (inside, length, lights) = match end {
+            End::Surface(length, lights) => {
+                let inside = self.media_inside(path, length, lights, scratch);
+                (inside, length, lights)
+            }
+            End::Nothing => {
+                let length = self.world.globals.unit * WAY_TO_NOTHING;
+                (None, length, LightList::default())
+            }
+        };
         // The last comes first, as in POV-Ray: that counts where they take random numbers.
         let (rainbows, dir) = (self.world.rainbows.iter().rev(), path.ray.dir);
         let stream = &mut scratch.stream;

@@ -31,15 +31,15 @@ mod through;
 mod waves;
 mod way;
 
-use crate::atmosphere::{self, WAY_TO_NOTHING};
+use crate::atmosphere;
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, LightList, Query, Scratch, Seen, World};
+use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
 use crate::options::Stop;
 use crate::photons::Kept;
 use crate::radiosity::{Mode, Session};
-use air::Air;
+use air::{Air, End};
 pub use block::{BLOCK, BlockScratch, Met};
 use glam::DVec3;
 use light::Known;
@@ -313,8 +313,7 @@ impl<'w> Tracer<'w> {
                 (self.world.nearest(&query, scratch), &[])
             });
             let Some(hit) = hit else {
-                let way = self.world.globals.unit * WAY_TO_NOTHING;
-                let air = self.air(&path, way, LightList::default(), scratch);
+                let air = self.air(&path, End::Nothing, scratch);
                 break self.behind_everything(path.ray.dir, path.seen).through(air);
             };
             if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
@@ -323,9 +322,10 @@ impl<'w> Tracer<'w> {
             let lights = self.world.surfaces[hit.surface as usize].lights;
             // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
             let is_last = scratch.minds_order();
-            let air = (!is_last).then(|| self.air(&path, hit.t, lights, scratch));
+            let end = End::Surface(hit.t, lights);
+            let air = (!is_last).then(|| self.air(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
-            let air = air.unwrap_or_else(|| self.air(&path, hit.t, lights, scratch));
+            let air = air.unwrap_or_else(|| self.air(&path, end, scratch));
             let Some(passage) = view.straight_on else {
                 break Sample {
                     rgb: view.rgb + view.reflected,
