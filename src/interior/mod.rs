@@ -67,12 +67,16 @@ impl Interior {
     pub fn after(mut self, steps: &[Step]) -> Self {
         if !(steps.is_empty() || self.media.is_empty()) {
             let back = Transform::from_steps(steps).inverse();
-            let back = Step::General(Arc::new(back));
-            for media in &mut self.media {
-                media.transform(&back);
-            }
+            self.transform(&Step::General(Arc::new(back)));
         }
         self
+    }
+
+    /// Moves its media; distances of fading stay as they are.
+    pub fn transform(&mut self, step: &Step) {
+        for media in &mut self.media {
+            media.transform(step);
+        }
     }
 }
 

@@ -46,11 +46,14 @@ impl Material {
         Ok(material)
     }
 
-    /// Moves the textures.
+    /// Moves the textures and the media of the interior, as far as they have been read.
     pub fn transform(&mut self, step: &Step) {
         let textures = [&mut self.texture, &mut self.interior_texture];
         for texture in textures.into_iter().flatten() {
             texture.transform(step);
+        }
+        if let Some(interior) = &mut self.interior {
+            interior.transform(step);
         }
     }
 }
