@@ -10,6 +10,9 @@ use crate::color::{Color, Gamma};
 use crate::source::Diagnostic;
 use crate::syntax::{Class, Kind, Symbol};
 
+/// The last language version in which POV-Ray takes `alpha` for `filter` without a warning.
+const LAST_WITH_ALPHA: f64 = 1.55;
+
 impl Reader<'_> {
     /// A colour: words of colour in any order, a colour identifier, or a vector or number that stands for all five.
     pub(super) fn color_value(&mut self) -> Parse<Color> {
@@ -40,7 +43,11 @@ impl Reader<'_> {
                 Some(Word::Blue) => self.color_part(&mut sum[2])?,
                 Some(Word::Filter) => self.color_part(&mut sum[3])?,
                 Some(Word::Transmit) => self.color_part(&mut sum[4])?,
-                Some(Word::Alpha | Word::Gray) => return Err(self.expected_here("a colour")),
+                Some(Word::Alpha) => {
+                    self.warn_of_alpha()?;
+                    self.color_part(&mut sum[3])?;
+                }
+                Some(Word::Gray) => return Err(self.expected_here("a colour")),
                 Some(word) => {
                     self.pass();
                     sum = self.color_vector(word)?;
@@ -52,6 +59,19 @@ impl Reader<'_> {
                 has_begun = true;
             }
         }
+    }
+
+    /// Warns of `alpha`, the next token, where it is not the word of its time.
+    fn warn_of_alpha(&mut self) -> Parse<()> {
+        if self.version > LAST_WITH_ALPHA + EQUAL {
+            let at = self.start()?;
+            let warning = Diagnostic::warning(
+                self.span_of(at),
+                "`alpha` in a colour is the old word for `filter`",
+            );
+            self.warning(warning.with_hint("Write `filter` instead."));
+        }
+        Ok(())
     }
 
     fn color_part(&mut self, part: &mut f64) -> Parse<()> {
