@@ -118,6 +118,7 @@ impl Finish {
             }
         }
         finish.scale_albedos(&albedo);
+        finish.leave_out_negative_light();
         Ok(finish)
     }
 
@@ -225,6 +226,24 @@ impl Finish {
         Ok(true)
     }
 
+    /// Sets to 0 what does not count below it: POV-Ray skips diffuse light and highlights that are not above 0, which
+    /// molecule viewers rely on when they write `phong -1`. Ambient light, mirror images and exponents count as given.
+    fn leave_out_negative_light(&mut self) {
+        let [front, back] = &mut self.diffuse_as_given;
+        let shares = [
+            &mut self.diffuse,
+            &mut self.diffuse_back,
+            front,
+            back,
+            &mut self.phong,
+            &mut self.specular,
+            &mut self.metallic,
+        ];
+        for share in shares {
+            *share = share.max(0.0);
+        }
+    }
+
     /// Turns albedos into strengths, with the exponents that the block has in the end.
     fn scale_albedos(&mut self, albedo: &Albedo) {
         if albedo.diffuse {
@@ -323,6 +342,19 @@ mod tests {
         assert_eq!((finish.diffuse, finish.brilliance), (0.5, 5.0));
         assert_eq!(read("{ phong_size 3 phong albedo 0.25 }").phong, 0.5);
         assert_eq!(read("{ phong albedo 0.25 phong_size 3 }").phong, 0.5);
+    }
+
+    #[test]
+    fn light_below_0_is_left_out() {
+        let finish = read("{ diffuse albedo -0.5, -1 phong -1 specular albedo -0.25 metallic -1 }");
+        assert_eq!((finish.diffuse, finish.diffuse_back), (0.0, 0.0));
+        assert_eq!(finish.diffuse_as_given, [0.0, 0.0]);
+        assert_eq!(
+            (finish.phong, finish.specular, finish.metallic),
+            (0.0, 0.0, 0.0)
+        );
+        assert!(!finish.takes_light());
+        assert_eq!(read("{ ambient -0.5 }").ambient, Rgb::splat(-0.5));
     }
 
     #[test]
