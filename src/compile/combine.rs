@@ -164,18 +164,7 @@ impl Flat {
     ) -> Around {
         let (parent, is_inverse) = place;
         match &object.kind {
-            Kind::Light { .. } => {
-                let held = Heritage {
-                    obeyed: None,
-                    ..below.clone()
-                };
-                let outside = Heritage {
-                    group: None,
-                    ..held.clone()
-                };
-                self.add_light(&object.kind, &outside, held);
-                Around::EMPTY
-            }
+            Kind::Light { .. } => self.add_light_as_part(object, below, program, place, is_hidden),
             Kind::Shape(shape) => {
                 let (surface, absorb) = self.surface_of(shape, below);
                 let place = (below.steps.as_ref(), absorb);
@@ -237,6 +226,32 @@ impl Flat {
         }
     }
 
+    /// The same of a light: what it looks like is a part in its place.
+    fn add_light_as_part(
+        &mut self,
+        light: &Object,
+        below: &Heritage,
+        program: &mut Program,
+        (parent, is_inverse): (u32, bool),
+        is_hidden: bool,
+    ) -> Around {
+        let held = Heritage {
+            obeyed: None,
+            ..below.clone()
+        };
+        let outside = Heritage {
+            group: None,
+            ..held.clone()
+        };
+        match self.add_light(&light.kind, &outside, held) {
+            Some((look, around)) => {
+                let place = (parent, is_inverse != look.is_inverse);
+                self.add_node(&look, &around, program, place, is_hidden)
+            }
+            None => Around::EMPTY,
+        }
+    }
+
     /// Adds children, each inverse or not as it is itself, unless `signs` exchange that: a combination hands its
     /// inversion down to its parts, and what clips them stays as it is (measured with POV-Ray).
     fn add_children(
@@ -260,10 +275,16 @@ impl Flat {
                 factors.push((leaf, child.is_inverse != is_exchanged));
             }
             let place = (node, child.is_inverse != is_exchanged);
-            let is_light = matches!(child.kind, Kind::Light { .. });
+            let is_unseen = matches!(
+                child.kind,
+                Kind::Light {
+                    looks_like: None,
+                    ..
+                }
+            );
             let child = self.add_node(child, below, program, place, is_hidden);
-            if is_light {
-                // It cuts nothing: intersections and differences pass it over.
+            if is_unseen {
+                // A light cuts nothing: intersections and differences pass it over.
                 continue;
             }
             if is_product {

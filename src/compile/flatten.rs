@@ -146,7 +146,11 @@ impl Flat {
         }
         let is_bare = object.clipped_by().is_empty() && !is_gated(object) && !object.is_inverse;
         match &object.kind {
-            Kind::Light { .. } => self.add_light(&object.kind, above, below),
+            Kind::Light { .. } => {
+                let look = self.add_light(&object.kind, above, below);
+                let held = look.map(|(object, around)| (Holds::Look, object, around));
+                self.held.extend(held);
+            }
             Kind::Shape(shape) if is_bare => self.add_shape(shape, &below),
             _ => {
                 // The program hands everything down once more.
@@ -177,24 +181,30 @@ impl Flat {
         self.parts.leaves.push(leaf);
     }
 
-    /// Takes in a light; what it holds waits until the object around it is complete.
-    pub(super) fn add_light(&mut self, light: &Kind, above: &Heritage, below: Heritage) {
+    /// Takes in a light and gives what it looks like; what it is projected through waits until the object around it is
+    /// complete.
+    pub(super) fn add_light(
+        &mut self,
+        light: &Kind,
+        above: &Heritage,
+        below: Heritage,
+    ) -> Option<(Arc<Object>, Heritage)> {
         let Kind::Light {
             light,
             looks_like,
             projected_through,
         } = light
         else {
-            return;
+            return None;
         };
         let light = self.lights.add(placed(light, &below.steps), above.group);
         if let Some(object) = projected_through {
             let holds = Holds::Projector(light);
             self.held.push((holds, Arc::clone(object), below.clone()));
         }
-        if let Some(object) = looks_like {
-            self.held.push((Holds::Look, Arc::clone(object), below));
-        }
+        looks_like
+            .as_ref()
+            .map(|object| (Arc::clone(object), below))
     }
 }
 
