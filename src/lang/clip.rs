@@ -42,7 +42,16 @@ impl Reader<'_> {
             clip_or_bound(object, is_clip, next);
             self.check_size(object, start)?;
         }
-        Args::close(self)
+        if self.take_close()? {
+            return Ok(());
+        }
+        let error = self.expected_here("a transform or `}`");
+        Err(if self.raw().word() == Some(Word::Inverse) {
+            let hint = "Write it into the object: `object { ... inverse }`.";
+            Box::new(error.with_hint(hint))
+        } else {
+            error
+        })
     }
 }
 

@@ -2,10 +2,12 @@
 
 use super::object::fold_steps;
 use super::reader::Reader;
+use super::recover::is_part;
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::light::Light;
 use crate::math::Step;
 use crate::scene::{Kind, LightGroup, Object, Operation};
+use crate::source::Diagnostic;
 use std::sync::Arc;
 
 /// The objects that a light holds.
@@ -85,13 +87,22 @@ impl Reader<'_> {
             } else if self.take_word(Word::Photons)? {
                 object.photons_mut().read(self)?;
             } else {
-                return Err(self.expected_here(
-                    "a transform, `global_lights`, `photons` or `}` in `light_group`",
-                ));
+                return Err(self.not_of_a_group());
             }
         }
         object.light_group = Some(group);
         Ok(object)
+    }
+
+    /// The error for a token that cannot stand in a light group behind its objects.
+    fn not_of_a_group(&mut self) -> Box<Diagnostic> {
+        let wanted = "a transform, `global_lights`, `photons` or `}` in `light_group`";
+        let mut error = self.expected_here(wanted);
+        if let Some(word) = self.raw().word().filter(|&word| is_part(word)) {
+            let text = format!("A light group has no `{word}`: give it to the objects in it.");
+            error.hints = vec![text];
+        }
+        error
     }
 
     /// `looks_like { OBJECT modifiers }` and `projected_through { OBJECT modifiers }`.
