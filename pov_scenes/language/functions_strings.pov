@@ -9,3 +9,4 @@ sphere { <-1.5, 0, 0>, strlen(S)*0.05 pigment { rgb <0.9, 0.5, 0.3> } }
 sphere { <0, strcmp("abc", "abd")*0.3, 0>, val("0.45") pigment { rgb <0.3, 0.9, 0.5> } }
 sphere { <1.5, 0, 0>, val(substr("xx0.55yy", 3, 4)) pigment { rgb <asc("@")/128, 0.3, 0.9> } }
 #if (strupr("aBc") = "ABC") sphere { <0, 1, 1>, 0.3 pigment { rgb 0.9 } } #end
+sphere { <-1.2, 0.9, 0>, 0.3 + strlen(concat(substr(S, 0, strlen(S) + 1), substr(S, 0.5, 2)))/9 pigment { rgb <0.9, 0.9, 0.3> } }

@@ -176,13 +176,14 @@ impl Reader<'_> {
         Ok(datetime::text(days, &format))
     }
 
+    /// `string, first, count`, both cut to whole numbers. From letter 0 on there is nothing, however much is asked for.
     fn substr(&mut self) -> Parse<String> {
         let text: Vec<char> = self.string()?.chars().collect();
         self.take_mark(',')?;
-        let from = self.number_at_sum()?;
+        let from = self.number_at_sum()?.trunc();
         self.take_mark(',')?;
-        let length = self.number_at_sum()?;
-        if from < 1.0 || length < 0.0 || from - 1.0 + length > text.len() as f64 {
+        let length = self.number_at_sum()?.trunc();
+        if !(from >= 0.0 && length >= 0.0 && from - 1.0 + length <= text.len() as f64) {
             return Err(self.error_taken(format!(
                 "`substr` asks for {length} characters from number {from} on of a string of {}",
                 text.len()
@@ -193,8 +194,11 @@ impl Reader<'_> {
             clippy::cast_sign_loss,
             reason = "checked just above"
         )]
-        let (from, length) = (from as usize - 1, length as usize);
-        Ok(text[from..from + length].iter().collect())
+        let (from, length) = (from as usize, length as usize);
+        Ok(match from.checked_sub(1) {
+            Some(before) => text[before..before + length].iter().collect(),
+            None => String::new(),
+        })
     }
 }
 

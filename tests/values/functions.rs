@@ -86,6 +86,8 @@ fn parts_of_strings() {
         &[
             r#"#debug concat("= [",substr("abc",4,0),"]\n")"#,
             r#"#debug concat("= [",substr("abc",1.7,1.9),"]\n")"#,
+            r#"#debug concat("= [",substr("abc",1.9,3.9),"]",substr("abc",2,-0.5),"]\n")"#,
+            r#"#debug concat("= [",substr("abc",0,0),substr("abc",0.99,4.9),substr("abc",-0.5,1),substr("",0,1),"]\n")"#,
         ],
     );
 }
@@ -97,6 +99,10 @@ fn parts_of_strings_refused() {
         &[
             r#"#debug concat("= ",substr("abc",2,5),"\n")"#,
             r#"#debug concat("= [",substr("abc",2,-1),"]\n")"#,
+            r#"#debug concat("= [",substr("abc",0,5),"]\n")"#,
+            r#"#debug concat("= [",substr("abc",-1,1),"]\n")"#,
+            r#"#debug concat("= [",substr("abc",5,0),"]\n")"#,
+            r#"#debug concat("= [",substr("",0,2),"]\n")"#,
         ],
     );
 }
