@@ -208,6 +208,11 @@ impl Reader<'_> {
         self.fatal(error)
     }
 
+    /// Counts a stream of random numbers.
+    pub(super) fn count_stream(&mut self) -> Parse<()> {
+        self.take_memory_at(limits::STREAM_BYTES, Self::taken_span)
+    }
+
     /// Counts an object.
     pub(super) fn count_object(&mut self) -> Parse<()> {
         self.count_objects(1)

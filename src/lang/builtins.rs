@@ -1,25 +1,9 @@
-//! What the built-in functions compute: numbers, vectors and random streams, whoever holds their arguments.
+//! What the built-in functions compute: numbers and vectors, whoever holds their arguments.
 
 use super::value::Number;
 use crate::args::Word;
 use crate::math::{axis_rotation, hyperbolic, rotation};
 use glam::DVec3;
-
-/// The index of the stream with this handle.
-pub(super) fn stream(handle: f64, streams: &[u32]) -> Option<usize> {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "out of range means no stream"
-    )]
-    Some(handle as usize).filter(|&stream| stream < streams.len())
-}
-
-/// The next number of a stream.
-pub(super) fn draw(state: &mut u32) -> f64 {
-    *state = state.wrapping_mul(1_812_433_253).wrapping_add(12345);
-    f64::from(*state) / f64::from(u32::MAX)
-}
 
 /// A function of one vector.
 pub(super) fn vector(word: Word, v: DVec3) -> Number {

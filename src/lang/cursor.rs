@@ -69,15 +69,6 @@ pub(super) struct Frame {
     repeats: bool,
 }
 
-/// Stands for all that a condition can depend on: two that are equal have seen the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct State {
-    /// How often something was declared, read or set so far.
-    pub(super) changes: u64,
-    /// Where the streams of random numbers are.
-    pub(super) streams: u32,
-}
-
 /// The kinds of [`Frame`].
 #[derive(Debug)]
 pub(super) enum Entered {
@@ -85,11 +76,12 @@ pub(super) enum Entered {
     If,
     /// A `#switch` with its value, and whether one of its parts has been chosen: from there on it falls through.
     Switch { value: f64, is_chosen: bool },
-    /// A `#while`, with the place of its condition, which round it is in, and what it could read when that began.
+    /// A `#while`, with the place of its condition, which round it is in, and how often anything that a condition can
+    /// depend on had changed when that began.
     While {
         condition: usize,
         rounds: u64,
-        state: Option<State>,
+        changes: Option<u64>,
     },
     /// A `#for`.
     For(Box<super::loops::For>),

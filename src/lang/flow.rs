@@ -119,7 +119,7 @@ impl Reader<'_> {
                     Entered::While {
                         condition: self.here.at,
                         rounds: 1,
-                        state: None,
+                        changes: None,
                     },
                 );
                 self.run_while(index)

@@ -1,12 +1,13 @@
 //! The built-in functions that give numbers and vectors.
 
 use super::builtins::{
-    bits, difference, draw, is_of_one, is_of_two, is_outside, leading_number, one, stream, two,
-    vector, vectors, whole,
+    bits, difference, is_of_one, is_of_two, is_outside, leading_number, one, two, vector, vectors,
+    whole,
 };
 use super::cursor::Start;
 use super::reader::Reader;
 use super::replay::Op;
+use super::streams::Call;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::math::noise::{Octaves, vector_turbulence};
@@ -70,6 +71,10 @@ impl Reader<'_> {
             _ => self.float_function(word, name)?,
         };
         self.end_of_call(word, open)?;
+        if word == Word::Seed {
+            let close = self.start_taken();
+            self.streams.opened_by(Call { open, close });
+        }
         if let Some(op) = op {
             self.note(op);
         }
@@ -264,17 +269,29 @@ impl Reader<'_> {
     /// `seed(n)` opens a stream of random numbers and gives its handle.
     fn seed(&mut self) -> Parse<Number> {
         let start = self.number_at_sum()?;
-        self.streams.push(whole(start).cast_unsigned());
-        Ok(Number::float((self.streams.len() - 1) as f64))
+        self.count_stream()?;
+        Ok(Number::float(
+            self.streams.open(whole(start).cast_unsigned()),
+        ))
     }
 
     /// The next number of a stream, in [0, 1].
     fn rand(&mut self) -> Parse<Number> {
+        let opens_stream = self.raw().word() == Some(Word::Seed);
+        let open = Start {
+            file: self.here.tokens.file,
+            start: self.raw_ahead(1).start,
+        };
         let handle = self.number_at_sum()?;
-        let Some(stream) = stream(handle, &self.streams) else {
+        let Some(stream) = self.streams.find(handle) else {
             return Err(self.error_taken("this is no stream of `seed`"));
         };
-        Ok(Number::float(draw(&mut self.streams[stream])))
+        let close = self.start_taken();
+        Ok(Number::float(if opens_stream {
+            self.streams.draw_by(Call { open, close }, stream)
+        } else {
+            self.streams.draw(stream)
+        }))
     }
 
     /// A bare identifier that holds a string, or anything else that begins one.

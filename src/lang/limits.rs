@@ -54,6 +54,8 @@ pub(super) const LEAF_BYTES: u64 = 500;
 pub(super) const OBJECT_BYTES: u64 = 600;
 /// Bytes that a round of a loop may leave behind: a few values.
 pub(super) const ROUND_BYTES: u64 = 100;
+/// Bytes that a stream of random numbers takes, with the room that a growing list keeps free.
+pub(super) const STREAM_BYTES: u64 = 8;
 /// Bytes of memory for each byte of a scene file, measured: text, tokens and numbers.
 pub(super) const FILE_BYTES: u64 = 8;
 /// Warnings kept of one run.

@@ -1,6 +1,6 @@
 //! Loops: `#while` and `#for`.
 
-use super::cursor::{Entered, Frame, Start, State};
+use super::cursor::{Entered, Frame, Start};
 use super::flow::EQUAL;
 use super::reader::Reader;
 use super::value::{Number, Value};
@@ -8,9 +8,6 @@ use crate::args::{Args, Parse};
 use crate::source::{Diagnostic, Span};
 use crate::syntax::{Symbol, Tokens};
 use std::rc::Rc;
-
-/// Whether a loop may draw from more streams of random numbers than this is not asked at each round.
-const FEW_STREAMS: usize = 16;
 
 /// A running `#for`.
 #[derive(Debug)]
@@ -75,22 +72,15 @@ impl Reader<'_> {
 
     /// At the condition of a `#while`: an error if the round behind it has changed nothing that the next one could read.
     fn look_for_change(&mut self, home: &Tokens, index: usize) -> Parse<()> {
-        if self.streams.len() > FEW_STREAMS {
-            self.changes += 1;
-        }
-        let streams = self.streams.iter();
-        let state = State {
-            changes: self.changes,
-            streams: streams.fold(0, |sum, &stream| sum.rotate_left(5) ^ stream),
-        };
+        let changes = self.changes + self.streams.changes();
         let Some(Frame {
-            kind: Entered::While { state: known, .. },
+            kind: Entered::While { changes: known, .. },
             ..
         }) = self.frames.last_mut()
         else {
             return Ok(());
         };
-        if known.replace(state) != Some(state) {
+        if known.replace(changes) != Some(changes) {
             return Ok(());
         }
         let error = Diagnostic::error(
@@ -157,7 +147,9 @@ mod tests {
     fn errors(text: &str) -> Vec<String> {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", format!("#version 3.7;\n{text}"));
-        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let mut options = ReadOptions::default();
+        options.patience = options.patience.min(20_000_000);
+        let reading = evaluate(file, &mut sources, &options);
         let is_error = |finding: &&crate::source::Diagnostic| finding.severity == Severity::Error;
         let errors = reading.findings.iter().filter(is_error);
         errors.map(|error| error.message.clone()).collect()
@@ -171,6 +163,9 @@ mod tests {
             "#macro M(A) sphere { A, 1 } #end #while (1) M(2) #end",
             "#while (1) #if (0) #break #end #end",
             "union { #while (1) sphere { 0, 1 } #end }",
+            "#while (rand(seed(1)) < 0.999) #end",
+            "#declare S = seed(1); #while (rand(seed(rand(seed(2)))) < 2) sphere { 0, 1 } #end",
+            "#macro R(N) rand(seed(N)) #end #while (R(1) < 2) #if (R(2) > 2) #break #end #end",
         ] {
             let expected = ["this loop does not end: no round of it changes anything"];
             assert_eq!(errors(text), expected, "{text}");
@@ -186,8 +181,27 @@ mod tests {
             "#declare N = 0*x; #declare O = sphere { 0, 1 } #declare D = trace(O, -3*z, z, N);
              #while (1) sphere { 0, 1 } #break #end",
             "#for (I, 0, 3) #while (1) #break #end #end",
+            "#while (seed(1) < 20) #end",
+            "#while (rand(seed(1)) < 2) #if (seed(2) > 9) #break #end #end",
+            "#while (rand(seed(1) - seed(1) + 1) < 2) #if (seed(2) > 9) #break #end #end",
+            "#declare S = seed(1); #while (rand(seed(1000*rand(S))) < 0.9) #end",
+            "#declare A = rand(seed(1)); #while (1) #if (rand(0) > 0.9) #break #end #end",
+            "#declare A = rand(seed(1)); #while (rand(seed(1)*0) < 0.9) #end",
         ] {
             assert_eq!(errors(text), [""; 0], "{text}");
+        }
+    }
+
+    /// Each round opens a stream; the time of a round must not grow with them.
+    #[test]
+    fn a_loop_that_opens_streams_without_end_is_stopped() {
+        let expected = "the loops and macros of this scene do not come to an end";
+        for text in [
+            "#while (1) #local A = seed(1); #end",
+            "#while (seed(1) >= 0) #end",
+        ] {
+            let errors = errors(text);
+            assert!(errors[0].starts_with(expected), "{text}: {errors:?}");
         }
     }
 }

@@ -48,6 +48,7 @@ mod scope;
 mod settings;
 mod similar;
 mod statement;
+mod streams;
 mod stretch;
 mod strings;
 mod trace;

@@ -11,6 +11,7 @@ use super::literal::Memory;
 use super::probe::Probe;
 use super::replay::{Recording, Replays};
 use super::scope::Scopes;
+use super::streams::Streams;
 use super::stretch::SHORTEST_PIECE;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
@@ -72,8 +73,8 @@ pub(super) struct Reader<'a> {
     pub(super) lacks_file: bool,
     /// Names whose use is to be warned of.
     pub(super) deprecated: FxHashMap<Symbol, Deprecation>,
-    pub(super) streams: Vec<u32>,
-    /// How often something that expressions depend on may have changed; the streams are not counted.
+    pub(super) streams: Streams,
+    /// How often something that expressions depend on may have changed; the streams count their own changes.
     pub(super) changes: u64,
     /// What `#fopen` opened.
     pub(super) files: Files,
@@ -182,7 +183,7 @@ impl<'a> Reader<'a> {
             undeclared: FxHashSet::default(),
             lacks_file: false,
             deprecated: FxHashMap::default(),
-            streams: Vec::new(),
+            streams: Streams::default(),
             changes: 0,
             files: Files::default(),
             version: options.version.unwrap_or(3.7),

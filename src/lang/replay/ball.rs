@@ -11,6 +11,7 @@ use crate::color::Color;
 use crate::lang::bulk::literal_at;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
+use crate::lang::streams::Streams;
 use crate::lang::value::Number;
 use crate::shape::Sphere;
 use crate::syntax::Tokens;
@@ -56,7 +57,7 @@ impl Part {
         &self,
         replays: &mut Replays,
         scopes: &Scopes,
-        streams: &mut [u32],
+        streams: &mut Streams,
     ) -> Option<Number> {
         match *self {
             Part::Literal(number) => Some(number),
@@ -107,7 +108,7 @@ impl Ball {
         replays: &mut Replays,
         default: &Layer,
         scopes: &Scopes,
-        streams: &mut [u32],
+        streams: &mut Streams,
     ) -> Option<(Sphere, Option<Color>)> {
         let centre = self.centre.number(replays, scopes, streams)?.promoted(3);
         let radius = self.radius.number(replays, scopes, streams)?;

@@ -32,6 +32,7 @@ use super::cursor::is_bare_directive;
 use super::macros::Macro;
 use super::reader::Reader;
 use super::scope::Scopes;
+use super::streams::Streams;
 use super::value::{Number, Value};
 use crate::args::Parse;
 use crate::source::FileId;
@@ -186,7 +187,7 @@ impl Replays {
     }
 
     /// Gives up what was begun, as if nothing had happened.
-    fn give_up(&mut self, streams: &mut [u32]) {
+    fn give_up(&mut self, streams: &mut Streams) {
         self.stack.give_up(streams);
     }
 
@@ -210,7 +211,7 @@ impl Replays {
 
     /// The value of a recorded expression that gives a float; `None` if it has to be read.
     #[inline]
-    fn float(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<f64> {
+    fn float(&mut self, index: u32, scopes: &Scopes, streams: &mut Streams) -> Option<f64> {
         if !self.programs[index as usize].is_plain {
             self.look_at_macros(index, scopes)?;
         }
@@ -229,7 +230,7 @@ impl Replays {
 
     /// The value of a recorded expression; `None` if it has to be read.
     #[inline]
-    fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut [u32]) -> Option<Number> {
+    fn value(&mut self, index: u32, scopes: &Scopes, streams: &mut Streams) -> Option<Number> {
         if !self.programs[index as usize].is_plain {
             self.look_at_macros(index, scopes)?;
         }

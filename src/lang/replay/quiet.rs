@@ -13,6 +13,7 @@ use crate::lang::cursor::is_bare_directive;
 use crate::lang::plain::{Read, plain_object};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
+use crate::lang::streams::Streams;
 use crate::lang::value::{Number, Value};
 use crate::shape::Shape;
 use crate::source::{Diagnostic, Span};
@@ -36,7 +37,7 @@ struct Quiet<'a> {
     at: usize,
     replays: &'a mut Replays,
     scopes: &'a Scopes,
-    streams: &'a mut [u32],
+    streams: &'a mut Streams,
     default: &'a Layer,
     version: f64,
     gamma: Option<Gamma>,

@@ -6,6 +6,7 @@ use crate::lang::array::whole_index;
 use crate::lang::builtins;
 use crate::lang::flow::EQUAL;
 use crate::lang::scope::Scopes;
+use crate::lang::streams::Streams;
 use crate::lang::value::{Number, Value};
 use crate::syntax::Symbol;
 
@@ -43,15 +44,15 @@ impl Stack {
     }
 
     /// Gives up what was begun: the streams are as they were.
-    pub(super) fn give_up(&mut self, streams: &mut [u32]) {
+    pub(super) fn give_up(&mut self, streams: &mut Streams) {
         while let Some((stream, state)) = self.drawn.pop() {
-            streams[stream] = state;
+            streams.put_back(stream, state);
         }
     }
 
     /// Takes the steps of a program; `None` if its value is to be read from the tokens. The floats of the value are the
     /// first ones of the stack.
-    pub(super) fn run(&mut self, ops: &[Op], scopes: &Scopes, streams: &mut [u32]) -> Option<()> {
+    pub(super) fn run(&mut self, ops: &[Op], scopes: &Scopes, streams: &mut Streams) -> Option<()> {
         // What most programs are made of is done here, where the top need not be kept in memory.
         let mut top = 0;
         for op in ops {
@@ -124,7 +125,7 @@ impl Stack {
 
     /// Takes a step; `None` if it cannot be taken.
     #[inline(never)]
-    fn step(&mut self, op: Op, scopes: &Scopes, streams: &mut [u32]) -> Option<()> {
+    fn step(&mut self, op: Op, scopes: &Scopes, streams: &mut Streams) -> Option<()> {
         match op {
             Op::Float(float) => self.push(float),
             Op::Name(name, 1) => {
@@ -212,10 +213,9 @@ impl Stack {
             }
             Op::Rand => {
                 let handle = self.pop();
-                let stream = builtins::stream(handle, streams)?;
-                let state = streams[stream];
-                self.drawn.push((stream, state));
-                let number = builtins::draw(&mut streams[stream]);
+                let stream = streams.find(handle)?;
+                self.drawn.push((stream, streams.state(stream)));
+                let number = streams.draw(stream);
                 self.push(number);
             }
         }
