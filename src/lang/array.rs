@@ -28,7 +28,7 @@ impl Reader<'_> {
         let Some(value) = value? else {
             return Err(self.expected_here("a value"));
         };
-        let is_number = matches!(value, Value::Number(_));
+        let is_number = self.is_like_number(&value);
         if is_local && !self.scopes.is_local(symbol) {
             let message = "`#local` does not reach this array, which is not local; nothing changes";
             let warning = Diagnostic::warning(start, message);

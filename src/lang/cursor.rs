@@ -54,6 +54,8 @@ pub(super) struct Declaring {
     pub(super) blocks: usize,
     /// Whether the value may be complete, so that what follows is only looked at.
     pub(super) is_complete: bool,
+    /// Whether the value ends before the end of a macro or file at hand.
+    pub(super) has_ended: bool,
 }
 
 /// What has been entered and not yet left.
@@ -146,6 +148,9 @@ impl Reader<'_> {
     /// Goes through macro calls, directives and the ends of files to the next token.
     #[inline(never)]
     fn peek_through(&mut self, mut token: Token) -> Parse<Token> {
+        if self.declaring.is_some_and(|open| open.has_ended) {
+            return Ok(token);
+        }
         loop {
             match token.kind {
                 Kind::Name => {
@@ -158,9 +163,9 @@ impl Reader<'_> {
                     let called = Rc::clone(called);
                     self.call_macro(Symbol(token.value), &called)?;
                 }
-                Kind::Directive if self.ends_declaration(token) => return Ok(token),
+                Kind::Directive if self.ends_value(token) => return Ok(token),
                 Kind::Directive => {
-                    if !(self.is_end(token) && self.is_in_noted_call()) {
+                    if !(self.here.tokens.is_end(token) && self.is_in_noted_call()) {
                         self.spoil();
                     }
                     let is_run = match self.replay_directive(token) {
@@ -193,14 +198,13 @@ impl Reader<'_> {
         }
     }
 
-    fn is_end(&self, token: Token) -> bool {
-        self.here.tokens.directives[token.value as usize].word == Some(Word::End)
-    }
-
     /// Whether a directive ends the value of the `#declare` being read: a further declaration at the same level does.
     /// Otherwise it would run before the name it follows has its value. Behind a complete value it may stand in an
-    /// `#if` or a loop as well, which have been entered while looking for more.
-    fn ends_declaration(&self, token: Token) -> bool {
+    /// `#if` or a loop as well, which have been entered while looking for more. The number of `#version` is ended by any.
+    fn ends_value(&self, token: Token) -> bool {
+        if self.is_in_version {
+            return true;
+        }
         let Some(open) = self.declaring else {
             return false;
         };
@@ -237,7 +241,7 @@ impl Reader<'_> {
         let token = self.raw();
         let innermost = self.frames.last().map(|frame| &frame.kind);
         token.kind == Kind::Directive
-            && self.is_end(token)
+            && self.here.tokens.is_end(token)
             && matches!(innermost, Some(Entered::Macro { .. }))
     }
 

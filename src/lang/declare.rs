@@ -1,7 +1,7 @@
 //! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
 
 use super::cursor::{Declaring, Entered, Frame, Start, is_bare_directive};
-use super::function::FUNCTION;
+use super::function::{FUNCTION, is_callable};
 use super::reader::Reader;
 use super::replay::Level;
 use super::value::Value;
@@ -36,7 +36,7 @@ impl Kept {
         }
     }
 
-    /// Functions and macros stay what they are, and nothing else becomes a function.
+    /// Functions and macros stay what they are, and nothing else becomes a function that is written there.
     fn keeps_out(self, next: Kept) -> bool {
         self != Kept::Poison
             && next != Kept::Poison
@@ -105,9 +105,15 @@ impl Reader<'_> {
         match value {
             Ok(Some(value)) => {
                 // The name has its value before the `;` is looked for: a directive may stand there and use it.
-                let is_number = matches!(value, Value::Number(_));
+                let is_number = self.is_like_number(&value);
+                // A function that is copied may stand in for anything but a function.
+                let next = if is_number {
+                    Kept::Other
+                } else {
+                    Kept::of(&value)
+                };
                 if let Some(known) = known
-                    && known.keeps_out(Kept::of(&value))
+                    && known.keeps_out(next)
                 {
                     let error = self.name_is_taken(symbol, name);
                     self.record(*error);
@@ -139,6 +145,12 @@ impl Reader<'_> {
                 Err(error)
             }
         }
+    }
+
+    /// Whether a value that has been read ends as a number does: it is one, or a function or spline by its name.
+    pub(super) fn is_like_number(&self, value: &Value) -> bool {
+        let is_written = || self.last.tokens.tokens[self.last.at].is_mark('}');
+        matches!(value, Value::Number(_)) || is_callable(value) && !is_written()
     }
 
     /// The error for a name that holds a function or a macro, or shall hold one and is something else.
@@ -254,6 +266,7 @@ impl Reader<'_> {
             depth: self.depth,
             blocks: self.blocks.len(),
             is_complete: false,
+            has_ended: false,
         }
     }
 
@@ -288,7 +301,7 @@ impl Reader<'_> {
     }
 
     /// Gives a name its value. A macro may have been entered since the name was read, and may end behind the value.
-    fn assign(&mut self, to: &Declaring, value: Value) {
+    pub(super) fn assign(&mut self, to: &Declaring, value: Value) {
         if to.scope < self.scopes.depth() {
             self.scopes
                 .assign_from(to.scope, to.symbol, value, to.is_local);
@@ -311,78 +324,6 @@ impl Reader<'_> {
         self.frames
             .get(frames..)
             .is_some_and(|entered| !entered.iter().any(is_macro_or_file))
-    }
-
-    /// Behind a part of a number that is being declared: if a directive follows, a `;` is probably missing. The directive
-    /// runs before the name has its value, and must not find the name undeclared.
-    pub(super) fn look_for_semicolon(&mut self) {
-        if self.raw().kind != Kind::Directive || self.version < 3.5 {
-            return;
-        }
-        let place = (self.depth, self.blocks.len());
-        let Some(open) = self
-            .declaring
-            .filter(|open| (open.depth, open.blocks) == place)
-        else {
-            return;
-        };
-        if self.is_end_of_macro() && self.scopes.depth() > open.scope {
-            return;
-        }
-        self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
-        if !open.is_item && self.scopes.get(open.symbol).is_none() {
-            self.assign(&open, Value::Poison(None));
-        }
-    }
-
-    /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
-    pub(super) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
-        if self.take_mark(';')? {
-            while self.is_raw_mark(';') {
-                self.pass();
-            }
-            if let Some((last, ..)) = self.without_semicolon.take() {
-                self.miss_semicolon(last);
-            }
-            return Ok(());
-        }
-        if !is_number {
-            self.without_semicolon = None;
-            return Ok(());
-        }
-        let next = self.raw();
-        let is_operator = |mark| next.is_mark(mark);
-        if self.version >= 3.5
-            && self.without_semicolon.is_none()
-            && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
-        {
-            return Err(self.expected_here("an operator or `;` behind the value"));
-        }
-        let last = match self.without_semicolon.take() {
-            Some((last, place, frames)) => {
-                // The directive has run without the value; from here on it is there.
-                if self.is_within(frames) {
-                    self.frames.truncate(frames);
-                    self.here = place;
-                }
-                last
-            }
-            None => self.taken_span(),
-        };
-        self.miss_semicolon(last);
-        Ok(())
-    }
-
-    /// Tells that a `;` is missing behind the number that ends there.
-    pub(super) fn miss_semicolon(&mut self, last: crate::source::Span) {
-        let behind = crate::source::Span::new(last.file, last.end.saturating_sub(1), last.end);
-        let message = "a declared number, vector or colour must end with `;`";
-        if self.version >= 3.5 {
-            let error = Diagnostic::error(behind, message).with_hint("Write `;` behind this.");
-            self.record(*self.with_trace(error));
-        } else {
-            self.warning(Diagnostic::warning(behind, message));
-        }
     }
 
     pub(super) fn run_undef(&mut self) -> Parse<()> {

@@ -418,6 +418,7 @@ impl Reader<'_> {
                     self.pass();
                     self.note(Op::Grey(value.len));
                     value = Number::float(value.grey());
+                    self.look_for_semicolon();
                     continue;
                 }
                 _ => {
@@ -435,6 +436,7 @@ impl Reader<'_> {
             }
             self.note(Op::Member(value.len, at));
             value = Number::float(value.v[usize::from(at)]);
+            self.look_for_semicolon();
         }
         Ok(value)
     }

@@ -33,7 +33,11 @@ impl Reader<'_> {
         self.pass();
         let frames = self.frames.len();
         let home = Rc::clone(&self.here.tokens);
-        match self.nested(|reader| reader.run_known(word, index, span)) {
+        // What a directive reads is no part of the value that is declared around it.
+        let declaring = self.declaring.take();
+        let result = self.nested(|reader| reader.run_known(word, index, span));
+        self.declaring = declaring;
+        match result {
             Err(error) if super::hints::opens_group(word) && !self.is_over => self.go_on_in_group(
                 error,
                 &Place {

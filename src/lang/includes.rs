@@ -70,8 +70,12 @@ impl Reader<'_> {
     }
 
     pub(super) fn run_version(&mut self) -> Parse<()> {
-        let version = self.float()?;
-        self.take_mark(';')?;
+        // It holds at once, for a directive behind it as well.
+        self.is_in_version = true;
+        let version = self.float();
+        self.is_in_version = false;
+        let version = version?;
+        self.take_semicolon();
         if version > 3.7 + super::flow::EQUAL {
             return Err(self.with_trace(
                 Diagnostic::error(

@@ -106,7 +106,11 @@ impl Reader<'_> {
         let call = self.start_taken();
         let mut arguments = Arguments::default();
         if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
-            arguments = self.nested(|reader| reader.macro_arguments(name, called, call))?;
+            // The arguments are no part of the value that is declared around the call, or before it without a `;`.
+            let declaring = self.declaring.take();
+            let read = self.nested(|reader| reader.macro_arguments(name, called, call));
+            self.declaring = declaring;
+            arguments = read?;
         }
         if self.scopes.depth() as usize >= limits::CALLS {
             return Err(self.with_trace(

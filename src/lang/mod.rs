@@ -45,6 +45,7 @@ mod recover;
 mod replay;
 mod rvalue;
 mod scope;
+mod semicolon;
 mod settings;
 mod similar;
 mod statement;

@@ -54,6 +54,8 @@ pub(super) struct Reader<'a> {
     pub(super) nesting: usize,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
+    /// Whether the number of a `#version` is being read.
+    pub(super) is_in_version: bool,
     /// Whether a directive within the statement being read failed.
     pub(super) has_faulty_directive: bool,
     /// Where the number that is being declared ended, if a directive follows it: there a `;` is missing. With the place
@@ -173,6 +175,7 @@ impl<'a> Reader<'a> {
             depth: 0,
             nesting: 0,
             declaring: None,
+            is_in_version: false,
             has_faulty_directive: false,
             without_semicolon: None,
             piece: SHORTEST_PIECE,

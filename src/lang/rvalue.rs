@@ -42,8 +42,10 @@ impl Reader<'_> {
         match self.scopes.get(symbol) {
             None => Err(self.expected_here(what)),
             Some(Value::Number(_)) => self.number_or_color().map(Some),
-            Some(Value::Array(_)) => {
-                if self.raw_ahead(1).is_mark('[') && self.begins_number()? {
+            Some(Value::Array(array)) => {
+                let is_copied = array.items.iter().flatten().next().is_some_and(is_callable)
+                    && self.is_item_alone();
+                if self.raw_ahead(1).is_mark('[') && !is_copied && self.begins_number()? {
                     return self.number_or_color().map(Some);
                 }
                 self.spoil();
@@ -70,6 +72,31 @@ impl Reader<'_> {
                 self.pass();
                 Ok(Some(value))
             }
+        }
+    }
+
+    /// Whether the item of an array at hand is all there is: behind its indices stands neither a call nor an operator, but
+    /// what may stand behind a value.
+    fn is_item_alone(&self) -> bool {
+        let tokens = &self.here.tokens.tokens;
+        let mut at = self.here.at + 1;
+        let mut open = 0_usize;
+        while open > 0 || tokens[at].is_mark('[') {
+            match tokens[at].kind {
+                Kind::More | Kind::End => return false,
+                _ if tokens[at].is_mark('[') => open += 1,
+                _ if tokens[at].is_mark(']') => open -= 1,
+                _ => {}
+            }
+            at += 1;
+        }
+        let (_, behind) = self.behind_ends(at);
+        match behind.kind {
+            Kind::Mark => [';', ',', '}', ')']
+                .into_iter()
+                .any(|mark| behind.is_mark(mark)),
+            Kind::Word | Kind::Name | Kind::Number | Kind::String => true,
+            _ => false,
         }
     }
 

@@ -140,6 +140,13 @@ impl Tokens {
         Span::new(self.file, token.start, end)
     }
 
+    /// Whether a token of this text is an `#end`.
+    #[must_use]
+    pub fn is_end(&self, token: Token) -> bool {
+        token.kind == Kind::Directive
+            && self.directives[token.value as usize].word == Some(Word::End)
+    }
+
     /// The text that the tokens are of.
     #[must_use]
     pub fn text(&self) -> &Arc<String> {

@@ -114,3 +114,47 @@ Q(A[1])
         ],
     );
 }
+
+#[test]
+fn functions_as_items() {
+    agree(
+        "arrays/functions_as_items",
+        &[
+            r#"#declare A=array[2]; #declare A[0]=function(a){a*2} #declare A[1]=A[0]; #declare F=A[1]; #local G=A[0];
+#debug concat("= ",str(F(1)+G(2)+A[1](3),0,1),"\n")"#,
+            r#"#declare F=function(a){a} #declare A=array[1]{F} #declare B=array[2][2]{{A[0],F},{F,A[0]}} #declare G=B[1][1];
+#debug concat("= ",str(G(1)+B[0][0](2),0,1),"\n")"#,
+            r#"#declare F=function(a){a} #declare A=array[2]{F,F} #declare S=seed(1); #declare G=A[int(rand(S)*2)]; #declare H=A[F(1)];
+#debug concat("= ",str(G(rand(S))+H(1),0,6),"\n")"#,
+            r#"#declare A=array[2]; #declare A[0]=spline{0,x 1,2*x} #declare A[1]=A[0]; #declare B=array[1]{A[1]} #declare G=B[0];
+#debug concat("= ",str(G(.2).x,0,6),"\n")"#,
+            r#"#declare F=function(a){a} #declare A=array[1]{F} #declare G=1; #declare G=A[0]; #declare H=sphere{0,1} #declare H=F; #debug concat("= ",str(G(1)+H(2),0,1),"\n")"#,
+            r#"#declare A=array[1]{function{pigment{gradient x}}} #declare G=A[0]; #debug concat("= ",str(G(.2,0,0).red,0,6),"\n")"#,
+            r#"#declare A=array[4]; #declare B=array[4]; #for(I,0,3) #declare A[I]=function(a){a*I} #declare B[I]=A[I]; #end
+#debug concat("= ",str(B[3](2)+B[1](5),0,1),"\n")"#,
+            r#"#declare A=array[2]; #declare A[0]=function(a){a*2} #macro G(I) A[I] #end #declare F=G(0);
+#macro M(X,Y) #declare Y[1]=X[0]; #end M(A,A) #debug concat("= ",str(F(1)+A[1](1),0,1),"\n")"#,
+            r#"#declare F=function(a){a} #declare A=array[2]{F,F} #macro M(Q,P) #debug concat("= ",str(Q(P),0,1),"\n") #end M(A[0],1) M(A[1] 2)"#,
+            r#"#declare F=function(a){a} #declare A=array[1]{F} #declare N=A[0](3)+1; #version 3.1; #declare G=A[0] sphere{0,1} #debug concat("= ",str(N+G(1),0,1),"\n")"#,
+        ],
+    );
+}
+
+#[test]
+fn functions_as_items_refused() {
+    refused(
+        "arrays/functions_as_items_refused",
+        &[
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=A[0]*2;",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=A[0]; #declare G=A[0];",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=(A[0]);",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=function{A[0]}",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=A[0] sphere{0,1}",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=A[0], sphere{0,1}",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=A[0] #if(1) ; #end",
+            "#declare F=function(a){a} #declare A=array[1]{F} #declare G=(1?A[0]:A[0]);",
+            "#declare F=function(a){a} #declare A=array[2]; #declare A[0]=F; #declare G=A[1];",
+            "#declare F=function(a){a} #declare A=array[2]; #declare A[0]=F; #declare A[1]=2;",
+        ],
+    );
+}

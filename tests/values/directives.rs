@@ -336,3 +336,59 @@ fn defaults_refused() {
         &[r#"#default{interior{ior 1}}"#, r#"#default{texture{T}}"#],
     );
 }
+
+#[test]
+fn versions_hold_at_once() {
+    agree(
+        "directives/versions_hold_at_once",
+        &[
+            r#"#version 3.0
+#declare A=1
+#declare B=2
+#debug concat("= ",str(A+B,0,1)," ",str(version,0,2),"\n")"#,
+            r#"#version 3.0 #debug concat("= ",str(version,0,2),"\n") #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#version 3.0 #version 3.1 #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#version 3.0 #version 3.6; #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#version 3.0 #version 3.1 #version 3.4 #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#version (3.0 + 2*.1)
+#if(version<3.3) #debug "= old\n" #else #debug "= new\n" #end #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#if(version>3.5) #version 3.0 #end #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#macro V() #version 3.0 #end V(); #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#macro V() #version 3.0 #end V() #debug concat("= ",str(version,0,2),"\n")"#,
+            r#"#include "v.inc" #debug concat("= ",str(version,0,2),"\n")
+@@@ v.inc
+#version 3.0"#,
+            r#"#include "v.inc"; #debug concat("= ",str(version,0,2),"\n")
+@@@ v.inc
+#version 3.0"#,
+            r#"#version 3.0
+#include "v.inc"
+#debug concat("= ",str(A,0,2),"\n")
+@@@ v.inc
+#declare A=version"#,
+            r#"#declare Old=version; #version 3.0
+#declare A=1
+#version Old
+#declare B=version; #debug concat("= ",str(B,0,2)," ",str(version,0,2),"\n")"#,
+            r#"#version 3.0
+#declare V=version #version 3.5; #debug concat("= ",str(V,0,2)," ",str(version,0,2),"\n")"#,
+            r#"#version 3.0
+#while(version>3.5) #debug "= new\n" #break #end #debug "= end\n""#,
+        ],
+    );
+}
+
+#[test]
+fn versions_hold_at_once_refused() {
+    refused(
+        "directives/versions_hold_at_once_refused",
+        &[
+            "#version 3.5 #declare A=1\nsphere{0,1}",
+            "#version 3.0 #declare A=1; + .5;",
+            "#version 3.0 #if(1) + .5 #end;",
+            "#if(1) #version 3.0 #end;",
+            "#version #if(1) 3.0 #end;",
+            "#version 3.8;",
+        ],
+    );
+}

@@ -94,3 +94,68 @@ S(T)
         ],
     );
 }
+
+/// The declaration still looks for its `;` there.
+#[test]
+fn arguments_behind_a_declaration_without_a_semicolon() {
+    agree(
+        "macros/arguments_behind_a_declaration_without_a_semicolon",
+        &[
+            r#"#macro Half(A) #local B=A/2; B #end #macro M(A,B) #debug concat("= ",str(A+B,0,2),"\n") #end
+#declare T=texture{pigment{rgb x}} M(Half(3),1)
+#declare T=sphere{0,1} M(1,Half(Half(3)))
+#declare T="a" M(Half(1),Half(2))
+#declare T=array[2]{1,2} M(Half(T[0]),Half(T[1]))
+#declare F=function(a){a} M(F(Half(1)),2)"#,
+            r#"#macro M(A) #debug concat("= ",str(A,0,2),"\n") #end #declare T=texture{pigment{rgb x}} M(#local Q=3; Q) M(#declare R=2; Q+R)"#,
+            r#"#macro Is(A) #local B=A; B #end #declare T=texture{pigment{rgb x}} #if(Is(1)) #debug "= yes\n" #end"#,
+            r#"#macro Is(A) #local B=A; B #end #declare T=finish{ambient 1} #while(Is(1)) #debug "= yes\n" #break #end"#,
+            r#"#macro T1() texture{pigment{rgb x}} #end #macro M(A) #local B=A; #ifdef(T) #debug "= yes\n" #end #end #declare T=texture{pigment{rgb y}} M(T1())"#,
+        ],
+    );
+}
+
+/// Before 3.5 a number needs no `;`, and has its value when a macro behind it is called.
+#[test]
+fn calls_behind_a_number_of_before_3_5() {
+    agree(
+        "macros/calls_behind_a_number_of_before_3_5",
+        &[
+            r#"#version 3.1; #macro Twice(Of, Into) #declare Into = 2*Of #end #declare Other = 0;
+#declare Size = 5
+Twice(Size, Size)
+#declare Size = Size + 1
+Twice(Size + 1, Other)
+#debug concat("= ",str(Size,0,1)," ",str(Other,0,1),"\n")"#,
+            r#"#version 3.1; #macro M(A) #debug concat("= ",str(vlength(A*x),0,6),"\n") #end
+#declare B=.5
+M(B)
+#declare C=sin(1)
+M(C)
+#declare D=<1,2,3>
+M(D)
+#declare E=D.y
+M(E)
+#declare F=(C<1?B:2)
+M(F)
+#declare G=array[2]
+#declare G[1]=-3
+M(G[1])"#,
+            r#"#version 3.1; #macro M(A) #debug concat("= ",vstr(3,A*<1,1,1>,",",0,3),"\n") #end
+#declare B=color red 1 green .5
+M(B.red)
+#declare C=rgb <1,.5,0>
+M(C.green)
+#declare D=C
+M(D.green)"#,
+        ],
+    );
+}
+
+#[test]
+fn calls_behind_a_number_of_before_3_5_refused() {
+    refused(
+        "macros/calls_behind_a_number_of_before_3_5_refused",
+        &["#version 3.1; #macro Plus(A) +A #end\n#declare B=1 Plus(2)"],
+    );
+}

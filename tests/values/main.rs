@@ -16,6 +16,7 @@ mod macros;
 mod probes;
 mod rows_of_facts;
 mod rows_of_language;
+mod semicolons;
 mod settings;
 mod tables;
 mod textures;

@@ -400,3 +400,28 @@ fn numbers_declared_over_others() {
         ));
     }
 }
+
+#[test]
+fn semicolons_behind_macros_and_copied_functions() {
+    let reading = agree(
+        "#declare F = function(a) { a + 1 } #declare A = array[2] { F, F }
+        #declare V = <0.1, 0.2, 0.3>; #declare N = 0; #declare W = 0*x;
+        #macro Set(To, Value) #local Half = Value/2; #declare To = 2*Half; #end
+        #macro Set_Open(To, Value) #declare To = Value #end
+        #macro Set_Both(To, Value) Set(N, Value) Set_Open(To, Value); #end
+        #for (I, 1, 30)
+          Set(N, I);
+          Set_Open(N, N + 1);;
+          Set_Both(W, I*V)
+          #declare N = F(N);;
+          #local B = array[1] { A[mod(I, 2)] }
+          #declare W = V*I + W;
+          sphere { W, B[0](N)/10 pigment { rgb V } }
+          #local Drawn = rand(seed(I)) + rand(seed(I));
+          sphere { I*y, Drawn }
+        #end
+        #debug concat(str(N, 0, 3), \" \", vstr(3, W, \",\", 0, 3))",
+    );
+    assert_eq!(errors(&reading), [""; 0]);
+    assert_eq!(reading.scene.unwrap().objects.len(), 60);
+}

@@ -11,7 +11,7 @@ use crate::lang::limits;
 use crate::lang::macros::{Argument, Arguments};
 use crate::lang::reader::Reader;
 use crate::lang::value::Value;
-use crate::syntax::{END_OF_FILE, Token};
+use crate::syntax::{END_OF_FILE, Kind, Token};
 
 impl Reader<'_> {
     /// Whether recorded expressions may be used here.
@@ -132,6 +132,10 @@ impl Reader<'_> {
             self.scopes.local(symbol, Value::Number(number));
         } else if !self.scopes.declare_over(symbol, &number) {
             self.scopes.declare(symbol, Value::Number(number));
+        }
+        if matches!(self.raw().kind, Kind::Directive | Kind::End) {
+            // Its second `;` may stand behind the end of the macro or file.
+            self.take_semicolon();
         }
         Ok(true)
     }
