@@ -162,6 +162,7 @@ impl Reader<'_> {
     fn body_operand(&mut self, body: &mut Body) -> Parse<Operand> {
         let mut is_negative = false;
         loop {
+            self.pass_hash_of_new_name();
             if self.take_mark('-')? {
                 is_negative = !is_negative;
             } else if !self.take_mark('+')? {

@@ -353,6 +353,7 @@ impl Reader<'_> {
     /// The bracketed name of `#ifdef`, perhaps an item of an array.
     pub(super) fn is_defined(&mut self) -> Parse<bool> {
         self.expect_mark('(', "`(` after `#ifdef`")?;
+        self.pass_hash();
         // A reserved word is no identifier.
         let is_word = self.raw().kind == Kind::Word;
         if is_word {
@@ -365,6 +366,7 @@ impl Reader<'_> {
 
     /// Whether the identifier at hand, with its indices, has a value.
     pub(super) fn names_a_value(&mut self) -> Parse<bool> {
+        self.pass_hash();
         let symbol = self.identifier("a name")?;
         let is_array = matches!(self.scopes.get(symbol), Some(Value::Array(_)));
         let path = if is_array && self.is_raw_mark('[') {

@@ -17,20 +17,10 @@ impl Reader<'_> {
     pub(super) fn run_directive(&mut self, token: Token) -> Parse<()> {
         let index = self.here.at;
         let span = self.here_span();
-        let Some(word) = self.here.tokens.directives[token.value as usize].word else {
-            let found = self.source_text(span).to_owned();
-            self.here.at += 1;
-            let hint = match Self::similar_directive(found.trim_start_matches(['#', ' '])) {
-                Some(near) => format!("Did you mean `#{near}`?"),
-                None => {
-                    "Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."
-                        .to_owned()
-                }
-            };
-            let error = Diagnostic::error(span, format!("`{found}` is no directive"));
-            return Err(self.with_trace(error.with_hint(hint)));
-        };
         self.pass();
+        let Some(word) = self.here.tokens.directives[token.value as usize].word else {
+            return self.nested(|reader| reader.run_hash(span));
+        };
         let frames = self.frames.len();
         let home = Rc::clone(&self.here.tokens);
         // What a directive reads is no part of the value that is declared around it.

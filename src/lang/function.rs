@@ -207,6 +207,7 @@ impl Reader<'_> {
             None
         };
         self.open_block()?;
+        self.pass_hash_of_new_name();
         if self.peek()?.kind == Kind::String {
             // A name for messages, which POV-Ray takes as well.
             self.string()?;
@@ -268,6 +269,7 @@ impl Reader<'_> {
         const WHAT: &str = "a parameter of the function";
         let mut names = Vec::new();
         loop {
+            self.pass_hash_of_new_name();
             let token = self.peek()?;
             names.push(match (token.kind, token.word()) {
                 (Kind::Name, _) => Name::Symbol(Symbol(token.value)),

@@ -240,6 +240,7 @@ impl Reader<'_> {
     }
 
     fn dimensions(&mut self, word: Word) -> Parse<Number> {
+        self.pass_hash();
         let symbol = self.identifier("an array")?;
         let path = if self.is_raw_mark('[') {
             self.item_path(symbol)?

@@ -93,6 +93,7 @@ impl Reader<'_> {
 
     pub(super) fn run_for(&mut self, index: usize, span: Span) -> Parse<()> {
         self.expect_mark('(', "`(` after `#for`")?;
+        self.pass_hash_of_new_name();
         let variable = self.identifier("a variable after `#for (`")?;
         self.take_mark(',')?;
         if !self.begins_number()? {

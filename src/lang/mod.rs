@@ -26,6 +26,7 @@ mod functions;
 #[cfg(test)]
 mod fuzz;
 mod global_blocks;
+mod hash;
 mod hints;
 mod includes;
 mod known;

@@ -293,7 +293,7 @@ impl<'a> Lexer<'a> {
                     return slice.base + start;
                 }
                 (Rule::directive | Rule::nested_directive, Some(start)) => {
-                    self.push_directive(slice, start, head.take());
+                    self.push_directive(slice, start..end, head.take());
                     directive = None;
                 }
                 (Rule::head, _) => head = Some((start, end)),
@@ -359,24 +359,36 @@ impl<'a> Lexer<'a> {
         self.push(Kind::String, index, start);
     }
 
-    /// `#` with its word, if it has one. What is no directive's word is a token of its own, and the `#` is passed over.
-    fn push_directive(&mut self, slice: Slice, start: usize, head: Option<(usize, usize)>) {
+    /// `#` with its word, if it has one. What is no directive's word is a token of its own, and the `#` is passed over, but
+    /// for one that the reader has to judge.
+    fn push_directive(&mut self, slice: Slice, place: Range<usize>, head: Option<(usize, usize)>) {
+        let (start, end) = (slice.base + place.start, slice.base + place.end);
         let Some((head_start, head_end)) = head else {
+            if before_number_or_semicolon(&self.text.as_bytes()[end..]) {
+                self.push_hash(None, start, start + 1);
+            }
             return;
         };
         let word = Word::from_spelling(&slice.text[head_start..head_end]);
-        if word.is_some_and(|word| !is_directive(word)) {
-            self.push_word(slice, head_start, head_end);
+        if word.is_some_and(is_directive) {
+            self.push_hash(word, start, slice.base + head_end);
             return;
         }
+        if word.is_none_or(Word::gives_float) {
+            self.push_hash(None, start, start + 1);
+        }
+        self.push_word(slice, head_start, head_end);
+    }
+
+    fn push_hash(&mut self, word: Option<Word>, start: usize, stop: usize) {
         let index = offset(self.out.directives.len());
         self.out.directives.push(Directive {
             word,
             next: END_OF_FILE,
             end: END_OF_FILE,
-            stop: offset(slice.base + head_end),
+            stop: offset(stop),
         });
-        self.push(Kind::Directive, index, slice.base + start);
+        self.push(Kind::Directive, index, start);
     }
 
     /// Makes tokens of a stretch without comments, strings and directives; gives where in the slice that ended, before
@@ -419,6 +431,14 @@ fn offset(at: usize) -> u32 {
 fn skip_blanks(text: &str, start: usize) -> usize {
     let rest = &text[start..];
     start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
+}
+
+/// Whether a text begins with a number or `;`.
+fn before_number_or_semicolon(text: &[u8]) -> bool {
+    match text {
+        [b'.', digit, ..] | [digit, ..] if digit.is_ascii_digit() => true,
+        _ => text.starts_with(b";"),
+    }
 }
 
 /// Whether `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.

@@ -79,14 +79,15 @@ impl Token {
 /// `#switch` `#case` `#range` `#else` `#end`; `#while`, `#for`, `#macro` and their `#end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Directive {
-    /// The word after `#`; `None` for an identifier, which is an error only where the directive is executed.
+    /// The word after `#`; `None` for a `#` before anything but a directive, which is the next token. Where it is met, it
+    /// is passed over or an error.
     pub word: Option<Word>,
     /// Token index of the following part of the group; [`END_OF_FILE`] for the last part, for a directive that belongs
     /// to no group (`#break` among them), and where the group is not closed in this file.
     pub next: u32,
     /// Token index of the group's `#end`, for each part and for the `#end` itself; [`END_OF_FILE`] without one.
     pub end: u32,
-    /// The byte after the word.
+    /// The byte after the word, or after the `#` alone.
     pub stop: u32,
 }
 
@@ -145,6 +146,12 @@ impl Tokens {
     pub fn is_end(&self, token: Token) -> bool {
         token.kind == Kind::Directive
             && self.directives[token.value as usize].word == Some(Word::End)
+    }
+
+    /// Whether a token of this text is a `#` before anything but a directive.
+    #[must_use]
+    pub fn is_hash(&self, token: Token) -> bool {
+        token.kind == Kind::Directive && self.directives[token.value as usize].word.is_none()
     }
 
     /// The text that the tokens are of.

@@ -70,6 +70,40 @@ impl Word {
         WORDS[self as usize].2
     }
 
+    /// Whether an expression that begins with the word begins with a float.
+    #[must_use]
+    pub fn gives_float(self) -> bool {
+        use Word::{
+            Chr, Concat, Datetime, Function, Internal, MaxExtent, MinExtent, Str, Strlwr, Strupr,
+            Substr, T, Trace, U, V, VaxisRotate, Vcross, Vnormalize, Vrotate, Vstr, Vturbulence, X,
+            Y, Z,
+        };
+        let is_vector = matches!(
+            self,
+            X | Y
+                | Z
+                | T
+                | U
+                | V
+                | MaxExtent
+                | MinExtent
+                | Trace
+                | VaxisRotate
+                | Vcross
+                | Vnormalize
+                | Vrotate
+                | Vturbulence
+        );
+        let is_string = matches!(
+            self,
+            Chr | Concat | Datetime | Str | Strlwr | Strupr | Substr | Vstr
+        );
+        matches!(self.class(), Class::Value | Class::Function)
+            && !is_vector
+            && !is_string
+            && !matches!(self, Function | Internal)
+    }
+
     /// All words in the grammar's order, which is the order of `self as usize`.
     pub fn all() -> impl Iterator<Item = Word> {
         WORDS.iter().map(|entry| entry.0)

@@ -402,7 +402,7 @@ fn numbers_declared_over_others() {
 }
 
 #[test]
-fn semicolons_behind_macros_and_copied_functions() {
+fn semicolons_behind_macros_and_hashes_before_names() {
     let reading = agree(
         "#declare F = function(a) { a + 1 } #declare A = array[2] { F, F }
         #declare V = <0.1, 0.2, 0.3>; #declare N = 0; #declare W = 0*x;
@@ -415,8 +415,8 @@ fn semicolons_behind_macros_and_copied_functions() {
           Set_Both(W, I*V)
           #declare N = F(N);;
           #local B = array[1] { A[mod(I, 2)] }
-          #declare W = V*I + W;
-          sphere { W, B[0](N)/10 pigment { rgb V } }
+          #declare W = #V*I + W;
+          sphere { #W, B[0](N)/10 pigment { rgb #V } }
           #local Drawn = rand(seed(I)) + rand(seed(I));
           sphere { I*y, Drawn }
         #end
