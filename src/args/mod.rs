@@ -141,6 +141,10 @@ pub trait Args {
     fn expected(&mut self, what: &str) -> Box<Diagnostic>;
     /// Records a warning.
     fn warn(&mut self, warning: Diagnostic);
+    /// The version whose rules for pictures and light hold: where nobody has set one, that of scenes from before 3.7.
+    fn effective_version(&self) -> f64 {
+        self.version()
+    }
     /// The language version in force, as `#version` writes it: 3.7, 3.1.
     fn version(&self) -> f64;
 }

@@ -1,6 +1,6 @@
 //! How a picture is laid over space: which of its pixels show at a point.
 
-use super::Bitmap;
+use super::{Bitmap, Purpose};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use crate::source::Diagnostic;
@@ -54,11 +54,12 @@ pub struct Mapping {
 }
 
 impl Mapping {
-    /// Reads `word`, the next token, with its value if it is one of a mapping, and says whether it was.
+    /// Reads `word`, the next token, with its value if it is one of a mapping, and says whether it was. A number of no
+    /// map is the flat one, but where colours are read for.
     ///
     /// # Errors
     /// A number that the language does not know.
-    pub fn read(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+    pub fn read(&mut self, word: Word, purpose: Purpose, args: &mut dyn Args) -> Parse<bool> {
         if !matches!(word, Word::Once | Word::MapType | Word::Interpolate) {
             return Ok(false);
         }
@@ -69,7 +70,7 @@ impl Mapping {
         }
         let start = args.span();
         let number = args.float()?.trunc();
-        let is_known = if word == Word::MapType {
+        let (is_known, numbers) = if word == Word::MapType {
             let known = [
                 (0.0, MapType::Planar),
                 (1.0, MapType::Spherical),
@@ -77,7 +78,9 @@ impl Mapping {
                 (5.0, MapType::Toroidal),
             ];
             let found = known.into_iter().find(|entry| entry.0 == number);
-            found.map(|entry| self.map_type = entry.1).is_some()
+            self.map_type = found.map_or(MapType::Planar, |entry| entry.1);
+            let is_known = found.is_some() || purpose != Purpose::Colors;
+            (is_known, "0, 1, 2 or 5")
         } else {
             let known = [
                 (0.0, Interpolation::None),
@@ -86,13 +89,14 @@ impl Mapping {
                 (4.0, Interpolation::NormalisedDistance),
             ];
             let found = known.into_iter().find(|entry| entry.0 == number);
-            found.map(|entry| self.interpolation = entry.1).is_some()
+            self.interpolation = found.map_or(self.interpolation, |entry| entry.1);
+            (found.is_some(), "0, 2, 3 or 4")
         };
         if is_known {
             return Ok(true);
         }
         let place = start.to(args.last_span());
-        let message = format!("`{word} {number}` is not built yet");
+        let message = format!("`{word}` is {numbers}, found {number}");
         Err(Box::new(Diagnostic::error(place, message)))
     }
 
@@ -122,11 +126,22 @@ impl Mapping {
                 DVec2::new(turn(point.x, point.z), angle / TAU)
             }
         };
-        if self.is_once && !(at.x >= 0.0 && at.x < 1.0 && at.y >= 0.0 && at.y < 1.0) {
+        // Both ends are inside; lengths, though not angles, then fall from the far end on the near one.
+        let is_inside = |at: f64| (0.0..=1.0).contains(&at);
+        if self.is_once && !(is_inside(at.x) && is_inside(at.y)) {
             return None;
         }
         let size = DVec2::new(bitmap.width as f64, bitmap.height as f64);
-        let at = (at * size) % size + NUDGE;
+        let mut at = at * size;
+        match self.map_type {
+            MapType::Planar => at %= size,
+            MapType::Cylindrical => at.y %= size.y,
+            MapType::Spherical | MapType::Toroidal => {}
+        }
+        at += NUDGE;
+        if self.is_once && at.cmpge(size).any() {
+            return None;
+        }
         Some(DVec2::new(wrapped(at.x, size.x), wrapped(-at.y, size.y)))
     }
 

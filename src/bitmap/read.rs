@@ -126,6 +126,7 @@ struct Entry {
 /// A malformed block, or a file that is missing or no picture.
 pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     args.open()?;
+    pass_orientation(args)?;
     let content = match args.sampled()? {
         Some(sampled) => Content::Sampled(sampled),
         None => read_file(args)?,
@@ -133,7 +134,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
     let mut handling = Handling {
         gamma: None,
         working: args.working_gamma(),
-        assumes_srgb: purpose == Purpose::Colors && args.version() >= SRGB_SINCE,
+        assumes_srgb: purpose == Purpose::Colors && args.effective_version() >= SRGB_SINCE,
         is_premultiplied: false,
     };
     // Values are as they are stored; a gamma must be written to change them.
@@ -154,7 +155,9 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             Word::Gamma => {
                 args.accept(word)?;
                 handling.gamma = Some(read_gamma(args)?);
-                handling.working = args.working_gamma();
+                // A gamma that is written is heeded without gamma handling too. Values become light itself.
+                let working = handling.working.unwrap_or(Gamma::LINEAR);
+                handling.working = Some(working);
             }
             Word::Premultiplied => {
                 args.accept(word)?;
@@ -175,7 +178,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             }
             Word::UseIndex => uses_index = args.accept(word)?,
             Word::UseColor | Word::UseColour => uses_index = !args.accept(word)?,
-            _ if mapping.read(word, args)? => {}
+            _ if mapping.read(word, purpose, args)? => {}
             _ => return Err(args.expected("a parameter of the picture or `}`")),
         }
     }
@@ -221,6 +224,23 @@ impl Content {
             }),
         }
     }
+}
+
+/// Passes over what may stand before the file: a vector that once said how the picture lies, or a number that said
+/// which map it is.
+fn pass_orientation(args: &mut dyn Args) -> Parse<()> {
+    if !args.at_expression()? {
+        return Ok(());
+    }
+    let start = args.span();
+    args.vector()?;
+    let place = start.to(args.last_span());
+    args.warn(
+        Diagnostic::warning(place, "a vector or number before a picture has no effect").with_hint(
+            "Turn the picture with transformations, and choose the map with `map_type`.",
+        ),
+    );
+    Ok(())
 }
 
 /// `[format] "file"`.

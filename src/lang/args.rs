@@ -123,7 +123,7 @@ impl Args for Reader<'_> {
 
     fn working_gamma(&self) -> Option<Gamma> {
         match self.globals.assumed_gamma {
-            None if self.version >= GAMMA_SINCE => Some(Gamma::LINEAR),
+            None if self.effective_version() >= GAMMA_SINCE => Some(Gamma::LINEAR),
             known => known,
         }
     }
@@ -253,6 +253,10 @@ impl Args for Reader<'_> {
 
     fn version(&self) -> f64 {
         self.version
+    }
+
+    fn effective_version(&self) -> f64 {
+        self.version_of_rules()
     }
 }
 

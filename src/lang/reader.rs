@@ -126,6 +126,15 @@ const VERSION_OF_SCENES_WITHOUT: f64 = 3.62;
 const DAYS_1970_TO_2000: f64 = 10957.0;
 
 impl<'a> Reader<'a> {
+    /// The version whose rules hold for light and pictures here.
+    pub(super) fn version_of_rules(&self) -> f64 {
+        if self.has_version {
+            self.version
+        } else {
+            VERSION_OF_SCENES_WITHOUT
+        }
+    }
+
     /// A reader at the start of a file.
     pub(super) fn new(
         scene: FileId,
@@ -320,11 +329,7 @@ impl<'a> Reader<'a> {
             let names = std::mem::take(&mut self.names);
             lexicon.learn(names, &self.tokenized, self.sources, self.scene)
         });
-        let version = if self.has_version {
-            self.version
-        } else {
-            VERSION_OF_SCENES_WITHOUT
-        };
+        let version = self.version_of_rules();
         let scene = (self.errors == 0).then(|| Scene {
             camera: self
                 .camera
