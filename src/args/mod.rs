@@ -145,6 +145,14 @@ pub trait Args {
     fn effective_version(&self) -> f64 {
         self.version()
     }
+    /// Says that `what` will take about so many bytes.
+    ///
+    /// # Errors
+    /// There is not that much memory.
+    fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+        let _ = (what, bytes, at);
+        Ok(())
+    }
     /// The language version in force, as `#version` writes it: 3.7, 3.1.
     fn version(&self) -> f64;
 }

@@ -1,15 +1,15 @@
 //! From the bytes of a file to a picture.
 
 use super::format::Format;
-use super::{Bitmap, Samples, Transfer, gif, png};
+use super::{Bitmap, Pixels, Samples, Transfer, bmp, gif, png};
 use crate::color::Gamma;
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
 /// Most pixels of a picture: more than any file of a scene has, and not yet all of the memory.
 pub(super) const MOST_PIXELS: u64 = 1 << 28;
-/// Most bytes that decoding may take.
-const MOST_BYTES: u64 = 1 << 32;
+/// Most bytes that decoding may take. What there is to take has been looked at before.
+const MOST_BYTES: u64 = 1 << 34;
 
 /// What a scene says about a file beside its name.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,10 +47,20 @@ pub(super) type Fault = String;
 /// The picture of a file.
 pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
     match format {
+        Format::Bmp => bmp::decode(bytes, handling),
         Format::Png => png::decode(bytes, handling),
         Format::Gif => gif::decode(bytes, handling),
-        _ => by_crate(bytes, format, handling),
+        _ => of_picture(
+            picture(bytes, format)?,
+            handling.transfer(format, None),
+            handling,
+        ),
     }
+}
+
+/// The samples of a file without a palette, as they are stored.
+pub(crate) fn picture(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
+    by_crate(bytes, format)
 }
 
 /// Whether a picture of this size is too large or empty.
@@ -62,8 +72,9 @@ pub(super) fn check_size(width: u64, height: u64) -> Result<(), Fault> {
     }
 }
 
-fn by_crate(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap, Fault> {
-    let kind = match format {
+/// The format as the crate `image` calls it.
+pub(super) fn crate_format(format: Format) -> ImageFormat {
+    match format {
         Format::Bmp => ImageFormat::Bmp,
         Format::Exr => ImageFormat::OpenExr,
         Format::Gif => ImageFormat::Gif,
@@ -73,13 +84,15 @@ fn by_crate(bytes: &[u8], format: Format, handling: &Handling) -> Result<Bitmap,
         Format::Png => ImageFormat::Png,
         Format::Tga => ImageFormat::Tga,
         Format::Tiff => ImageFormat::Tiff,
-    };
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), kind);
+    }
+}
+
+pub(super) fn by_crate(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), crate_format(format));
     let mut limits = Limits::default();
     limits.max_alloc = Some(MOST_BYTES);
     reader.limits(limits);
-    let picture = reader.decode().map_err(|error| error.to_string())?;
-    of_picture(picture, handling.transfer(format, None), handling)
+    reader.decode().map_err(|error| error.to_string())
 }
 
 /// The picture that the `image` crate decodes.
@@ -91,26 +104,28 @@ pub(super) fn of_picture(
     check_size(u64::from(picture.width()), u64::from(picture.height()))?;
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let has_alpha = picture.color().has_alpha();
-    let samples = match &picture {
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
-            let pixels = picture.into_rgba32f();
-            let decoded = pixels.pixels().map(|pixel| {
-                let [r, g, b, a] = pixel.0;
-                [transfer.apply(r), transfer.apply(g), transfer.apply(b), a]
-            });
-            Samples::Floats(decoded.collect())
-        }
-        DynamicImage::ImageLuma16(_)
-        | DynamicImage::ImageLumaA16(_)
-        | DynamicImage::ImageRgb16(_)
-        | DynamicImage::ImageRgba16(_) => {
-            let pixels = picture.into_rgba16();
-            Samples::Words(pixels.pixels().map(|pixel| pixel.0).collect(), transfer)
-        }
-        _ => {
-            let pixels = picture.into_rgba8();
-            let pixels = pixels.pixels().map(|pixel| pixel.0).collect();
-            Samples::Bytes(pixels, transfer.table())
+    let channels = usize::from(picture.color().channel_count());
+    let bytes = |samples| Samples::Bytes(Pixels { samples, channels }, transfer.table());
+    let words = |samples| Samples::Words(Pixels { samples, channels }, transfer);
+    let samples = match picture {
+        DynamicImage::ImageLuma8(it) => bytes(it.into_raw()),
+        DynamicImage::ImageLumaA8(it) => bytes(it.into_raw()),
+        DynamicImage::ImageRgb8(it) => bytes(it.into_raw()),
+        DynamicImage::ImageRgba8(it) => bytes(it.into_raw()),
+        DynamicImage::ImageLuma16(it) => words(it.into_raw()),
+        DynamicImage::ImageLumaA16(it) => words(it.into_raw()),
+        DynamicImage::ImageRgb16(it) => words(it.into_raw()),
+        DynamicImage::ImageRgba16(it) => words(it.into_raw()),
+        other => {
+            let mut samples = match other {
+                DynamicImage::ImageRgb32F(it) => it.into_raw(),
+                other => other.into_rgba32f().into_raw(),
+            };
+            for pixel in samples.chunks_exact_mut(channels) {
+                let colors = pixel.iter_mut().take(3);
+                colors.for_each(|value| *value = transfer.apply(*value));
+            }
+            Samples::Floats(Pixels { samples, channels })
         }
     };
     Ok(Bitmap {

@@ -4,7 +4,7 @@ use crate::args::Word;
 
 /// A format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Format {
+pub(crate) enum Format {
     Bmp,
     Exr,
     Gif,

@@ -1,6 +1,6 @@
 //! GIF: the first frame, with its palette. Interlaced rows stay in the order of the file, as POV-Ray leaves them.
 
-use super::decode::{Fault, Handling, check_size};
+use super::decode::{Fault, Handling};
 use super::format::Format;
 use super::png::palette_color;
 use super::{Bitmap, Samples};
@@ -11,11 +11,11 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     let fault = |error: gif::DecodingError| error.to_string();
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);
+    options.set_memory_limit(gif::MemoryLimit::Unlimited);
     let mut decoder = options.read_info(Cursor::new(bytes)).map_err(fault)?;
     let global = decoder.global_palette().map(<[u8]>::to_vec);
     let frame = decoder.next_frame_info().map_err(fault)?;
     let frame = frame.ok_or("it holds no picture")?.clone();
-    check_size(u64::from(frame.width), u64::from(frame.height))?;
     let mut buffer = vec![0; decoder.buffer_size()];
     decoder.read_into_buffer(&mut buffer).map_err(fault)?;
     let (width, height) = (usize::from(frame.width), usize::from(frame.height));
@@ -46,6 +46,17 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
         has_alpha: frame.transparent.is_some(),
         is_premultiplied: false,
     })
+}
+
+/// The width and height of the first frame, and the bytes that decoding takes.
+pub(super) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
+    let fault = |error: gif::DecodingError| error.to_string();
+    let options = gif::DecodeOptions::new();
+    let mut decoder = options.read_info(Cursor::new(bytes)).map_err(fault)?;
+    let frame = decoder.next_frame_info().map_err(fault)?;
+    let frame = frame.ok_or("it holds no picture")?;
+    let size = [frame.width, frame.height].map(u64::from);
+    Ok((size, 2 * size[0] * size[1]))
 }
 
 /// The order in which an interlaced file holds its rows.

@@ -3,15 +3,21 @@
 //! A picture keeps its samples as they are stored and decodes them when they are looked up: eight bits by a table.
 //! Rows are from the top. What the file says of alpha becomes transmit.
 
+mod bmp;
 mod decode;
 mod format;
 mod gif;
 mod mapping;
 mod png;
 mod read;
+mod size;
 
+pub(crate) use bmp::{Content as BmpContent, content as bmp_content};
+pub(crate) use decode::picture;
+pub(crate) use format::Format;
 pub use mapping::{Interpolation, MapType, Mapping};
 pub use read::{Alpha, Purpose, Source, read};
+pub(crate) use size::bytes_to_decode;
 
 use crate::color::{Color, Gamma, Rgb};
 
@@ -29,16 +35,37 @@ pub struct Bitmap {
 /// The samples of a picture, row by row from the top.
 #[derive(Debug)]
 enum Samples {
-    /// Red, green, blue, alpha, and the numbers that the first three stand for.
-    Bytes(Vec<[u8; 4]>, Box<[f32; 256]>),
-    /// The same in sixteen bits.
-    Words(Vec<[u16; 4]>, Transfer),
+    /// Samples of eight bits, and the numbers that those of colours stand for.
+    Bytes(Pixels<u8>, Box<[f32; 256]>),
+    /// The same of sixteen bits.
+    Words(Pixels<u16>, Transfer),
     /// Numbers of the working space.
-    Floats(Vec<[f32; 4]>),
+    Floats(Pixels<f32>),
     /// Colours of the scene.
     Colors(Vec<Color>),
     /// Indices into a palette.
     Indexed(Vec<u8>, Vec<Color>),
+}
+
+/// Pixels of one to four samples, as files hold them: grey or red, green and blue, and then alpha if there is any.
+#[derive(Debug)]
+struct Pixels<T> {
+    samples: Vec<T>,
+    channels: usize,
+}
+
+impl<T: Copy> Pixels<T> {
+    /// Red, green, blue and alpha of a pixel, where `opaque` is the alpha of pixels without any.
+    #[inline]
+    fn get(&self, at: usize, opaque: T) -> [T; 4] {
+        match self.samples[at * self.channels..][..self.channels] {
+            [grey] => [grey, grey, grey, opaque],
+            [grey, alpha] => [grey, grey, grey, alpha],
+            [red, green, blue] => [red, green, blue, opaque],
+            [red, green, blue, alpha, ..] => [red, green, blue, alpha],
+            [] => [opaque; 4],
+        }
+    }
 }
 
 /// How stored values become numbers of the scene; nothing is done without gamma handling.
@@ -132,15 +159,16 @@ impl Bitmap {
                 return color.copied().unwrap_or_default();
             }
             Samples::Bytes(pixels, table) => {
-                let [r, g, b, a] = pixels[at];
+                let [r, g, b, a] = pixels.get(at, u8::MAX);
                 let value = |byte: u8| table[usize::from(byte)];
                 [value(r), value(g), value(b), f32::from(a) / 255.0]
             }
             Samples::Words(pixels, transfer) => {
-                let [r, g, b, a] = pixels[at].map(|word| f32::from(word) / 65535.0);
+                let words = pixels.get(at, u16::MAX);
+                let [r, g, b, a] = words.map(|word| f32::from(word) / 65535.0);
                 [transfer.apply(r), transfer.apply(g), transfer.apply(b), a]
             }
-            Samples::Floats(pixels) => pixels[at],
+            Samples::Floats(pixels) => pixels.get(at, 1.0),
             Samples::Colors(colors) => return colors[at],
         };
         let rgb = if self.is_premultiplied && alpha != 0.0 {

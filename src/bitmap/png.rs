@@ -1,6 +1,6 @@
 //! PNG: palettes keep their indices, gamma chunks are heeded, and grey of eight bits becomes what POV-Ray makes of it.
 
-use super::decode::{Fault, Handling, check_size, of_picture};
+use super::decode::{self, Fault, Handling, of_picture};
 use super::format::Format;
 use super::{Bitmap, Samples, Transfer};
 use crate::color::{Color, Gamma, Rgb};
@@ -12,7 +12,6 @@ pub(super) fn decode(bytes: &[u8], handling: &Handling) -> Result<Bitmap, Fault>
     let fault = |error: png::DecodingError| error.to_string();
     let mut decoder = Decoder::new(Cursor::new(bytes));
     let info = decoder.read_header_info().map_err(fault)?;
-    check_size(u64::from(info.width), u64::from(info.height))?;
     if info.color_type == ColorType::Indexed {
         decoder.set_transformations(Transformations::IDENTITY);
         return indexed(decoder, handling);
@@ -40,8 +39,22 @@ const AS_IT_IS: Transfer = Transfer {
 };
 
 fn by_crate(bytes: &[u8]) -> Result<DynamicImage, Fault> {
-    image::load_from_memory_with_format(bytes, image::ImageFormat::Png)
-        .map_err(|error| error.to_string())
+    decode::by_crate(bytes, Format::Png)
+}
+
+/// The width and height of a file, and the bytes that decoding takes.
+pub(super) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    let info = decoder.read_header_info();
+    let info = info.map_err(|error| error.to_string())?;
+    let size = [info.width, info.height].map(u64::from);
+    let samples = info.color_type.samples() as u64;
+    let each = match (info.color_type, info.bit_depth) {
+        (ColorType::Indexed, _) => 2,
+        (_, BitDepth::Sixteen) => 2 * samples,
+        _ => samples,
+    };
+    Ok((size, size[0].saturating_mul(size[1]).saturating_mul(each)))
 }
 
 /// The byte that POV-Ray keeps of a decoded grey of eight bits: the grey value of three equal channels in single

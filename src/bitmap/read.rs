@@ -2,6 +2,7 @@
 
 use super::decode::{Handling, decode};
 use super::format::Format;
+use super::size::bytes_to_decode;
 use super::{Bitmap, Mapping, Samples, mapping::NO_INDEX};
 use crate::args::{Args, Parse, Sampled, Word, not_built};
 use crate::color::{Color, Gamma, Rgb};
@@ -182,7 +183,7 @@ pub fn read(args: &mut dyn Args, purpose: Purpose) -> Parse<Source> {
             _ => return Err(args.expected("a parameter of the picture or `}`")),
         }
     }
-    let mut bitmap = content.into_bitmap(&handling)?;
+    let mut bitmap = content.into_bitmap(&handling, args)?;
     for entry in &entries {
         entry.apply(&mut bitmap, &mut all)?;
     }
@@ -207,13 +208,16 @@ enum Content {
 }
 
 impl Content {
-    fn into_bitmap(self, handling: &Handling) -> Parse<Bitmap> {
+    fn into_bitmap(self, handling: &Handling, args: &mut dyn Args) -> Parse<Bitmap> {
         match self {
             Content::File(bytes, format, span) => {
-                decode(&bytes, format, handling).map_err(|fault| {
+                let fault = |fault| {
                     let message = format!("this file cannot be read as a picture: {fault}");
                     Box::new(Diagnostic::error(span, message))
-                })
+                };
+                let wanted = bytes_to_decode(&bytes, format).map_err(fault)?;
+                args.make_room("this picture", wanted, span)?;
+                decode(&bytes, format, handling).map_err(fault)
             }
             Content::Sampled(sampled) => Ok(Bitmap {
                 width: sampled.width,

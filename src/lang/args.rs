@@ -258,6 +258,10 @@ impl Args for Reader<'_> {
     fn effective_version(&self) -> f64 {
         self.version_of_rules()
     }
+
+    fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+        self.take_memory_for(what, bytes, at)
+    }
 }
 
 impl Reader<'_> {

@@ -306,6 +306,18 @@ impl Reader<'_> {
         Err(self.fatal(error.with_code(Code::Memory)))
     }
 
+    /// Says that one thing will take so many bytes; an error that names it where there are no more.
+    pub(super) fn take_memory_for(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+        if bytes < limits::MEMORY_STEP || self.budget.memory.allows(bytes, self.budget.leaves) {
+            return self.take_memory(bytes.min(limits::MEMORY_STEP - 1), at);
+        }
+        let megabytes = bytes.div_ceil(1_000_000);
+        let message = format!("{what} takes {megabytes} MB of memory, more than there is left");
+        let error = Diagnostic::error(at, message)
+            .with_hint("Make it smaller, or draw the scene on a larger machine.");
+        Err(self.fatal(error.with_code(Code::Memory)))
+    }
+
     /// Reads a part that may hold parts of its own kind, as long as they are not too deep inside each other.
     pub(super) fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Parse<T>) -> Parse<T> {
         if self.nesting >= limits::READING {

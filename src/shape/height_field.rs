@@ -145,8 +145,10 @@ fn read_picture(args: &mut dyn Args) -> Parse<image::Heights> {
     }
     let bytes = args.file_named("the picture", &name, kind.endings)?;
     let fault = |fault| Box::new(Diagnostic::error(at, fault));
-    let heights = image::heights(kind.reading, &bytes)
-        .map_err(|why| fault(format!("cannot read the picture `{name}`: {why}")))?;
+    let unreadable = |why| fault(format!("cannot read the picture `{name}`: {why}"));
+    let wanted = image::bytes_to_read(kind.reading, &bytes).map_err(unreadable)?;
+    args.make_room("this picture", wanted, at)?;
+    let heights = image::heights(kind.reading, &bytes).map_err(unreadable)?;
     if heights.rows.len() >= MOST_CELLS {
         let most = MOST_CELLS;
         return Err(fault(format!("a height field has at most {most} pixels")));

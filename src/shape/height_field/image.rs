@@ -7,10 +7,9 @@
 //! * colours of 8 bits: red times 256 plus green; of 16 bits: their grey.
 
 use crate::args::{Sampled, Word};
+use crate::bitmap::{self, BmpContent, Format};
 use crate::color::Color;
-use image::codecs::bmp::BmpDecoder;
-use image::codecs::tga::TgaDecoder;
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use image::DynamicImage;
 use std::io::Cursor;
 
 /// The kinds of pictures: word, endings, and whether it is built.
@@ -19,20 +18,12 @@ pub(super) const KINDS: &[Kind] = &[
     Kind::new(Word::Gif, &[".gif", ".GIF"], Reading::Gif),
     Kind::new(Word::Tga, &[".tga", ".TGA"], Reading::Tga),
     Kind::new(Word::Bmp, &[".bmp", ".BMP"], Reading::Bmp),
-    Kind::new(
-        Word::Ppm,
-        &[".ppm", ".PPM"],
-        Reading::Other(ImageFormat::Pnm),
-    ),
-    Kind::new(
-        Word::Pgm,
-        &[".pgm", ".PGM"],
-        Reading::Other(ImageFormat::Pnm),
-    ),
+    Kind::new(Word::Ppm, &[".ppm", ".PPM"], Reading::Other(Format::Ppm)),
+    Kind::new(Word::Pgm, &[".pgm", ".PGM"], Reading::Other(Format::Ppm)),
     Kind::new(
         Word::Jpeg,
         &[".jpg", ".JPG", ".jpeg", ".JPEG"],
-        Reading::Other(ImageFormat::Jpeg),
+        Reading::Other(Format::Jpeg),
     ),
     Kind::new(
         Word::Tiff,
@@ -65,7 +56,7 @@ pub(super) enum Reading {
     Bmp,
     /// A GIF whose left half has the high bytes and whose right half the low ones.
     Pot,
-    Other(ImageFormat),
+    Other(Format),
     /// Not at all.
     NotBuilt,
 }
@@ -116,6 +107,27 @@ impl Heights {
 
 /// Why a picture cannot be read.
 type Fault = Box<dyn std::error::Error + Send + Sync>;
+
+impl Reading {
+    /// The format of the file, if it is built.
+    fn format(self) -> Option<Format> {
+        Some(match self {
+            Reading::Png => Format::Png,
+            Reading::Gif | Reading::Pot => Format::Gif,
+            Reading::Tga => Format::Tga,
+            Reading::Bmp => Format::Bmp,
+            Reading::Other(format) => format,
+            Reading::NotBuilt => return None,
+        })
+    }
+}
+
+/// About how many bytes reading the heights of a picture takes.
+pub(super) fn bytes_to_read(reading: Reading, bytes: &[u8]) -> Result<u64, String> {
+    reading
+        .format()
+        .map_or(Ok(0), |format| bitmap::bytes_to_decode(bytes, format))
+}
 
 /// Reads the heights of a picture.
 pub(super) fn heights(reading: Reading, bytes: &[u8]) -> Result<Heights, String> {
@@ -259,6 +271,7 @@ fn pot(bytes: &[u8]) -> Result<Heights, Fault> {
 fn indices(bytes: &[u8]) -> Result<(usize, Vec<u8>), Fault> {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);
+    options.set_memory_limit(gif::MemoryLimit::Unlimited);
     let mut decoder = options.read_info(Cursor::new(bytes))?;
     let is_interlaced = decoder
         .next_frame_info()?
@@ -283,18 +296,12 @@ fn stored_order(height: usize) -> Vec<usize> {
 }
 
 fn bmp(bytes: &[u8]) -> Result<Heights, Fault> {
-    let mut decoder = BmpDecoder::new(Cursor::new(bytes))?;
-    decoder.set_limits(limits())?;
-    if decoder.get_palette().is_some() {
-        decoder.set_indexed_color(true);
-    } else {
-        return Ok(decoded(DynamicImage::from_decoder(decoder)?));
-    }
-    let width = decoder.dimensions().0 as usize;
-    let indices = DynamicImage::from_decoder(decoder)?.into_luma8().into_raw();
-    Ok(Heights {
-        width,
-        rows: indices.into_iter().map(of_index).collect(),
+    Ok(match bitmap::bmp_content(bytes)? {
+        BmpContent::Colors(picture) => decoded(picture),
+        BmpContent::Indexed { width, indices, .. } => Heights {
+            width,
+            rows: indices.into_iter().map(of_index).collect(),
+        },
     })
 }
 
@@ -303,21 +310,11 @@ fn tga(bytes: &[u8]) -> Result<Heights, Fault> {
     if bytes.get(1) == Some(&1) {
         return Err("a TGA file with a palette is not built yet".into());
     }
-    let mut decoder = TgaDecoder::new(Cursor::new(bytes))?;
-    decoder.set_limits(limits())?;
-    Ok(decoded(DynamicImage::from_decoder(decoder)?))
+    other(Format::Tga, bytes)
 }
 
-fn other(format: ImageFormat, bytes: &[u8]) -> Result<Heights, Fault> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    reader.limits(limits());
-    Ok(decoded(reader.decode()?))
-}
-
-fn limits() -> Limits {
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(MAX_BYTES);
-    limits
+fn other(format: Format, bytes: &[u8]) -> Result<Heights, Fault> {
+    Ok(decoded(bitmap::picture(bytes, format)?))
 }
 
 fn decoded(image: DynamicImage) -> Heights {
