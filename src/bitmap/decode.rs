@@ -1,7 +1,7 @@
 //! From the bytes of a file to a picture.
 
 use super::format::Format;
-use super::{Bitmap, Pixels, Samples, Transfer, bmp, gif, png};
+use super::{Bitmap, Pixels, Samples, Transfer, bmp, gif, jpeg, png};
 use crate::color::Gamma;
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
@@ -60,7 +60,10 @@ pub(super) fn decode(bytes: &[u8], format: Format, handling: &Handling) -> Resul
 
 /// The samples of a file without a palette, as they are stored.
 pub(crate) fn picture(bytes: &[u8], format: Format) -> Result<DynamicImage, Fault> {
-    by_crate(bytes, format)
+    match format {
+        Format::Jpeg => jpeg::decode(bytes),
+        _ => by_crate(bytes, format),
+    }
 }
 
 /// Whether a picture of this size is too large or empty.

@@ -7,6 +7,7 @@ mod bmp;
 mod decode;
 mod format;
 mod gif;
+mod jpeg;
 mod mapping;
 mod png;
 mod read;

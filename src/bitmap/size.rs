@@ -2,7 +2,7 @@
 
 use super::decode::{Fault, check_size, crate_format};
 use super::format::Format;
-use super::{bmp, gif, png};
+use super::{bmp, gif, jpeg, png};
 use image::{ImageDecoder, ImageReader};
 use std::io::Cursor;
 
@@ -18,6 +18,7 @@ pub(crate) fn bytes_to_decode(file: &[u8], format: Format) -> Result<u64, Fault>
     let known = match format {
         Format::Bmp => bmp::size(file)?,
         Format::Gif => Some(gif::size(file)?),
+        Format::Jpeg => Some(jpeg::size(file)?),
         Format::Png => Some(png::size(file)?),
         _ => None,
     };
