@@ -92,11 +92,10 @@ impl Grid {
 
     /// The rectangle of all parameters.
     pub(super) fn whole(&self) -> Patch {
-        // There are 2^n and one of each.
-        let all = |list: &[f64]| (0, 1 << list.len().ilog2());
+        let last = |list: &[f64]| u32::try_from(list.len() - 1).expect("at most 2^15 cells");
         let cells = Cells {
-            u: all(&self.u),
-            v: all(&self.v),
+            u: (0, last(&self.u)),
+            v: (0, last(&self.v)),
         };
         self.patch(cells, MOST_HALVINGS)
     }
@@ -186,6 +185,22 @@ mod tests {
                 assert_eq!(a.cells.is_some(), round < HALVINGS_KNOWN);
             }
             (known, unknown) = if round % 3 == 0 { (a, c) } else { (b, d) };
+        }
+    }
+
+    #[test]
+    fn a_range_that_no_halving_falls_to_is_one_cell() {
+        let point = |at: DVec2| at.extend(0.0);
+        for (high, accuracy) in [
+            (DVec2::new(0.0, 2.0), 1e-3),
+            (DVec2::new(2.0, 0.0), 1e-3),
+            (DVec2::new(1.0, 6.0), 9.0),
+            (DVec2::new(9e-4, 6.0), 1e-3),
+            (DVec2::ZERO, 1e-3),
+        ] {
+            let whole = Grid::new(DVec2::ZERO, high, accuracy, point).whole();
+            assert_eq!((whole.low, whole.high), (DVec2::ZERO, high));
+            assert_eq!(whole.corners[3], point(high));
         }
     }
 
