@@ -30,7 +30,7 @@ struct Halving<'c> {
     places: Places,
 }
 
-/// The places in `-1 < x < 1` where a polynomial, by rising power, changes sign; in order.
+/// The places in `-1 <= x <= 1` where a polynomial, by rising power, changes sign; in order.
 pub(super) fn sign_changes(powers: &[f64]) -> Places {
     let form = bernstein_form(powers);
     let size: f64 = powers.iter().map(|c| c.abs()).sum();

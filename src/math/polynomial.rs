@@ -7,7 +7,7 @@
 //! within [`LAST_STEP`] squared of the zero; who wants more digits refines it on the shape itself, as torus and poly do. A
 //! pair of changes whose extreme between them is within that rounding of zero may be lost or found.
 //!
-//! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 < x < 1` is searched; whoever asks has
+//! Coefficients stand by rising power: `c[0] + c[1]·x + c[2]·x² + …`. Only `-1 <= x <= 1` is searched; whoever asks has
 //! centred and scaled the polynomial so that its coefficients are of one size there.
 
 use super::bernstein;
@@ -25,11 +25,12 @@ const ROUNDED_END: f64 = 1e-7;
 /// More halvings than a double has digits.
 const MAX_STEPS: u32 = 80;
 
-/// The places in `-1 < x < 1` where a polynomial changes sign, in order. Where it only touches zero there is none.
+/// The places in `-1 <= x <= 1` where a polynomial changes sign, in order. Where it only touches zero there is none. Zero
+/// counts as positive: at an end where it is zero it changes only if it is negative just beside.
 pub(crate) fn sign_changes(c: &[f64]) -> Places {
     match *c {
         [c0, c1, c2] => quadratic(c0, c1, c2),
-        [c0, c1] => within(&[-c0 / c1]),
+        [c0, c1] => within(&[(-c0 / c1, Way::of_slope(c1))]),
         [] | [_] => Places::new(),
         [c0, c1, c2, c3] => cubic(&[c0, c1, c2, c3]),
         [c0, c1, c2, c3, c4] => quartic(&[c0, c1, c2, c3, c4]),
@@ -153,18 +154,46 @@ fn quadratic(c0: f64, c1: f64, c2: f64) -> Places {
     }
     let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
     let (x, other) = (q / c2, c0 / q);
-    if x < other {
-        within(&[x, other])
-    } else {
-        within(&[other, x])
+    let (first, second) = if x < other { (x, other) } else { (other, x) };
+    // Infinitely far from the other one if `c2` is zero, on the side that its sign tells.
+    let rest = Way::of_slope(c2);
+    within(&[(first, rest.back()), (second, rest)])
+}
+
+/// The sense in which a polynomial changes sign.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Down,
+    Up,
+}
+
+impl Way {
+    fn of_slope(slope: f64) -> Way {
+        if slope.is_sign_negative() {
+            Way::Down
+        } else {
+            Way::Up
+        }
+    }
+
+    fn back(self) -> Way {
+        match self {
+            Way::Down => Way::Up,
+            Way::Up => Way::Down,
+        }
     }
 }
 
-/// Those that lie in the searched range; not NaN.
-fn within(all: &[f64]) -> Places {
+/// Those that lie in the searched range; not NaN. Since zero counts as positive, a way down begins on a zero, and a way
+/// up ends on one.
+fn within(all: &[(f64, Way)]) -> Places {
     let mut places = Places::new();
-    for &x in all {
-        if -1.0 < x && x < 1.0 {
+    for &(x, way) in all {
+        let is_at_end = match way {
+            Way::Down => x == -1.0,
+            Way::Up => x == 1.0,
+        };
+        if -1.0 < x && x < 1.0 || is_at_end {
             places.push(x);
         }
     }
@@ -218,6 +247,42 @@ mod tests {
         assert_eq!(sign_changes(&[-0.5, 1.0, 0.0, 0.0, 0.0])[..], [0.5]);
         assert_eq!(sign_changes(&[-0.25, 0.0, 1.0, 0.0, 0.0])[..], [-0.5, 0.5]);
         assert!(sign_changes(&[0.0; 5]).is_empty());
+    }
+
+    #[test]
+    fn roots_at_the_ends_are_found_where_it_is_negative_within() {
+        // By the degree of what is multiplied with the roots: the closed forms, the chain and the halving.
+        for factor in [
+            &[1.0][..],
+            &[3.0, 1.0],
+            &[2.0, 1.0, 1.0],
+            &[4.0, 0.0, 0.0, 0.0, 1.0],
+        ] {
+            let times = |c: &[f64]| {
+                let mut product = vec![0.0; c.len() + factor.len() - 1];
+                for (i, a) in c.iter().enumerate() {
+                    for (j, b) in factor.iter().enumerate() {
+                        product[i + j] += a * b;
+                    }
+                }
+                product
+            };
+            let near = |c: &[f64], expected: &[f64]| {
+                let found = sign_changes(&times(c));
+                assert_eq!(found.len(), expected.len(), "{c:?} {factor:?}: {found:?}");
+                for (a, b) in found.iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-9, "{c:?} {factor:?}: {found:?}");
+                }
+            };
+            near(&[-1.0, 0.0, 1.0], &[-1.0, 1.0]);
+            near(&[1.0, 0.0, -1.0], &[]);
+            near(&[1.0, 1.0], &[]);
+            near(&[-1.0, -1.0], &[-1.0]);
+            near(&[-1.0, 1.0], &[1.0]);
+            near(&[1.0, -1.0], &[]);
+            near(&[0.0, -1.0, 1.0], &[0.0, 1.0]);
+            near(&[0.0, 1.0, -1.0], &[0.0]);
+        }
     }
 
     #[test]

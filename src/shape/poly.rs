@@ -3,7 +3,7 @@
 //!
 //! Coefficients stand by falling power of x, of y within that, and of z within that. A ray makes a polynomial in one
 //! variable of it by Horner's rule over lines instead of numbers, about the place nearest to the origin and in units of
-//! that distance or of the surface's own size, whichever is larger: `u`. All roots with `|u| < 1` are sign changes of
+//! that distance or of the surface's own size, whichever is larger: `u`. All roots with `|u| <= 1` are sign changes of
 //! that polynomial, and those beyond sign changes of its reverse in `1/u` ([`sign_changes`]). Each is refined on the
 //! polynomial in space itself. Error bound: roots lie within the rounding of the terms over the slope, for a torus written
 //! as a quartic 2 roundings of the problem's size (`shape/roundings.rs`). `sturm` is accepted and changes nothing; there is one solver.

@@ -209,3 +209,55 @@ fn nothing_but_zeros_is_solid_and_has_no_surface() {
     let (start, roots) = zero.0.crossings(&Ray::new(DVec3::ZERO, DVec3::X));
     assert!(start == Start::Inside && roots.is_empty());
 }
+
+#[test]
+fn roots_one_size_from_the_foot_of_the_perpendicular_are_found() {
+    let squares = |order, rest: f64| {
+        poly(
+            order,
+            &[
+                ([2, 0, 0], 1.0),
+                ([0, 2, 0], 1.0),
+                ([0, 0, 2], 1.0),
+                ([0, 0, 0], rest),
+            ],
+        )
+    };
+    for ball in [
+        squares(2, -1.0),
+        squares(3, -1.0),
+        squares(4, -1.0),
+        squares(2, -4.0),
+        squares(7, -4.0),
+    ] {
+        let radius = ball.0.size;
+        for way in [DVec3::Z, -DVec3::Z, 2.0 * DVec3::X, DVec3::NEG_Y] {
+            let (start, roots) = ball.0.crossings(&Ray::new(-4.0 * way.normalize(), way));
+            let expected = [4.0 - radius, 4.0 + radius].map(|t| t / way.length());
+            assert_eq!(start, Start::Outside);
+            assert_eq!(
+                roots.iter().map(|root| root.t).collect::<Vec<_>>(),
+                expected
+            );
+        }
+        // The ball's outside.
+        let hole = Poly(Arc::new(Polynomial::new(
+            ball.0.order,
+            ball.0.c.iter().map(|c| -c).collect(),
+        )));
+        let (start, roots) = hole.0.crossings(&Ray::new(-4.0 * DVec3::Z, DVec3::Z));
+        assert_eq!((start, roots.len()), (Start::Inside, 2));
+    }
+}
+
+#[test]
+fn a_plane_one_size_away_is_met_where_it_is() {
+    for (slope, rest) in [(1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)] {
+        let plane = poly(2, &[([0, 0, 1], slope), ([0, 0, 0], rest)]);
+        let (_, roots) = plane
+            .0
+            .crossings(&Ray::new(DVec3::new(0.0, 0.0, -4.0), DVec3::Z));
+        assert_eq!(roots.len(), 1);
+        assert_eq!(roots[0].t, 4.0 - rest / slope, "{slope} {rest}");
+    }
+}
