@@ -15,7 +15,8 @@
 //! What can be seen, and what lies inside, are two things in a combination (measured with POV-Ray): the inside is exact,
 //! but of the surface a ray shows no more than its first `max_trace` roots. The container is seen where a ray that
 //! comes from outside enters the solid through it, and there again as the first of the roots, `accuracy` behind; and
-//! where a ray that starts within it leaves the solid through it. Neither counts as a root.
+//! where a ray that starts within it leaves the solid through it, unless the function is zero there. Neither counts as a
+//! root.
 
 use super::container::{Container, End};
 use super::{Crossing, Geometry, Root, Start, read};
@@ -234,8 +235,10 @@ impl Solid {
         }
         if is_inside {
             let face = self.face(leave, Crossing::Leave);
+            // Where the surface itself lies in the container's, neither is seen from inside (measured with POV-Ray).
+            let is_seen = face.is_visible && !starts_outside && search.value(leave.0, 1.0) != 0.0;
             emit(Root {
-                is_visible: face.is_visible && !starts_outside,
+                is_visible: is_seen,
                 ..face
             });
         }
@@ -434,6 +437,32 @@ mod tests {
         assert_eq!(roots(&ball(false), origin, dir), closed);
         let open = [(2.0, enter, false), (4.0, leave, false)];
         assert_eq!(roots(&ball(true), origin, dir), open);
+    }
+
+    #[derive(Debug)]
+    struct Height;
+
+    impl function::Field for Height {
+        fn value(&self, point: DVec3) -> f64 {
+            point.y
+        }
+    }
+
+    #[test]
+    fn a_surface_in_a_face_of_its_container_is_not_seen_from_inside() {
+        let sea = |top: f64| {
+            let mut sea = ball(false);
+            let solid = Arc::make_mut(&mut sea.0);
+            solid.function = Arc::new(Function::of(Kind::Field(Arc::new(Height))));
+            solid.container = Container::Box {
+                low: DVec3::splat(-1.0),
+                high: DVec3::new(1.0, top, 1.0),
+            };
+            roots(&sea, DVec3::new(0.0, -0.5, 0.0), DVec3::Y)
+        };
+        assert_eq!(sea(0.0), [(0.5, Crossing::Leave, false)]);
+        assert_eq!(sea(-0.25), [(0.25, Crossing::Leave, true)]);
+        assert_eq!(sea(0.25), [(0.5, Crossing::Leave, true)]);
     }
 
     #[test]
