@@ -324,3 +324,32 @@ fn a_picture_without_time_is_a_whole_picture_all_the_same() {
         "with all the time the error holds: {apart}"
     );
 }
+
+#[test]
+fn a_cutter_flush_with_a_face_cuts_as_one_that_stands_out() {
+    let place = ["", "rotate <10, 20, 30>", "scale <1, .7, 1.3>"];
+    let of_boxes = [
+        "box { -1, 1 } box { <-.5, -.5, -.5>, <.5, TOP, .5> }",
+        "box { -1, 1 } box { <-.5, -TOP, -.5>, <.5, TOP, .5> }",
+        "box { -1, 1 } box { <-.5, -.5, -.5>, <0, TOP, .5> } box { <0, -.5, -.5>, <.5, TOP, .5> }",
+        "intersection { plane { y, 1 } box { -1, <1, 2, 1> } } box { <-.5, -.5, -.5>, <.5, TOP, .5> }",
+    ];
+    let all = of_boxes
+        .iter()
+        .flat_map(|parts| place.map(|place| (parts, place)));
+    for (parts, place) in all {
+        let with = |top: &str| {
+            let scene = "#version 3.7; global_settings { assumed_gamma 1 }
+                camera { location <1.5, 3, -5> look_at 0 angle 40 }
+                light_source { <4, 6, -6>, 1 } background { rgb <.2, .3, .5> }
+                difference { PARTS pigment { rgb <1, .5, .2> } PLACE }";
+            let parts = parts.replace("TOP", top);
+            drawn(
+                &scene.replace("PARTS", &parts).replace("PLACE", place),
+                &options(),
+            )
+        };
+        // Each pixel of the pit, its shadows too.
+        assert_eq!(with("1"), with("1.5"), "{parts} {place}");
+    }
+}
