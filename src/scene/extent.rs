@@ -6,7 +6,7 @@
 
 use super::{Attached, Kind, Object, Operation};
 use crate::math::{Bounds, Step, Transform};
-use crate::shape::{Geometry, Plane, Shape};
+use crate::shape::{Geometry, Plane, Quadric, Shape};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ impl Object {
     #[must_use]
     pub fn stored_box(&self) -> Stored {
         let bare = match &self.kind {
-            Kind::Shape(shape) => of_shape(shape, &self.steps),
+            Kind::Shape(shape) => self.of_shape(shape, &[]),
             Kind::Csg {
                 operation,
                 children,
@@ -78,21 +78,80 @@ impl Object {
             }
             Kind::Light { .. } => EVERYTHING,
         };
-        self.around()
-            .fold(bare, |bounds, attached| self.narrowed(bounds, attached))
+        let clipped = self.narrowed(bare, self.clipped_by());
+        self.narrowed(clipped, self.bounded_by())
     }
 
-    /// A clip or a bound takes the place of the box if its own box is smaller.
-    fn narrowed(&self, bounds: Stored, by: &Attached<Arc<Object>>) -> Stored {
-        let mut by_then = (*by.what).clone();
-        by_then.steps.extend_from_slice(&self.steps[by.after..]);
-        let other = by_then.stored_box();
-        if other.volume() < bounds.volume() {
-            other
+    /// What all clips or bounds that are not inverse share takes the place of the box if it is smaller.
+    fn narrowed(&self, bounds: Stored, by: &[Attached<Arc<Object>>]) -> Stored {
+        let shared = Stored::new(&shared(by, &self.steps));
+        if shared.volume() < bounds.volume() {
+            shared
         } else {
             bounds
         }
     }
+
+    /// The box once what holds the object has moved it: that of a combination is turned with it, while what clips or
+    /// bounds a shape counts no more.
+    fn moved_box(&self, by: &[Step]) -> Stored {
+        match &self.kind {
+            _ if by.is_empty() => self.stored_box(),
+            Kind::Shape(shape) => self.of_shape(shape, by),
+            _ => turned(self.stored_box(), by),
+        }
+    }
+
+    /// The box of the shape that the object is, after its own and more steps. What clips a quadric is known to it.
+    fn of_shape(&self, shape: &Shape, more: &[Step]) -> Stored {
+        if let Shape::Quadric(quadric) = shape
+            && let Some(kept) = self.clipped_quadric(quadric)
+        {
+            return turned(kept, more);
+        }
+        let steps: Vec<Step> = self.steps.iter().chain(more).cloned().collect();
+        of_shape(shape, &steps)
+    }
+
+    /// The box of a quadric as the last of its clips has left it that found it along the axes.
+    fn clipped_quadric(&self, quadric: &Quadric) -> Option<Stored> {
+        let clips = self.clipped_by();
+        let along = |steps: &[Step]| {
+            let is_along = |step: &Step| matches!(step, Step::Translate(_) | Step::Scale(_));
+            steps.iter().all(is_along)
+        };
+        let count = clips.partition_point(|clip| along(&self.steps[..clip.after]));
+        let last = clips[..count].last()?;
+        let (before, after) = self.steps.split_at(last.after);
+        let mut around = shared(&clips[..count], before);
+        for clip in &clips[..count] {
+            if let Kind::Shape(shape) = &clip.what.kind
+                && let Shape::Plane(plane) = &**shape
+            {
+                let steps = [&clip.what.steps[..], &before[clip.after..]].concat();
+                clip_at(&mut around, &moved(plane, &steps), clip.what.is_inverse);
+            }
+        }
+        let to_world = Transform::from_steps(before);
+        let mut kept = around;
+        if !before.is_empty() {
+            kept = kept.transformed(&to_world.object_from_world);
+        }
+        kept = quadric.known_limits(&kept);
+        if !before.is_empty() {
+            kept = kept.transformed(&to_world.world_from_object);
+        }
+        let is_known = kept.is_finite() && is_limited(&kept);
+        is_known.then(|| turned(Stored::new(&kept), after))
+    }
+}
+
+/// What the boxes of clips or bounds share that are not inverse, as they are after these steps of what they clip.
+fn shared(by: &[Attached<Arc<Object>>], steps: &[Step]) -> Bounds {
+    by.iter()
+        .filter(|held| !held.what.is_inverse)
+        .map(|held| held.what.moved_box(&steps[held.after..]).bounds())
+        .fold(EVERYTHING.bounds(), |sum, held| sum.intersection(&held))
 }
 
 fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
@@ -110,6 +169,11 @@ fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
     Stored::new(&bounds.transformed(&rest.world_from_object))
 }
 
+/// Whether a box has ends on all sides.
+pub(super) fn is_limited(bounds: &Bounds) -> bool {
+    (bounds.max - bounds.min).max_element() < UNBOUNDED
+}
+
 /// The box of an intersection or a difference before its own steps.
 fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
     let mut sum = EVERYTHING.bounds();
@@ -119,13 +183,12 @@ fn cut(operation: Operation, children: &[Arc<Object>]) -> Stored {
         if let Kind::Shape(shape) = &child.kind
             && let Shape::Plane(plane) = &**shape
         {
-            clip(&mut sum, &moved(plane, &child.steps), is_inverse);
-        } else if !is_inverse {
+            clip_at(&mut sum, &moved(plane, &child.steps), is_inverse);
+        } else if !is_inverse && !is_height_field(child) {
             sum = sum.intersection(&child.extent());
         }
     }
-    let is_open = (sum.max - sum.min).max_element() >= UNBOUNDED;
-    if is_open || sum.is_empty() {
+    if !is_limited(&sum) || sum.is_empty() {
         EVERYTHING
     } else {
         Stored::new(&sum)
@@ -144,8 +207,13 @@ fn moved(plane: &Plane, steps: &[Step]) -> Plane {
     }
 }
 
+/// Whether an object is one of those whose boxes count for nothing in an intersection or a difference.
+fn is_height_field(object: &Object) -> bool {
+    matches!(&object.kind, Kind::Shape(shape) if matches!(**shape, Shape::HeightField(_)))
+}
+
 /// Cuts a box at a plane along the axes; others do nothing.
-fn clip(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
+fn clip_at(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
     for axis in 0..3 {
         let across = (0..3).filter(|&other| other != axis);
         let is_along = across
@@ -165,9 +233,11 @@ fn clip(bounds: &mut Bounds, plane: &Plane, is_inverse: bool) {
 
 /// A box after each step in turn.
 fn turned(kept: Stored, steps: &[Step]) -> Stored {
+    if steps.is_empty() {
+        return kept;
+    }
     let bounds = kept.bounds();
-    let is_unbounded = (bounds.max - bounds.min).max_element() >= UNBOUNDED;
-    if is_unbounded || bounds.is_empty() {
+    if !is_limited(&bounds) || bounds.is_empty() {
         return EVERYTHING;
     }
     steps.iter().fold(kept, |kept, step| {

@@ -116,6 +116,10 @@ impl Geometry for Disc {
         Bounds::EVERYTHING
     }
 
+    fn reaches_out(&self) -> bool {
+        true
+    }
+
     fn held_box(&self) -> Option<(Bounds, DAffine3)> {
         let corner = DVec3::new(self.radius, self.radius, HALF_HEIGHT);
         let held = Bounds::new(-corner, corner);

@@ -336,6 +336,10 @@ impl Geometry for HeightField {
         Bounds::EVERYTHING
     }
 
+    fn reaches_out(&self) -> bool {
+        true
+    }
+
     fn absorb(&mut self, step: &Step) -> bool {
         *self.place = self.place.then(&step.transform());
         true

@@ -158,6 +158,11 @@ pub trait Geometry {
         self.bounds()
     }
 
+    /// Whether its inside reaches beyond the box around its surface.
+    fn reaches_out(&self) -> bool {
+        false
+    }
+
     /// Takes a transform into the shape's own numbers if the shape stays of its kind and POV-Ray does the same
     /// (a sphere under translation; a box under scaling). Says whether it did; if not, nothing has changed.
     /// With [`Geometry::loses_uv`], texture coordinates of the shape before the step are lost.
@@ -286,6 +291,9 @@ macro_rules! shapes {
             }
             fn solid_bounds(&self) -> Bounds {
                 match self { $(Shape::$name(shape) => shape.solid_bounds()),+ }
+            }
+            fn reaches_out(&self) -> bool {
+                match self { $(Shape::$name(shape) => shape.reaches_out()),+ }
             }
             fn absorb(&mut self, step: &Step) -> bool {
                 match self { $(Shape::$name(shape) => shape.absorb(step)),+ }

@@ -99,6 +99,40 @@ impl Quadric {
         limited
     }
 
+    /// The part of a box in which POV-Ray looks for the surface (measured): ellipsoids, elliptic cylinders and cones have
+    /// their own limits; hyperboloids of one sheet, those that they had if their waist were 1 wide; a paraboloid, those of its
+    /// image with the other sign of the constant. Of others it knows no more than the box.
+    #[must_use]
+    pub(crate) fn known_limits(&self, around: &Bounds) -> Bounds {
+        let squares = DVec3::from_array([0, 1, 2].map(|axis| self.matrix.col(axis)[axis]));
+        let sign = if squares.cmpgt(DVec3::ZERO).bitmask().count_ones() >= 2 {
+            1.0
+        } else {
+            -1.0
+        };
+        let squares = sign * squares;
+        let (own, third): (Vec<usize>, Vec<usize>) = (0..3).partition(|&axis| squares[axis] > 0.0);
+        let own_size = |axis: &usize| self.linear[*axis].powi(2) / (4.0 * squares[*axis]);
+        let centre: f64 = own.iter().map(own_size).sum();
+        let constant = sign * self.constant;
+        let constant = match (&own[..], &third[..]) {
+            ([_, _, _], []) if constant < centre => constant,
+            ([_, _], &[axis]) => match (squares[axis] < 0.0, self.linear[axis] == 0.0) {
+                (false, true) if constant < centre => constant,
+                (false, false) if centre == 0.0 => -constant,
+                (true, true) if constant == centre => constant,
+                (true, true) if constant < centre => centre - 1.0,
+                _ => return *around,
+            },
+            _ => return *around,
+        };
+        let known = Quadric {
+            constant: sign * constant,
+            ..self.clone()
+        };
+        known.limited(around, sign < 0.0)
+    }
+
     fn value(&self, p: DVec3) -> f64 {
         self.at(p).value
     }
@@ -327,11 +361,15 @@ impl Geometry for Quadric {
     }
 
     fn solid_bounds(&self) -> Bounds {
-        if self.matrix.x_axis.x < 0.0 {
+        if self.reaches_out() {
             Bounds::EVERYTHING
         } else {
             self.bounds()
         }
+    }
+
+    fn reaches_out(&self) -> bool {
+        self.matrix.x_axis.x < 0.0
     }
 
     fn absorb(&mut self, _: &Step) -> bool {
