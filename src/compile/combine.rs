@@ -6,6 +6,7 @@ use super::leaf::{Extent, Leaf};
 use super::limits::{Factors, limited};
 use super::looks::{Heritage, Place, joined};
 use super::model::Part;
+use super::seen_in::{holds, seen_in};
 use crate::math::Bounds;
 use crate::scene::{Kind, Object, Operation};
 use crate::shape::Geometry;
@@ -34,7 +35,13 @@ impl Around {
 
 impl Flat {
     pub(super) fn add_program(&mut self, object: &Object, above: &Heritage) {
-        let (program, around) = self.program(object, above);
+        let (mut program, around) = self.program(object, above);
+        if let Some(seen_in) = seen_in(object, above)
+            && !holds(&seen_in, &around.shown)
+        {
+            let gate = self.gate(&program, seen_in);
+            program.gates.push(gate);
+        }
         // POV-Ray asks only what has the camera in its box whether it lies inside; questions for insides ask all.
         let bounds = if self.asks_insides {
             around.solid
@@ -169,6 +176,7 @@ impl Flat {
                 let (surface, absorb) = self.surface_of(shape, below);
                 let place = (below.steps.as_ref(), absorb);
                 let (leaf, bounds) = Leaf::new((**shape).clone(), place, surface, Extent::Solid);
+                let shown = leaf.surface_bounds(&bounds);
                 self.parts.leaves.push(leaf);
                 self.operand_bounds.push(bounds);
                 program.nodes[parent as usize].children += 1;
@@ -182,10 +190,7 @@ impl Flat {
                 } else {
                     bounds
                 };
-                Around {
-                    shown: bounds,
-                    solid,
-                }
+                Around { shown, solid }
             }
             Kind::Csg {
                 operation,

@@ -97,6 +97,18 @@ impl Leaf {
         )
     }
 
+    /// Bounds of its surface, given those of the solid.
+    pub(super) fn surface_bounds(&self, solid: &Bounds) -> Bounds {
+        if !self.shape.reaches_out() {
+            return *solid;
+        }
+        let bounds = self.shape.bounds();
+        match &self.object_from_world {
+            None => bounds,
+            Some(matrix) => bounds.transformed(&matrix.inverse()),
+        }
+    }
+
     /// A world ray in the space of the shape: itself, or one in `room`. What is only read is not copied: a vector that was
     /// just written as one pair of numbers and a single is slow to read as a single and a pair.
     #[inline(always)]

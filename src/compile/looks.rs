@@ -35,6 +35,8 @@ pub(super) struct Heritage {
     pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
+    /// Whether a union above was moved after its parts were complete, so that shapes are not seen within boxes.
+    pub(super) is_moved: bool,
     /// Where what has no texture takes one from, in a combination with `cutaway_textures`.
     pub(super) cutaway: Option<Arc<Cutaway>>,
     /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
@@ -126,6 +128,7 @@ impl Flat {
                 slot: slots.object(object, above),
                 steps: joined(&object.steps, &above.steps),
                 flags: handed_down(object, above),
+                is_moved: above.is_moved || object.moves_parts(),
                 ..Heritage::default()
             };
         }
@@ -168,6 +171,7 @@ impl Flat {
             place: Place::Alone,
             says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
+            is_moved: above.is_moved || object.moves_parts(),
             cutaway: above.cutaway.clone(),
             slot: 0,
         }

@@ -32,6 +32,7 @@ mod query;
 mod rays;
 mod row;
 mod search;
+mod seen_in;
 mod shadow;
 mod share;
 mod simplify;

@@ -242,7 +242,11 @@ impl Flat {
         let keeps_uv_around = std::mem::replace(&mut self.keeps_uv, keeps_uv);
         let around = std::mem::take(&mut self.parts);
         let slots_around = self.slots.replace(Slots::new());
-        let nothing = Heritage::default();
+        // The copies are in different places.
+        let nothing = Heritage {
+            is_moved: true,
+            ..Heritage::default()
+        };
         for child in &**children {
             self.add_below(child, &nothing);
         }

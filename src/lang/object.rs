@@ -192,6 +192,7 @@ impl Reader<'_> {
     pub(super) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
         loop {
             if self.take_close()? {
+                object.find_boxes();
                 return self.check_sides(object);
             }
             if let Some(step) = transform_step(self)? {

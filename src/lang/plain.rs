@@ -269,5 +269,6 @@ fn modified<A: Args>(mut object: Object, args: &mut A, default: &Layer) -> Parse
         }
     }
     object.steps.shrink_to_fit();
+    object.find_boxes();
     Ok(Some(Read::Object(object)))
 }

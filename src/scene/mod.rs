@@ -8,6 +8,7 @@ mod moved;
 mod object;
 mod objects;
 mod scaled;
+mod seen_in;
 
 pub use extent::Stored;
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};

@@ -97,7 +97,10 @@ impl Object {
     /// Adds a translation; the last ones become one with it, whose sum is rounded once.
     fn move_by(&mut self, by: DVec3) {
         let textures = self.textures().map(|texture| texture.after);
-        let taken = textures.chain(self.around().map(|held| held.after));
+        let boxes = self.seen_in().map(|bounds| bounds.after);
+        let taken = textures
+            .chain(self.around().map(|held| held.after))
+            .chain(boxes);
         let kept = taken.max().unwrap_or(0);
         let (mut sum, mut rest) = (by, DVec3::ZERO);
         while self.steps.len() > kept

@@ -2,7 +2,7 @@
 
 use crate::interior::Interior;
 use crate::light::{Light, ObjectPhotons};
-use crate::math::Step;
+use crate::math::{Bounds, Step};
 use crate::shape::{Geometry, Shape, Skin};
 use crate::texture::Texture;
 use std::num::NonZeroU64;
@@ -43,6 +43,8 @@ struct Rare {
     photons: Option<ObjectPhotons>,
     clipped_by: Vec<Attached<Arc<Object>>>,
     bounded_by: Vec<Attached<Arc<Object>>>,
+    seen_in: Option<Attached<Bounds>>,
+    moves_parts: bool,
 }
 
 /// How much an object holds. Sharing hides it: forty unions that each hold the one before twice are forty objects,
@@ -59,6 +61,8 @@ pub struct Size {
     pub uses_uv: bool,
     /// Whether it or something in it says `cutaway_textures`.
     pub has_cutaways: bool,
+    /// Whether there are shapes in it whose insides reach beyond the boxes around their surfaces.
+    pub reaches_out: bool,
     /// Combinations inside each other, without those that say no more than the one around them would say of their
     /// parts: differences whose first part is a difference, unions of unions.
     pub turns: u32,
@@ -188,6 +192,7 @@ impl Object {
             has_lights: matches!(kind, Kind::Light { .. }),
             uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(Skin::uses_uv)),
             has_cutaways: false,
+            reaches_out: matches!(&kind, Kind::Shape(shape) if shape.reaches_out()),
             turns: 0,
         };
         let size = match &kind {
@@ -264,6 +269,25 @@ impl Object {
     #[must_use]
     pub fn bounded_by(&self) -> &[Attached<Arc<Object>>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.bounded_by)
+    }
+
+    /// The box that rays must meet to see anything of it, where more than that box holds would show.
+    pub(crate) fn seen_in(&self) -> Option<&Attached<Bounds>> {
+        self.rare.as_ref()?.seen_in.as_ref()
+    }
+
+    /// Whether it moves parts that are seen within boxes, if it is taken apart.
+    pub(crate) fn moves_parts(&self) -> bool {
+        self.rare.as_ref().is_some_and(|rare| rare.moves_parts)
+    }
+
+    /// Notes both of them; or that there is neither.
+    pub(super) fn note_boxes(&mut self, seen_in: Option<Bounds>, moves_parts: bool) {
+        if self.rare.is_some() || seen_in.is_some() || moves_parts {
+            let seen_in = seen_in.map(|bounds| self.attach(bounds));
+            let rare = self.rare.get_or_insert_default();
+            (rare.seen_in, rare.moves_parts) = (seen_in, moves_parts);
+        }
     }
 
     /// What it is clipped and bounded by.
@@ -495,6 +519,7 @@ impl Size {
             has_lights: self.has_lights || inner.has_lights,
             uses_uv: self.uses_uv || inner.uses_uv,
             has_cutaways: self.has_cutaways || inner.has_cutaways,
+            reaches_out: self.reaches_out || inner.reaches_out,
         }
     }
 }
@@ -531,6 +556,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
+            reaches_out: false,
             turns: 0,
         };
         assert_eq!(doubled.size(), size);
@@ -551,6 +577,7 @@ mod tests {
             has_lights: true,
             uses_uv: false,
             has_cutaways: false,
+            reaches_out: false,
             turns: 1,
         };
         assert_eq!(object.size(), size);
