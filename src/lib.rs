@@ -65,7 +65,9 @@ use compile::World;
 use encoding::EncodeOptions;
 use glam::DVec3;
 use lang::{Heard, Lexicon, Texts};
-use options::{Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling};
+use options::{
+    Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling, Writes,
+};
 use render::{Found, Unfinished};
 use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};
@@ -284,14 +286,19 @@ fn forget(world: World) {
         .spawn(move || drop(world));
 }
 
-/// Reads a scene and draws nothing. All that can be wrong in a scene is found by reading: compiling cannot fail.
+/// Reads a scene, draws nothing, and changes no file. All that can be wrong in a scene is found by reading: compiling
+/// cannot fail.
 ///
 /// # Errors
 /// When the scene could not be drawn.
 pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
     with_deep_stack(listen, || {
+        let read = ReadOptions {
+            writes: Writes::InMemory,
+            ..read.clone()
+        };
         let render = RenderOptions::default();
-        read_scene(input, read, &render, listen, None).map(drop)
+        read_scene(input, &read, &render, listen, None).map(drop)
     })
 }
 

@@ -63,6 +63,8 @@ pub struct ReadOptions {
     pub library_paths: Vec<PathBuf>,
     /// Folders into which and below which a scene may write files; none lets it write nothing.
     pub writable: Vec<PathBuf>,
+    /// The destination of the files that a scene writes.
+    pub writes: Writes,
     /// Names declared before the scene is read.
     pub declares: Vec<(String, f64)>,
     /// The language version in force at the start; `None` leaves it to the scene.
@@ -95,6 +97,16 @@ pub struct ReadOptions {
     pub memory: Option<u64>,
     /// Ends reading.
     pub stop: Stop,
+}
+
+/// The destination of the files that a scene writes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Writes {
+    /// To disk.
+    #[default]
+    ToDisk,
+    /// Nowhere: the scene finds them in memory, and nothing changes on disk.
+    InMemory,
 }
 
 /// A wish that reading and drawing end before they are done; its copies are one wish.
@@ -407,6 +419,7 @@ impl Default for ReadOptions {
         ReadOptions {
             library_paths: Vec::new(),
             writable: Vec::new(),
+            writes: Writes::default(),
             declares: Vec::new(),
             version: None,
             include_header: None,

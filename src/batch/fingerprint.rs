@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::Picture;
-use crate::source::Dependency;
+use crate::source::{Dependency, read_regular};
 
 /// What a picture was made of.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -99,7 +99,7 @@ impl Fingerprints {
             && record.files.iter().all(|(path, fingerprint)| {
                 self.of_file(path).is_ok_and(|found| found == *fingerprint)
             })
-            && fs::read(place).is_ok_and(|bytes| of_bytes(&bytes) == record.made)
+            && read_regular(place).is_ok_and(|bytes| of_bytes(&bytes) == record.made)
     }
 
     /// Of all that a picture depends on beside files.
@@ -132,7 +132,7 @@ impl Fingerprints {
         }
         let known = Known {
             state,
-            fingerprint: of_bytes(&fs::read(path)?),
+            fingerprint: of_bytes(&read_regular(path)?),
         };
         let fingerprint = known.fingerprint.clone();
         self.lock().insert(path.to_owned(), known);

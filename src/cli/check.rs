@@ -1,4 +1,5 @@
-//! `povr check`: reads scenes to their end and says what is wrong with them, without drawing.
+//! `povr check`: reads scenes to their end and says what is wrong with them, without drawing and without writing files:
+//! what scenes write, they find in memory.
 //!
 //! Findings and counts go to standard output, for they are what the command is for; what scenes write by `#debug` goes
 //! to standard error. Exit code 0: every scene could be drawn; 1: some could not; 2: the command line is at fault.
@@ -34,7 +35,8 @@ pub(super) const COMMAND: Command = Command {
     name = "povr check",
     override_usage = "povr check [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE|FOLDER|-...",
     after_help = "\
-In a folder every .pov file is read, and those of the folders inside. `-` is standard input.
+In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
+that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
 Exit code 0: all scenes are right; 1: some are not; 2: the command line is not.
 With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type`

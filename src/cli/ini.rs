@@ -3,12 +3,12 @@
 //! What stands before the first `[section]` always counts, what stands in a section only if the file was named with
 //! it, `file.ini[section]`. `;` begins a comment, and `#` at the start of a word.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::error::CliError;
 use super::typed::Typed;
 use super::words;
+use crate::source::read_regular;
 
 /// Files may name further files, so many deep.
 const DEEPEST: usize = 16;
@@ -51,7 +51,7 @@ impl<'a> Reader<'a> {
                 file.display()
             )));
         }
-        let bytes = fs::read(file)
+        let bytes = read_regular(file)
             .map_err(|error| CliError::new(format!("cannot read `{}`: {error}", file.display())))?;
         self.depth += 1;
         let read = self.read_text(&String::from_utf8_lossy(&bytes), file, section);

@@ -8,16 +8,13 @@
 
 use super::data_file::DataFile;
 use super::limits;
+use super::output_file::Output;
 use super::reader::Reader;
 use super::strings::general;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
-use crate::output::Pending;
-use crate::source::{Code, Diagnostic, Span};
+use crate::source::{Diagnostic, Span};
 use crate::syntax::Symbol;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
 
 /// The files of a run, by the handles that identifiers hold.
 #[derive(Debug, Default)]
@@ -38,59 +35,6 @@ impl Files {
 enum OpenFile {
     Read(DataFile),
     Write(Box<Output>),
-}
-
-/// A file that is written to.
-#[derive(Debug)]
-struct Output {
-    name: String,
-    path: PathBuf,
-    to: To,
-}
-
-/// Where the bytes go: to a file that has not its name yet, or to one that has.
-#[derive(Debug)]
-enum To {
-    Pending(BufWriter<Pending>),
-    Named(BufWriter<File>),
-}
-
-impl Output {
-    fn new(name: String, mode: Word) -> io::Result<Self> {
-        let path = PathBuf::from(&name);
-        if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
-            return Err(io::Error::other("it is no plain file"));
-        }
-        let to = if mode == Word::Append {
-            let file = File::options().append(true).create(true).open(&path)?;
-            To::Named(BufWriter::new(file))
-        } else {
-            To::Pending(BufWriter::new(Pending::new(&path)?))
-        };
-        Ok(Output { name, path, to })
-    }
-
-    fn write(&mut self, text: &str) -> io::Result<()> {
-        match &mut self.to {
-            To::Pending(file) => file.write_all(text.as_bytes()),
-            To::Named(file) => file.write_all(text.as_bytes()),
-        }
-    }
-
-    /// Makes everything written so far visible under the file's name.
-    fn publish(self) -> io::Result<Self> {
-        let to = match self.to {
-            To::Pending(file) => {
-                let pending = file.into_inner().map_err(io::IntoInnerError::into_error)?;
-                To::Named(BufWriter::new(pending.take_name()?))
-            }
-            To::Named(mut file) => {
-                file.flush()?;
-                To::Named(file)
-            }
-        };
-        Ok(Output { to, ..self })
-    }
 }
 
 impl Reader<'_> {
@@ -150,62 +94,6 @@ impl Reader<'_> {
         Ok(DataFile::new(name.to_owned(), self.tokens_of(file)?))
     }
 
-    fn open_output(&mut self, name: String, mode: Word, span: Span) -> Parse<Output> {
-        if !self.may_write(Path::new(&name)) {
-            let allowed = &self.options.writable;
-            let hint = match allowed.as_slice() {
-                [] => "This run lets scenes write no files.".to_owned(),
-                some => format!(
-                    "A scene may write into {} and folders in it.",
-                    folders(some)
-                ),
-            };
-            let message = format!("this scene may not write to `{name}`");
-            let mut error = Diagnostic::error(span, message);
-            if allowed.is_empty() {
-                // Whoever lets no scene write may draw it again and let it: what follows is of no use.
-                error.code = Some(Code::WritesFiles);
-                self.is_over = true;
-            }
-            return Err(self.with_trace(error.with_hint(hint)));
-        }
-        Output::new(name.clone(), mode).map_err(|error| self.not_written(&name, &error, span))
-    }
-
-    /// Whether a file lies in a folder that scenes may write to, links and `..` resolved.
-    fn may_write(&self, path: &Path) -> bool {
-        let place = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
-            let folder = match path.parent() {
-                Some(folder) if !folder.as_os_str().is_empty() => folder,
-                _ => Path::new("."),
-            };
-            // A link to a file that is not there yet has a name, and so could lead anywhere.
-            if fs::symlink_metadata(path).is_ok() {
-                return Err(io::ErrorKind::InvalidInput.into());
-            }
-            match path.file_name() {
-                Some(name) => Ok(fs::canonicalize(folder)?.join(name)),
-                None => Err(io::ErrorKind::InvalidInput.into()),
-            }
-        });
-        // In a folder that is not there, opening tells what is wrong.
-        let place = match place {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => path
-                .ancestors()
-                .find_map(|folder| fs::canonicalize(folder).ok())
-                .or_else(|| fs::canonicalize(".").ok()),
-            place => place.ok(),
-        };
-        let Some(place) = place else { return false };
-        let mut allowed = self.options.writable.iter();
-        allowed.any(|folder| fs::canonicalize(folder).is_ok_and(|folder| place.starts_with(folder)))
-    }
-
-    fn not_written(&self, name: &str, error: &io::Error, span: Span) -> Box<Diagnostic> {
-        let message = format!("cannot write `{name}`: {error}");
-        self.with_trace(Diagnostic::error(span, message))
-    }
-
     /// Makes all that the scene has written visible, before it looks for any file.
     pub(super) fn publish_files(&mut self, span: Span) -> Parse<()> {
         for handle in 0..self.files.all.len() {
@@ -222,11 +110,8 @@ impl Reader<'_> {
             return Ok(None);
         };
         let name = output.name.clone();
-        match output.publish() {
-            Ok(output) => {
-                self.sources.wrote(&output.path);
-                Ok(Some(output))
-            }
+        match output.publish(self.sources) {
+            Ok(output) => Ok(Some(output)),
             Err(error) => Err(self.not_written(&name, &error, span)),
         }
     }
@@ -313,6 +198,10 @@ impl Reader<'_> {
             let message = format!("a scene writes at most {} bytes", limits::WRITTEN);
             return Err(self.with_trace(Diagnostic::error(span, message)));
         }
+        let open = self.files.all.get(handle);
+        if matches!(open, Some(Some(OpenFile::Write(output))) if output.is_in_memory()) {
+            self.take_memory(text.len() as u64, span)?;
+        }
         let result = match self.files.all.get_mut(handle) {
             Some(Some(OpenFile::Write(output))) => {
                 let done = output.write(text);
@@ -387,17 +276,4 @@ fn written(number: &Number) -> String {
         .map(|&part| general(part))
         .collect();
     format!("<{}> ", parts.join(","))
-}
-
-/// `a`, `a` and `b`.
-fn folders(some: &[PathBuf]) -> String {
-    let named = |folder: &PathBuf| {
-        if folder.as_os_str().is_empty() || folder == Path::new(".") {
-            "the current folder".to_owned()
-        } else {
-            format!("`{}`", folder.display())
-        }
-    };
-    let all: Vec<String> = some.iter().map(named).collect();
-    all.join(" and ")
 }

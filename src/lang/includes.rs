@@ -50,7 +50,7 @@ impl Reader<'_> {
         let from = self.here_span();
         let entered = self
             .sources
-            .load_file(header)
+            .load_regular(header)
             .and_then(|file| self.enter_file(file, from));
         if let Err(error) = entered {
             self.record(*error);

@@ -38,6 +38,7 @@ mod loops;
 mod macros;
 mod missing;
 mod object;
+mod output_file;
 mod parts;
 mod plain;
 mod probe;

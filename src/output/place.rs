@@ -1,5 +1,6 @@
 //! Bytes to a file, whole or not at all: a temporary file in the same folder takes them, then takes the name.
 
+use crate::source::only_regular;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -34,6 +35,37 @@ pub(super) fn replace_by<E: From<io::Error>>(
     Ok(())
 }
 
+/// Refuses a file that could not be written anew.
+///
+/// # Errors
+/// What stands in the way.
+pub(crate) fn try_to_write(path: &Path) -> io::Result<()> {
+    only_regular(path)?;
+    may_be_written(&folder_of(path).join("."))
+}
+
+/// Refuses a file that could not be appended to.
+///
+/// # Errors
+/// What stands in the way.
+pub(crate) fn try_to_append(path: &Path) -> io::Result<()> {
+    if !path.exists() {
+        return try_to_write(path);
+    }
+    only_regular(path)?;
+    may_be_written(path)
+}
+
+#[cfg(unix)]
+fn may_be_written(path: &Path) -> io::Result<()> {
+    Ok(rustix::fs::access(path, rustix::fs::Access::WRITE_OK)?)
+}
+
+#[cfg(not(unix))]
+fn may_be_written(path: &Path) -> io::Result<()> {
+    fs::metadata(path).map(drop)
+}
+
 /// A file that is being written and has not its name yet; dropped, it leaves nothing.
 #[derive(Debug)]
 pub(crate) struct Pending {
@@ -48,7 +80,10 @@ impl Pending {
         let mut builder = tempfile::Builder::new();
         builder.prefix(".povr-").suffix(".part");
         open_to_others(&mut builder);
-        let file = builder.tempfile_in(folder_of(&place))?;
+        let folder = folder_of(&place);
+        // What the folder refuses is said without the name of the temporary file, which means nothing to anybody.
+        let refused = |error| may_be_written(&folder.join(".")).err().unwrap_or(error);
+        let file = builder.tempfile_in(&folder).map_err(refused)?;
         if let Ok(found) = fs::metadata(&place) {
             file.as_file().set_permissions(found.permissions())?;
         }

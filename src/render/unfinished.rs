@@ -7,6 +7,7 @@
 
 use crate::film::Pixel;
 use crate::options::Keep;
+use crate::source::open_regular;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -159,10 +160,7 @@ fn begin(keep: &Keep, key: u64, waiting: &[u8]) -> Growing {
 
 /// Opens a file of this key at the end of its last whole record; `None` if it is of another.
 fn go_on(keep: &Keep, key: u64, size: (u32, u32)) -> io::Result<Option<(File, Vec<Piece>)>> {
-    let mut file = OpenOptions::new()
-        .read(true)
-        .append(true)
-        .open(&keep.file)?;
+    let mut file = open_regular(&keep.file, OpenOptions::new().read(true).append(true))?;
     let mut bytes = Vec::new();
     // A record for every pixel is the longest that this picture can have.
     let most = u64::from(size.0) * u64::from(size.1) * (HEAD + PIXEL + ERROR + CHECKSUM) as u64;

@@ -1,9 +1,11 @@
 //! Files that a scene names and that are no text: pictures, fonts.
 
-use super::files::read_limited;
+use super::read::Named;
+use super::regular::refusal;
 use super::search::not_found;
+use super::written::place_of;
 use super::{Diagnostic, FileId, Sources};
-use std::fs;
+use std::io;
 use std::sync::Arc;
 
 impl Sources {
@@ -25,20 +27,16 @@ impl Sources {
             return Err(Box::new(not_found(what, name, &folders)));
         };
         self.note(&path, true);
-        let cannot_read = |why: &dyn std::fmt::Display| {
-            let name = path.display();
-            Box::new(Diagnostic::error(
-                None,
-                format!("cannot read `{name}`: {why}"),
-            ))
-        };
-        let canonical = fs::canonicalize(&path).map_err(|error| cannot_read(&error))?;
-        if let Some(bytes) = self.data.get(&canonical) {
+        let name = path.display();
+        let cannot_read = |error| Box::new(refusal("read", &name, &error));
+        let place = place_of(&path).map_err(cannot_read)?;
+        if let Some(bytes) = self.data.get(&place) {
             return Ok(Arc::clone(bytes));
         }
-        let bytes = read_limited(&path).map_err(|error| cannot_read(&error))?;
-        let bytes: Arc<[u8]> = bytes.ok_or_else(|| cannot_read(&"it is too large"))?.into();
-        self.data.insert(canonical, Arc::clone(&bytes));
+        let bytes = self.bytes_of(&path, Named::ByScene).map_err(cannot_read)?;
+        let bytes = bytes.ok_or_else(|| cannot_read(io::Error::other("it is too large")))?;
+        let bytes: Arc<[u8]> = bytes.into();
+        self.data.insert(place, Arc::clone(&bytes));
         Ok(bytes)
     }
 }
@@ -46,6 +44,7 @@ impl Sources {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn a_file_is_found_with_its_ending_or_without_and_read_once() {

@@ -3,7 +3,6 @@
 use super::search::places;
 use super::{FileId, Sources};
 use rustc_hash::FxHashSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A file whose content or whose presence matters to the picture.
@@ -40,8 +39,7 @@ impl Sources {
         let mut found = self.own_file(name);
         let is_own = found.is_some();
         for place in places(name, folders, endings).take_while(|_| !is_own) {
-            // A folder may have the name of a file; a pipe is a file here.
-            if fs::metadata(&place).is_ok_and(|found| !found.is_dir()) {
+            if self.is_file(&place) {
                 found = Some(place);
                 break;
             }
@@ -58,9 +56,7 @@ impl Sources {
         if self.asked.known.contains(&dependency) {
             return;
         }
-        let is_own = !self.written.is_empty()
-            && fs::canonicalize(path).is_ok_and(|path| self.written.contains(&path));
-        if !is_own {
+        if !self.has_written(path) {
             self.asked.known.insert(dependency.clone());
             self.asked.all.push(dependency);
         }
@@ -84,6 +80,7 @@ impl Sources {
     #[must_use]
     pub fn for_another_run(mut self) -> Self {
         let written = std::mem::take(&mut self.written);
+        self.held.clear();
         self.by_path.retain(|path, _| !written.contains(path));
         self.data.retain(|path, _| !written.contains(path));
         self.asked = Asked::default();

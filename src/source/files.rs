@@ -4,21 +4,16 @@
 //! other bytes as Latin-1. All offsets count bytes of that text.
 
 use super::dependency::Asked;
+use super::read::{MAX_FILE_BYTES, MAX_STREAM_BYTES, Named, read_limited};
+use super::regular;
 use super::search::{INCLUDES, not_found};
 use super::text::decode;
+use super::written::{HeldFile, place_of};
 use super::{Diagnostic, FileId, Span};
-use rayon::prelude::*;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
-
-/// Files of more bytes are refused. Twice as many still have 32-bit offsets, if all of them are Latin-1.
-pub const MAX_FILE_BYTES: u64 = 1 << 31;
-
-/// What comes out of a pipe or a device is refused if it has more bytes: `/dev/zero` has no end.
-const MAX_STREAM_BYTES: u64 = 1 << 28;
 
 /// Include files of more bytes hold data and are not searched for names.
 const SMALL_FILE_BYTES: u64 = 1 << 20;
@@ -31,6 +26,8 @@ pub struct Sources {
     pub(super) by_path: FxHashMap<PathBuf, FileId>,
     /// Files that the scene wrote itself.
     pub(super) written: FxHashSet<PathBuf>,
+    /// Those of them that are on no disk, by their paths.
+    pub(super) held: FxHashMap<PathBuf, HeldFile>,
     pub(super) asked: Asked,
     /// Files that an earlier run has read and this one has not asked for.
     pub(super) of_earlier_run: FxHashSet<FileId>,
@@ -59,27 +56,33 @@ impl Sources {
         }
     }
 
-    /// The text of a file, read now unless it has been read before.
+    /// The text of a file that the user names, read now unless it has been read before. It may be a pipe.
     ///
     /// # Errors
     /// When the file cannot be read or has more than [`MAX_FILE_BYTES`]; the finding has no place yet.
     pub fn load_file(&mut self, path: impl AsRef<Path>) -> Result<FileId, Box<Diagnostic>> {
-        let path = path.as_ref();
+        self.load(path.as_ref(), Named::ByUser)
+    }
+
+    /// The same of a file that a scene, or a file of settings beside it, may have named: a regular one.
+    ///
+    /// # Errors
+    /// As [`Sources::load_file`], and when the file is not a regular one.
+    pub(crate) fn load_regular(&mut self, path: &Path) -> Result<FileId, Box<Diagnostic>> {
+        self.load(path, Named::ByScene)
+    }
+
+    fn load(&mut self, path: &Path, named: Named) -> Result<FileId, Box<Diagnostic>> {
         let name = path.display();
-        let cannot_read = |error: io::Error| {
-            Box::new(Diagnostic::error(
-                None,
-                format!("cannot read `{name}`: {error}"),
-            ))
-        };
-        let canonical = fs::canonicalize(path).map_err(cannot_read)?;
-        if let Some(&file) = self.by_path.get(&canonical) {
+        let cannot_read = |error| Box::new(regular::refusal("read", &name, &error));
+        let place = place_of(path).map_err(cannot_read)?;
+        if let Some(&file) = self.by_path.get(&place) {
             if self.of_earlier_run.remove(&file) {
                 self.note(path, true);
             }
             return Ok(file);
         }
-        let Some(bytes) = read_limited(path).map_err(cannot_read)? else {
+        let Some(bytes) = self.bytes_of(path, named).map_err(cannot_read)? else {
             let (file, stream) = (MAX_FILE_BYTES >> 30, MAX_STREAM_BYTES >> 20);
             let message = format!(
                 "`{name}` is too large: a scene file may have {file} GiB, a pipe or device {stream} MiB"
@@ -88,7 +91,7 @@ impl Sources {
         };
         self.note(path, true);
         let id = self.push(name.to_string(), Some(path.to_owned()), bytes);
-        self.by_path.insert(canonical, id);
+        self.by_path.insert(place, id);
         Ok(id)
     }
 
@@ -146,7 +149,7 @@ impl Sources {
     ) -> Result<FileId, Box<Diagnostic>> {
         let folders = self.folders(from);
         match self.search(name, &folders, endings) {
-            Some(path) => self.load_file(path),
+            Some(path) => self.load_regular(&path),
             None => Err(Box::new(not_found(what, name, &folders))),
         }
     }
@@ -160,24 +163,6 @@ impl Sources {
             self.note(path, true);
         }
         found.is_some()
-    }
-
-    /// Says that the scene itself has written this file: it is read anew, comes before others of its name, and the
-    /// picture does not depend on what it held before.
-    pub fn wrote(&mut self, path: &Path) {
-        if let Ok(path) = fs::canonicalize(path) {
-            self.by_path.remove(&path);
-            self.written.insert(path);
-        }
-    }
-
-    /// The file of this name, seen from the current folder, if the scene wrote it itself.
-    pub(super) fn own_file(&self, name: &str) -> Option<PathBuf> {
-        if self.written.is_empty() {
-            return None;
-        }
-        let path = fs::canonicalize(name).ok()?;
-        self.written.contains(&path).then(|| PathBuf::from(name))
     }
 
     /// The include file of the library that declares a name, if one of the first `most` files does.
@@ -197,7 +182,10 @@ impl Sources {
         files.sort();
         files.truncate(most);
         files.iter().find_map(|path| {
-            let bytes = read_limited(path).ok().flatten().unwrap_or_default();
+            let bytes = read_limited(path, Named::ByScene)
+                .ok()
+                .flatten()
+                .unwrap_or_default();
             Some(Declared {
                 kind: declares(&String::from_utf8_lossy(&bytes), name)?,
                 file: path.file_name()?.to_string_lossy().into_owned(),
@@ -330,53 +318,6 @@ fn declares(text: &str, name: &str) -> Option<String> {
                 .collect(),
         )
     })
-}
-
-/// Each thread copies so many bytes of a large file at a time.
-const PART: usize = 1 << 20;
-
-/// The bytes of a file; `None` for more than [`MAX_FILE_BYTES`], or more than [`MAX_STREAM_BYTES`] of what is no file.
-pub(super) fn read_limited(path: &Path) -> io::Result<Option<Vec<u8>>> {
-    let file = File::open(path)?;
-    let about = file.metadata()?;
-    if about.len() > MAX_FILE_BYTES {
-        return Ok(None);
-    }
-    let most = if about.is_file() {
-        MAX_FILE_BYTES
-    } else {
-        MAX_STREAM_BYTES
-    };
-    if about.is_file()
-        && let Some(bytes) = read_by_all(&file, about.len())
-    {
-        return Ok(Some(bytes));
-    }
-    // A pipe does not tell its length beforehand.
-    let mut bytes = Vec::new();
-    let mut limited = file.take(most + 1);
-    limited.read_to_end(&mut bytes)?;
-    Ok((limited.limit() > 0).then_some(bytes))
-}
-
-/// The bytes of a large file, copied by several threads; `None` if that does not work, or is not worth while.
-#[cfg(unix)]
-fn read_by_all(file: &File, len: u64) -> Option<Vec<u8>> {
-    use std::os::unix::fs::FileExt;
-    let len = usize::try_from(len).ok().filter(|len| *len >= 2 * PART)?;
-    let mut bytes = vec![0; len];
-    let parts = bytes.par_chunks_mut(PART).enumerate();
-    parts
-        .map(|(number, part)| file.read_exact_at(part, (number * PART) as u64))
-        .collect::<io::Result<()>>()
-        .ok()?;
-    Some(bytes)
-}
-
-/// Elsewhere by one thread.
-#[cfg(not(unix))]
-fn read_by_all(_: &File, _: u64) -> Option<Vec<u8>> {
-    None
 }
 
 /// A line ends with a line feed, a carriage return, or both.

@@ -7,14 +7,21 @@ mod files;
 mod fingerprint;
 mod message;
 pub mod print;
+mod read;
+mod regular;
 mod search;
 mod span;
 #[cfg(test)]
 mod tests;
 mod text;
+mod written;
 
 pub use dependency::Dependency;
 pub use diagnostic::{Code, Diagnostic, Label, Severity};
-pub use files::{Declared, MAX_FILE_BYTES, Sources};
+pub use files::{Declared, Sources};
 pub use message::{Message, Note, Point, Stretch};
+pub use read::MAX_FILE_BYTES;
+pub(crate) use read::read_regular;
+pub(crate) use regular::{only_regular, open_regular, refusal};
 pub use span::{FileId, Span};
+pub(crate) use written::HeldFile;

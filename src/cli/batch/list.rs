@@ -108,6 +108,10 @@ fn pictures(
     let Scene::File(scene) = settings.scene else {
         return Err(CliError::new("a batch reads no standard input"));
     };
+    // Frames, and runs that follow, read it again; and no time limit ends the wait for a pipe.
+    if !scene.is_file() {
+        return Err(CliError::new("a batch reads regular files only"));
+    }
     let Some((_, encode)) = settings.output else {
         return Err(CliError::new("a batch writes files")
             .with_hint("leave `-F` (or `Output_To_File=off`) out"));
