@@ -333,16 +333,23 @@ fn failure(message: String, listen: &Listen<'_>) -> Failure {
     }
 }
 
+/// True if drawing a scene writes a file beside the picture.
+fn saves(scene: &Scene) -> bool {
+    let photons = scene.globals.photons.as_ref();
+    photons.is_some_and(|photons| photons.save_file.is_some())
+}
+
 /// Writes photons into the file that the scene names for them.
 fn save_photons(world: &World, drawn: &render::Drawn, listen: &Listen<'_>) {
     let settings = world.photons.as_ref().map(|photons| &photons.settings);
     let path = settings.and_then(|settings| settings.save_file.as_ref());
     let bytes = drawn.photons.as_ref().and_then(|shot| shot.file.as_ref());
     if let (Some(path), Some(bytes)) = (path, bytes)
-        && let Err(error) = std::fs::write(path, bytes)
+        && let Err(error) = output::save(path.as_ref(), bytes)
     {
-        let message = format!("cannot write the photons into `{path}`: {error}");
-        let warning = Message::new(&Diagnostic::warning(None, message), &Sources::default());
+        let mut warning = source::refusal("write", path, &error);
+        warning.severity = Severity::Warning;
+        let warning = Message::new(&warning, &Sources::default());
         listen(Event::Found(&warning));
     }
 }
@@ -466,7 +473,7 @@ fn read_scene(
             }
             listen(Event::Read {
                 dependencies: &reading.dependencies,
-                wrote_files: sources.wrote_files(),
+                wrote_files: sources.wrote_files() || reading.scene.as_ref().is_some_and(saves),
             });
             if render.keep.is_some() {
                 print = sources.fingerprint();

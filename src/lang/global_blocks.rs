@@ -207,7 +207,9 @@ impl Reader<'_> {
             }
             Word::SaveFile => {
                 self.pass();
-                settings.save_file = Some(self.file_name()?);
+                let name = self.file_name()?;
+                self.ask_to_write(&name, self.taken_span())?;
+                settings.save_file = Some(name);
             }
             _ => return Err(self.expected_here("a setting or `}` in `photons`")),
         }
@@ -314,7 +316,11 @@ mod tests {
     fn globals(text: &str) -> Result<Globals, String> {
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", format!("global_settings {{ {text} }}"));
-        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let options = ReadOptions {
+            writable: vec![".".into()],
+            ..ReadOptions::default()
+        };
+        let reading = evaluate(file, &mut sources, &options);
         match reading.scene {
             Some(scene) => Ok(scene.globals),
             None => Err(reading.findings[0].message.clone()),

@@ -15,7 +15,7 @@ mod ppm;
 mod tga;
 
 pub use crate::encoding::{EncodeOptions, Format};
-pub(crate) use place::{Pending, try_to_append, try_to_write};
+pub(crate) use place::{Pending, save, try_to_append, try_to_write};
 
 use std::fmt;
 use std::io::{self, Write};

@@ -35,6 +35,14 @@ pub(super) fn replace_by<E: From<io::Error>>(
     Ok(())
 }
 
+/// Replaces the file that a scene names, unless it is a device or a pipe.
+pub(crate) fn save(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    only_regular(path)?;
+    let mut file = Pending::new(path)?;
+    file.write_all(bytes)?;
+    file.take_name().map(drop)
+}
+
 /// Refuses a file that could not be written anew.
 ///
 /// # Errors
