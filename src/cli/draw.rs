@@ -18,7 +18,7 @@ use super::words;
 use crate::options::{
     Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions, Statistics,
 };
-use crate::output;
+use crate::output::{self, OutputError};
 use crate::source::MAX_FILE_BYTES;
 
 /// Draws a scene: what the stages do together.
@@ -121,7 +121,14 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
             working: picture.working,
             ..options.clone()
         };
-        output::write(&picture.film, target, &options).map_err(refused)?;
+        let write = || output::write(&picture.film, target, &options);
+        let mut written = write();
+        if written.as_ref().is_err_and(OutputError::lacks_room) {
+            // What was kept of the drawing takes the room that its picture needs.
+            unfinished::forget(settings);
+            written = write();
+        }
+        written.map_err(refused)?;
         unfinished::forget(settings);
     }
     tell_statistics(&picture.statistics, talk, &reporter);

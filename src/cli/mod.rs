@@ -16,6 +16,7 @@ mod error;
 mod frames;
 mod ini;
 mod keys;
+mod limits;
 mod man;
 mod modern;
 mod progress;
@@ -74,6 +75,7 @@ const MISUSED: u8 = 2;
 
 /// Does what the arguments, without the program's own name, ask for.
 pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
+    limits::outlive_file_limit();
     let arguments: Vec<String> = arguments.into_iter().collect();
     let around = Surroundings::of_this_process();
     let (done, refused) = match named(&arguments) {

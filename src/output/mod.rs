@@ -137,6 +137,14 @@ pub fn put(bytes: &[u8], target: &Target) -> Result<(), OutputError> {
 }
 
 impl OutputError {
+    /// True if there is no room for the file: the disk is full, or a limit is reached.
+    #[must_use]
+    pub fn lacks_room(&self) -> bool {
+        use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        matches!(self, OutputError::Write { source, .. }
+            if matches!(source.kind(), FileTooLarge | QuotaExceeded | StorageFull))
+    }
+
     /// Something to do about it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
@@ -161,6 +169,9 @@ impl OutputError {
             }
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
                 Some("make room, or name a file on another disk with `+O`".to_owned())
+            }
+            io::ErrorKind::FileTooLarge => {
+                Some("files have a limit in size here, which `ulimit -f` shows".to_owned())
             }
             _ => None,
         }
