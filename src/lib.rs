@@ -208,6 +208,9 @@ fn draw_with(
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
     if render.stop.is_asked() {
+        if let Some(pixels) = unfinished.and_then(Unfinished::kept) {
+            listen(Event::Kept(pixels));
+        }
         return Err(failure("the drawing was stopped".to_owned(), listen));
     }
     if let Some(kind) = unfinished.and_then(Unfinished::trouble) {

@@ -35,6 +35,8 @@ pub enum Event<'a> {
     StartsAnew,
     /// The unfinished picture cannot be kept.
     KeepsNothing(std::io::ErrorKind),
+    /// The drawing was stopped, and this many of its pixels are kept for a later run.
+    Kept(u64),
     /// So many pixels have been finished since the last event of this kind. Comes from any thread.
     Drawn(u64),
 }
@@ -117,6 +119,12 @@ impl Stop {
     /// Wishes it, from any thread.
     pub fn ask(&self) {
         self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// The flag whose setting is the wish: for the handler of a signal, which may do no more.
+    #[must_use]
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.0)
     }
 
     /// Whether it was wished.

@@ -11,6 +11,7 @@ use crate::source::open_regular;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -53,6 +54,8 @@ pub struct Unfinished {
     key: u64,
     found: Vec<Piece>,
     growing: Mutex<Growing>,
+    /// How many pixels are in the file.
+    pixels: AtomicU64,
 }
 
 #[derive(Debug)]
@@ -91,10 +94,12 @@ impl Unfinished {
                 Growing::Waiting(keep.clone(), then, Vec::new())
             }
         });
+        let pixels = pieces.iter().map(|piece| piece.pixels.len() as u64).sum();
         let unfinished = Unfinished {
             key,
             found: pieces,
             growing: Mutex::new(growing),
+            pixels: AtomicU64::new(pixels),
         };
         (unfinished, found)
     }
@@ -118,6 +123,7 @@ impl Unfinished {
                 let is_time = Instant::now() >= *then;
                 if is_time || !piece.errors.is_empty() {
                     waiting.extend_from_slice(&record(self.key, piece));
+                    self.count(piece);
                 }
                 if is_time {
                     *growing = begin(keep, self.key, waiting);
@@ -127,8 +133,23 @@ impl Unfinished {
                 if let Err(error) = file.write_all(&record(self.key, piece)) {
                     *growing = Growing::Given(error.kind());
                 }
+                self.count(piece);
             }
             Growing::Given(_) => {}
+        }
+    }
+
+    fn count(&self, piece: &Piece) {
+        let pixels = piece.pixels.len() as u64;
+        self.pixels.fetch_add(pixels, Ordering::Relaxed);
+    }
+
+    /// The number of pixels that a later run can go on with; `None` if nothing is kept.
+    #[must_use]
+    pub fn kept(&self) -> Option<u64> {
+        match &*self.growing.lock().unwrap_or_else(PoisonError::into_inner) {
+            Growing::File(_) => Some(self.pixels.load(Ordering::Relaxed)).filter(|&kept| kept > 0),
+            _ => None,
         }
     }
 
