@@ -97,14 +97,22 @@ impl Message {
         let place = self.place.as_ref().map_or(String::new(), |place| {
             format!("{}:{}:{}: ", place.file, place.line, place.column)
         });
-        let hints: Vec<String> = self.hints.iter().map(|hint| format!(" ({hint})")).collect();
-        let line = format!(
-            "{place}{}: {}{}",
-            self.severity,
-            self.message,
-            hints.concat()
-        );
+        let remedies = self.remedies();
+        let line = format!("{place}{}: {}{remedies}", self.severity, self.message);
         line.replace(char::is_control, " ")
+    }
+
+    /// One line in POV-Ray's form: `File 'x.pov' line 5: Parse Error: message (what to do about it)`.
+    #[must_use]
+    pub fn povray(&self) -> String {
+        let remedies = self.remedies().replace(char::is_control, " ");
+        format!("{}{remedies}", self.pov_line)
+    }
+
+    /// The hints, each in parentheses after a space.
+    fn remedies(&self) -> String {
+        let hints = self.hints.iter().map(|hint| format!(" ({hint})"));
+        hints.collect()
     }
 }
 
