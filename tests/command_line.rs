@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const AT_ONCE: usize = 6;
 
 /// Files besides the scene that rows use.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 9] = [
     (
         "s.pov",
         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 }
@@ -31,6 +31,12 @@ const FILES: [(&str, &str); 8] = [
     ("include/beside.inc", "#declare Beside = 1;\n"),
     ("uses.pov", "#include \"beside.inc\"\n#include \"s.pov\"\n"),
     ("wrong.pov", "#version 3.7;\nsphere { 0, 1\n"),
+    (
+        "a b.pov",
+        "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <0.2, 0.4, 0.6> }
+        #debug \"= spaced\\n\"
+        #ifdef (Given) #debug concat(\"= given \", str(Given, 0, 3), \"\\n\") #end",
+    ),
     ("empty.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n"),
 ];
 
@@ -45,6 +51,14 @@ struct Done {
     values: Vec<String>,
 }
 
+/// The arguments of a row: divided by bars if there is one, otherwise by spaces.
+fn arguments(line: &str) -> Vec<&str> {
+    match line.contains('|') {
+        true => line.split('|').collect(),
+        false => line.split_whitespace().collect(),
+    }
+}
+
 fn run(program: &str, line: &str) -> Done {
     let folder = tempfile::tempdir().expect("temporary folders can be made");
     for (name, text) in FILES {
@@ -54,7 +68,7 @@ fn run(program: &str, line: &str) -> Done {
     }
     let output = Command::new(program)
         .current_dir(folder.path())
-        .args(line.split_whitespace())
+        .args(arguments(line))
         .stdin(Stdio::null())
         .output()
         .unwrap_or_else(|error| {
@@ -234,5 +248,42 @@ fn animations_are_numbered() {
         "+Is.pov +KFI9 +KFF11 +KI2 +KF4 +W12 +H9 -D",
         "+Is.pov +KFI2 +KFF4 +KC +W12 +H9 -D",
         "+Is.pov +KFF12 +SF3 +EF4 +W12 +H9 -D",
+    ]);
+}
+
+#[test]
+fn an_argument_holds_several_options() {
+    agree(&[
+        "+Is.pov +W12 +H9|-D",
+        "+Is.pov|+W12 +H9|-D",
+        "+Is.pov| +W12   +H9 |-D",
+        "+Is.pov|+W12|+H9\t-D",
+        "s.pov +W12 +H9|-D",
+        "+W12 s.pov +H9|-D",
+        "+W12 +H9 s.pov|-D",
+        "Width=12 Height=9|+Is.pov|-D",
+        "Height=9 +W12|+Is.pov|-D",
+        "Input_File_Name=s.pov +W12 +H9|-D",
+        "Declare=Given=3 Declare=Other=4 +W12|+H9|+Is.pov|-D",
+        "+W12 parts.ini[large]|+Is.pov|-D",
+        "+W12 plain.ini|-D",
+        "+Is.pov|+W12 +H9|-D -F",
+        "+Is.pov|+W12 +H9 -D +ZZ9",
+        "+Is.pov|+W12 +H9 -D nonsense",
+    ]);
+}
+
+#[test]
+fn quotes_keep_a_space_in_a_name() {
+    agree(&[
+        "+I\"a b.pov\" +W12 +H9|-D",
+        "+I'a b.pov' +W12 +H9|-D",
+        "\"a b.pov\" +W12 +H9|-D",
+        "'a b.pov' +W12 +H9|-D",
+        "Input_File_Name=\"a b.pov\" Width=12 Height=9 Display=off|+A0.3",
+        "Input_File_Name='a b.pov' Width=12 Height=9 Display=off|+A0.3",
+        "+O\"o p.png\" Width=12|+Is.pov|Height=9|-D",
+        "+W\"12\" +H'9'|+Is.pov|-D",
+        "\"+W12 +H9\"|+Is.pov|-D",
     ]);
 }

@@ -5,13 +5,17 @@
 
 use std::ops::ControlFlow;
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Once};
 use std::thread;
+use std::time::Instant;
 
+use super::console::Console;
+use super::done;
 use super::draw::{Draw, pixels, progress_kind, refused, reporter, tell_statistics, told};
 use super::error::CliError;
 use super::frames::Frames;
+use super::interrupt;
 use super::progress::Progress;
 use super::report::{Reporter, say};
 use super::settings::Settings;
@@ -35,7 +39,9 @@ pub(super) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliE
         },
     };
     let series = Series::new(pool);
+    let heed = Once::new();
     carry_out(settings, frames, &|input, read, render, listen| {
+        heed.call_once(|| interrupt::heed(&render.stop));
         series.draw(input, read, render, listen)
     })
 }
@@ -48,6 +54,7 @@ struct Run<'a> {
     draw: &'a Draw<'a>,
     reporter: Reporter,
     progress: Progress,
+    console: Console,
 }
 
 /// A frame whose file is ready to be written.
@@ -64,11 +71,19 @@ enum Writing {
     Refused,
 }
 
+/// How far the frames came.
+enum Done {
+    All,
+    /// To this one, counted from 0, which is not there.
+    Until(usize),
+}
+
 /// Why frames are not drawn on side by side.
 enum End {
     /// This one, counted from the first, writes files.
     WritesFiles(usize),
-    Failed,
+    /// This one was not drawn.
+    Failed(usize),
     CannotWrite(CliError),
 }
 
@@ -79,6 +94,7 @@ enum End {
 fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let numbers = frames.numbers();
     let total = pixels(&settings.render) * numbers.len() as u64;
+    let started = Instant::now();
     let mut reporter = reporter(settings);
     reporter.files = Files::create(&settings.streams)?;
     let run = Run {
@@ -88,15 +104,43 @@ fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<Ex
         draw,
         reporter,
         progress: Progress::new(progress_kind(settings.talk), total),
+        console: Console::new(settings.talk),
     };
+    run.console.begin(settings);
     let done = run.all(&numbers);
     run.progress.finish();
-    run.reporter.take_counts();
-    done
+    let counts = run.reporter.take_counts();
+    match done? {
+        Done::All => {
+            let name = |number: Option<&u32>| run.name(*number.unwrap_or(&0));
+            let names = (name(numbers.first()), name(numbers.last()));
+            done::tell_frames(settings, (&names.0, &names.1), started.elapsed());
+            run.console.finished();
+            Ok(ExitCode::SUCCESS)
+        }
+        Done::Until(at) if settings.render.stop.is_asked() => {
+            if !settings.talk.quiet {
+                let (next, of) = (numbers[at], numbers.len());
+                match at {
+                    0 => say("povr: interrupted; no frame is there"),
+                    _ => say(format_args!(
+                        "povr: interrupted; {at} of {of} frames are there: the same command with `+SF{next}` goes on"
+                    )),
+                }
+            }
+            run.console.cancelled();
+            Ok(ExitCode::from(interrupt::INTERRUPTED))
+        }
+        Done::Until(_) => {
+            run.reporter.total(settings, counts);
+            run.console.failed();
+            Ok(ExitCode::FAILURE)
+        }
+    }
 }
 
 impl Run<'_> {
-    fn all(&self, numbers: &[u32]) -> Result<ExitCode, CliError> {
+    fn all(&self, numbers: &[u32]) -> Result<Done, CliError> {
         let workers = self.workers();
         let mut at = 0;
         // A scene that writes files may read in a frame what it has written in an earlier one.
@@ -104,15 +148,17 @@ impl Run<'_> {
         while at < numbers.len() {
             if at == 0 || is_alone {
                 let writes = AtomicBool::new(false);
-                self.begin(at);
+                self.begin(at, numbers.len());
                 let done = self.draw(numbers[at], Writing::Allowed, &|event| {
                     if let Event::Read { wrote_files, .. } = event {
                         writes.fetch_or(wrote_files, Ordering::Relaxed);
                     }
-                    self.reporter.hear(event);
+                    if !self.settings.render.stop.is_asked() {
+                        self.reporter.hear(event);
+                    }
                 });
                 let Ok(drawn) = done else {
-                    return Ok(ExitCode::FAILURE);
+                    return Ok(Done::Until(at));
                 };
                 self.finish(at, numbers, drawn)?;
                 is_alone = writes.into_inner() || at > 0;
@@ -129,10 +175,13 @@ impl Run<'_> {
                 if done.as_ref().is_err_and(writes_files) {
                     return ControlFlow::Break(End::WritesFiles(at + number));
                 }
-                self.begin(at + number);
+                if done.is_err() && self.settings.render.stop.is_asked() {
+                    return ControlFlow::Break(End::Failed(at + number));
+                }
+                self.begin(at + number, numbers.len());
                 told.tell(|event| self.reporter.hear(event));
                 let Ok(drawn) = done else {
-                    return ControlFlow::Break(End::Failed);
+                    return ControlFlow::Break(End::Failed(at + number));
                 };
                 match self.finish(at + number, numbers, drawn) {
                     Ok(()) => ControlFlow::Continue(()),
@@ -142,15 +191,26 @@ impl Run<'_> {
             match end {
                 None => break,
                 Some(End::WritesFiles(here)) => (at, is_alone) = (here, true),
-                Some(End::Failed) => return Ok(ExitCode::FAILURE),
+                Some(End::Failed(here)) => return Ok(Done::Until(here)),
                 Some(End::CannotWrite(refusal)) => return Err(refusal),
             }
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(Done::All)
     }
 
-    /// Writes to the files for what is said that a frame begins, counted from the first.
-    fn begin(&self, at: usize) {
+    /// The file of a frame, as messages call it.
+    fn name(&self, number: u32) -> String {
+        match &self.settings.output {
+            Some((Target::File(path), _)) => self.frames.path(number, path).display().to_string(),
+            Some((Target::Stdout, _)) => "standard output".to_owned(),
+            None => format!("frame {number} (not written)"),
+        }
+    }
+
+    /// Writes to the files for what is said, and to POV-Ray's console, that a frame begins, counted from 0.
+    fn begin(&self, at: usize, of: usize) {
+        self.console.frame(at + 1, of);
+        self.console.parsing();
         if at > 0 {
             self.reporter.files.next_frame();
         }
@@ -193,6 +253,7 @@ impl Run<'_> {
             statistics,
             ..
         } = (self.draw)(&self.input, &read, &render, &|event| match event {
+            Event::Drawn(_) if render.stop.is_asked() => {}
             Event::Drawn(pixels) => self.progress.advance(pixels),
             event => listen(event),
         })?;
@@ -209,6 +270,7 @@ impl Run<'_> {
     /// Writes a frame and says what is to be said of it.
     fn finish(&self, at: usize, numbers: &[u32], drawn: Drawn) -> Result<(), CliError> {
         let (settings, talk, number) = (self.settings, self.settings.talk, numbers[at]);
+        self.console.rendering(settings, None);
         if talk.verbose && !talk.quiet {
             let (frame, count) = (at + 1, numbers.len());
             say(format_args!(
@@ -226,6 +288,7 @@ impl Run<'_> {
             output::put(&bytes.map_err(refused)?, &target).map_err(refused)?;
         }
         tell_statistics(&drawn.statistics, talk, &self.reporter);
+        self.console.drawn(settings, &drawn.statistics);
         Ok(())
     }
 }

@@ -25,7 +25,7 @@ use crate::batch::{self, Batch, Figure, Shard};
 
 pub(super) const COMMAND: Command = Command {
     name: "batch",
-    about: "draw all scenes of folders, what is up to date not again",
+    about: "render every scene in a folder, skipping those already up to date",
     run,
     face: <Face as clap::CommandFactory>::command,
 };
@@ -36,10 +36,10 @@ pub(super) const COMMAND: Command = Command {
     name = "povr batch",
     override_usage = "povr batch [OPTIONS] [+/-SWITCHES] [Key=Value] FOLDER|PATTERN|SCENE... -o OUT",
     after_help = "\
-`FOLDER/a/b.pov` becomes `OUT/a/b.png`; with several folders, `OUT/FOLDER/a/b.png`. Patterns: `*`, `?`, `[ab]`, `{a,b}`,
-and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command
+`FOLDER/a/b.pov` becomes `OUT/a/b.png`; with several folders, `OUT/FOLDER/a/b.png`. Patterns: `*`, `?`, `[ab]`, `{a,b}`, \
+and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command \
 line; an animation becomes its frames. +FN, +FJ, ... choose the type of the files.
-A picture is up to date if it and the scene, every file read or looked for, the options and this program are the same
+A picture is up to date if it and the scene, every file read or looked for, the options and this program are the same \
 as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it goes on where it was.
 Exit code 0: all pictures are there; 1: some are not; 2: the command line is at fault."
 )]
@@ -56,10 +56,10 @@ struct Face {
     /// Size of the pictures in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT")]
     size: Option<Size>,
-    /// Scenes read side by side; as many as threads unless given
+    /// Scenes read side by side [default: the number of threads]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
-    /// Threads to draw with, for all scenes together; one for each core unless given
+    /// Number of threads, for all scenes together [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
     /// A picture that takes longer has failed: 10s, 500ms, 2m
@@ -83,13 +83,8 @@ struct Face {
     /// Print nothing but what failed
     #[arg(long)]
     quiet: bool,
-    /// The form of errors
-    #[arg(
-        long,
-        value_name = "povray|human|short|json",
-        value_enum,
-        hide_possible_values = true
-    )]
+    /// How to print errors: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
 }
 
@@ -124,7 +119,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
         }
     }
     let List { pictures, refused } = list::list(&wanted, around)?;
-    let teller = Teller::new(&wanted, &pictures);
+    let teller = Teller::new(&wanted, &pictures, around);
     for (scene, refusal) in &refused {
         teller.refused(scene, refusal);
     }
@@ -175,7 +170,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
                 out = face.output.clone().or(out);
                 wanted.take_in(face);
             }
-            Err(said) => return modern::printed(&said).map(Err),
+            Err(said) => return modern::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }

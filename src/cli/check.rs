@@ -38,19 +38,14 @@ pub(super) const COMMAND: Command = Command {
 In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
 that a scene writes are kept in memory.
 POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
-Exit code 0: all scenes are right; 1: some are not; 2: the command line is not.
-With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type`
-is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `said` (text of #debug),
+Exit code: 0 no errors, 1 errors found, 2 bad command line.
+With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
+is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `said` (text of #debug), \
 `file` or `total` (counts of errors and warnings)."
 )]
 struct Face {
-    /// The form of errors and warnings
-    #[arg(
-        long,
-        value_name = "povray|human|short|json",
-        value_enum,
-        hide_possible_values = true
-    )]
+    /// How to print errors and warnings: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
     /// Print errors, and nothing of scenes without errors
     #[arg(long)]
@@ -125,7 +120,7 @@ fn read_arguments(
                 wanted.is_quiet |= face.quiet;
                 wanted.format = face.message_format.or(wanted.format);
             }
-            Err(said) => return modern::printed(&said).map(Err),
+            Err(said) => return modern::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }
@@ -238,7 +233,7 @@ fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet:
 
 impl Scene {
     /// What messages call it.
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         match self {
             Scene::File(path) => path.display().to_string(),
             Scene::Stdin => "standard input".to_owned(),

@@ -42,20 +42,20 @@ pub(super) const COMMAND: Command = Command {
     name = "povr compare",
     override_usage = "povr compare [OPTIONS] [+/-SWITCHES] SCENE.pov|FOLDER...\n       povr compare [OPTIONS] EXPECTED ACTUAL",
     after_help = "\
-Scenes are drawn at 160x120 without antialiasing unless switches or comments in them (`// size:`, `// switches:`) say
-otherwise; both renderers get the same switches and one thread. They PASS if at least 99.9 % of the pixels are equal and
-no channel is more than one step off, or by limits that a scene states (`// compare: channel<=2 pixels<=0.5% because
-\"...\"`); options like --fail take the place of both. WARNING is a difference that is explained: by POV-Ray's least
+Scenes are drawn at 160x120 without antialiasing unless switches or comments in them (`// size:`, `// switches:`) say \
+otherwise; both renderers get the same switches and one thread. They PASS if at least 99.9 % of the pixels are equal and \
+no channel is more than one step off, or by limits that a scene states (`// compare: channel<=2 pixels<=0.5% because \
+\"...\"`); options like --fail take the place of both. WARNING is a difference that is explained: by POV-Ray's minimum \
 distances, or because POV-Ray's own picture is random: drawn again with its blocks in other orders it differs as much.
 Pictures of unlike kinds are compared as the one with fewer bits; linear light counts as sRGB beside encoded values.
-Exit code: 0 PASS, 1 WARNING, 2 FAILURE, 3 sizes differ, 4 a file cannot be read or a scene is not drawn; the command
+Exit code: 0 PASS, 1 WARNING, 2 FAILURE, 3 sizes differ, 4 a file cannot be read or a scene is not drawn; the command \
 line at fault: 2."
 )]
 pub(super) struct Face {
     /// Pixels that differ by more than this share of full intensity fail: 0.01 or 2/255
     #[arg(long, value_name = "A", value_parser = share)]
     fail: Option<f64>,
-    /// So many percent of the pixels may fail
+    /// Percentage of pixels allowed to fail
     #[arg(long, value_name = "P", value_parser = percent)]
     failpercent: Option<f64>,
     /// No pixel may differ by more than this
@@ -64,7 +64,7 @@ pub(super) struct Face {
     /// The same for warnings
     #[arg(long, value_name = "A", value_parser = share)]
     warn: Option<f64>,
-    /// So many percent of the pixels may warn
+    /// Percentage of pixels allowed to warn
     #[arg(long, value_name = "P", value_parser = percent)]
     warnpercent: Option<f64>,
     /// A pixel that differs by more than this warns
@@ -82,13 +82,13 @@ pub(super) struct Face {
     /// Keep POV-Ray's pictures in this folder: later runs draw only what has changed
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
-    /// How long a renderer may take for a scene; 60s unless given
+    /// How long a renderer may take for a scene [default: 60s]
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
     timeout: Option<Duration>,
-    /// Scenes drawn side by side; one for each core unless given
+    /// Scenes drawn side by side [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
-    /// Pictures in the report have at most this many pixels a side; 320 unless given
+    /// Largest side of pictures in the report, in pixels [default: 320]
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(16..))]
     shown: Option<u32>,
     /// Print nothing but errors
@@ -196,7 +196,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
         let (option, others) = rest.split_at(long);
         match modern::parse::<Face>(option) {
             Ok(face) => wanted.set(face),
-            Err(said) => return modern::printed(&said).map(Err),
+            Err(said) => return modern::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }

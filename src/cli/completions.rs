@@ -39,7 +39,7 @@ fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr completions".to_owned());
     match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => put(&script(face.shell)),
-        Err(said) => say(modern::printed(&said)?.trim_end()),
+        Err(said) => say(modern::printed::<Face>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }

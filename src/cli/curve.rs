@@ -9,10 +9,10 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Command;
-use super::draw::{Request, request};
+use super::draw::{Request, request, request_of};
 use super::error::CliError;
 use super::modern;
-use super::report::{MessageFormat, Reporter, Stream, say};
+use super::report::{Reporter, Stream, say};
 use super::settings::{Scene, Settings};
 use super::surroundings::Surroundings;
 use crate::curve::{self, CurveError, Drawn, Family, Report, Setting, Step, Sweep, Task};
@@ -32,11 +32,11 @@ pub(super) const COMMAND: Command = Command {
     override_usage = "povr curve [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
     after_help = "\
 POV-Ray's switches and ini files count, but for those of antialiasing: +W320 +H240, +LFOLDER, Declare=Name=1, ...
-Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, curve.png, the pictures, and the
+Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, curve.png, the pictures, and the \
 truth that they are measured against. Run again, it measures only what is missing."
 )]
 struct Face {
-    /// Where all files go; SCENE-curve unless given
+    /// Folder for all files [default: SCENE-curve]
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// Settings to measure, switches each, divided by semicolons: "--error 1; +A0.1 +AM1 +R3"
@@ -78,7 +78,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request(&rest, around)? {
+    let settings = match request_of("povr curve", &rest, around)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
@@ -142,7 +142,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.truth = face.truth.or(wanted.truth);
                 wanted.is_fresh |= face.fresh;
             }
-            Err(said) => return modern::printed(&said).map(Err),
+            Err(said) => return modern::printed::<Face>(&said).map(Err),
         }
         rest = behind;
     }
@@ -228,7 +228,7 @@ fn setting(switches: &str, file: &Path, around: &Surroundings) -> Result<Setting
 
 /// Measures, with a bar on a terminal and a line for each setting elsewhere.
 fn measured(sweep: &Sweep, settings: &Settings, file: &Path) -> Result<Report, CliError> {
-    let mut reporter = Reporter::new(MessageFormat::Povray, Stream::Err);
+    let mut reporter = Reporter::new(settings.talk.format, Stream::Err);
     reporter.warns = false;
     reporter.debugs = false;
     let input = Input::File(file.to_owned());

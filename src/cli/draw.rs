@@ -1,12 +1,19 @@
 //! The command without a name: draws a scene as POV-Ray would, by POV-Ray's switches and ini files.
 
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, Read};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use clap::error::ErrorKind::DisplayVersion;
 
 use super::animate;
+use super::console::{self, Console};
+use super::done;
 use super::error::CliError;
 use super::ini::Reader;
+use super::interrupt;
 use super::modern::{self, Modern};
 use super::progress::{Progress, ProgressKind};
 use super::report::{Line, MessageFormat, Reporter, Stream, say};
@@ -43,14 +50,20 @@ pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCod
             say(text.trim_end());
             Ok(ExitCode::SUCCESS)
         }
-        Request::Draw(mut settings) => match &settings.frames {
-            Some(frames) => animate::run(&settings, frames),
-            None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
-            None => {
-                unfinished::keep(&mut settings);
-                carry_out(&settings, &crate::draw)
+        Request::Draw(mut settings) => {
+            settings.read.stop = settings.render.stop.clone();
+            match &settings.frames {
+                Some(frames) => animate::run(&settings, frames),
+                None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
+                None => {
+                    unfinished::keep(&mut settings);
+                    carry_out(&settings, &|input, read, render, listen| {
+                        interrupt::heed(&render.stop);
+                        crate::draw(input, read, render, listen)
+                    })
+                }
             }
-        },
+        }
     }
 }
 
@@ -59,6 +72,15 @@ pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCod
 /// # Errors
 /// When an option is unknown, has no sense, or asks for what is not built; when a named file is not there.
 pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, CliError> {
+    request_of("povr", arguments, around)
+}
+
+/// The same for a command that draws, which remedies name.
+pub(super) fn request_of(
+    command: &str,
+    arguments: &[String],
+    around: &Surroundings,
+) -> Result<Request, CliError> {
     let standard_folders: Vec<PathBuf> = around.standard_folders()?;
     let mut typed = around.typed(&standard_folders)?;
     let mut reader = Reader::new(&mut typed, &standard_folders);
@@ -75,7 +97,10 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
             let (option, others) = rest.split_at(modern);
             match modern::parse::<Modern>(option) {
                 Ok(given) => given.set(reader.typed),
-                Err(said) => return modern::printed(&said).map(Request::Print),
+                Err(said) if said.kind() == DisplayVersion && around.is_povray => {
+                    return Ok(Request::Print(console::version()));
+                }
+                Err(said) => return modern::printed::<Modern>(&said).map(Request::Print),
             }
             rest = others;
         } else {
@@ -85,16 +110,17 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
             rest = others;
         }
     }
-    let settings = settings::settle(typed, &standard_folders)?;
+    let settings = settings::settle(typed, &standard_folders, around, command)?;
     Ok(Request::Draw(Box::new(settings)))
 }
 
 /// Draws and writes.
 ///
 /// # Errors
-/// When the scene cannot be had, or the picture cannot be written. A faulty scene has been told of.
+/// When the scene cannot be had, or the picture cannot be written. What is wrong with a faulty scene has been said.
 pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
     let talk = settings.talk;
+    let started = Instant::now();
     let input = settings.scene.input()?;
     let render = RenderOptions {
         only_for: settings.output.as_ref().map(|(_, options)| options.clone()),
@@ -103,14 +129,33 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
     let mut reporter = reporter(settings);
     reporter.files = Files::create(&settings.streams)?;
     reporter.files.begin(settings);
+    let console = Console::new(talk);
+    console.begin(settings);
+    console.parsing();
     let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
+    let kept = AtomicU64::new(0);
     let drawn = draw(&input, &settings.read, &render, &|event| match event {
+        Event::Kept(pixels) => kept.store(pixels, Ordering::Relaxed),
+        // What comes of stopping: tiles that are left out count as drawn, and the end is a failure.
+        _ if render.stop.is_asked() => {}
         Event::Drawn(pixels) => progress.advance(pixels),
-        event => reporter.hear(event),
+        event => {
+            reporter.hear(event);
+            if matches!(event, Event::Read { .. }) && reporter.counts().errors == 0 {
+                console.rendering(settings, Some(started.elapsed()));
+            }
+        }
     });
     progress.finish();
-    reporter.take_counts();
+    let counts = reporter.take_counts();
     let Ok(picture) = drawn else {
+        if render.stop.is_asked() {
+            interrupt::tell(settings, kept.into_inner(), pixels(&settings.render));
+            console.cancelled();
+            return Ok(ExitCode::from(interrupt::INTERRUPTED));
+        }
+        reporter.total(settings, counts);
+        console.failed();
         return Ok(ExitCode::FAILURE);
     };
     if let Some(reached) = picture.statistics.reached.filter(|_| !talk.quiet) {
@@ -131,7 +176,10 @@ pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode
         written.map_err(refused)?;
         unfinished::forget(settings);
     }
+    done::tell(settings, started.elapsed());
     tell_statistics(&picture.statistics, talk, &reporter);
+    console.drawn(settings, &picture.statistics);
+    console.finished();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -218,9 +266,11 @@ pub(super) fn told(reached: &Reached, pixels: u64) -> String {
 }
 
 pub(super) fn progress_kind(talk: Talk) -> ProgressKind {
-    if talk.quiet || talk.format == MessageFormat::Json {
+    if talk.is_povray && !talk.is_silent {
+        ProgressKind::Lines
+    } else if talk.quiet || talk.format == MessageFormat::Json {
         ProgressKind::Nothing
-    } else if io::stderr().is_terminal() {
+    } else if talk.is_terminal {
         ProgressKind::Bar
     } else if talk.verbose {
         ProgressKind::Lines

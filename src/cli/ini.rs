@@ -6,9 +6,13 @@
 use std::path::{Path, PathBuf};
 
 use super::error::CliError;
+use super::nearest::nearest;
 use super::typed::Typed;
-use super::words;
+use super::{COMMANDS, words};
 use crate::source::read_regular;
+
+/// A folder with more entries is not searched to its end for a file that may have been meant.
+const MOST_NEIGHBOURS: usize = 10_000;
 
 /// Files may name further files, so many deep.
 const DEEPEST: usize = 16;
@@ -39,7 +43,12 @@ impl<'a> Reader<'a> {
         };
         match self.find(name) {
             Some(file) => self.read_file(&file, section),
-            None => Err(missing(name)),
+            None if self.depth > 0 => Err(missing(name, "no scene or ini file", &[])),
+            None => {
+                let commands = COMMANDS.iter().map(|command| command.name);
+                let commands: Vec<&str> = commands.collect();
+                Err(missing(name, "no scene, ini file or command", &commands))
+            }
         }
     }
 
@@ -79,10 +88,7 @@ impl<'a> Reader<'a> {
     }
 
     fn read_line(&mut self, line: &str) -> Result<(), CliError> {
-        if words::assignment(line).is_some() {
-            return words::read(self, line);
-        }
-        words::of_line(line)
+        words::of_argument(line)
             .iter()
             .try_for_each(|word| words::read(self, word))
     }
@@ -98,18 +104,57 @@ impl<'a> Reader<'a> {
     }
 }
 
-fn missing(name: &str) -> CliError {
-    let refusal = CliError::new(format!(
-        "`{name}` is neither a scene (`.pov`) nor an ini file that can be found"
-    ));
+/// Refuses a name that stands for nothing, and names what it may have been meant for.
+fn missing(name: &str, kinds: &str, commands: &[&str]) -> CliError {
+    let kinds = match words::has_ending(name, ".ini") {
+        true => "no ini file",
+        false => kinds,
+    };
     let scene = format!("{name}.pov");
-    if Path::new(&scene).is_file() {
-        refusal.with_hint(format!("is `{scene}` meant?"))
-    } else if Path::new(name).is_file() {
+    let command = || nearest(name, commands.iter().copied());
+    let meant = if Path::new(&scene).is_file() {
+        Some(scene)
+    } else {
+        let command = command().map(|command| format!("povr {command}"));
+        command.or_else(|| neighbour(Path::new(name)))
+    };
+    let refusal = match meant {
+        Some(meant) => format!("{kinds} named `{name}`; did you mean `{meant}`?"),
+        None => format!("{kinds} named `{name}`"),
+    };
+    let refusal = CliError::new(refusal);
+    if Path::new(name).is_file() {
         refusal.with_hint(format!("name a scene with another ending by `+I{name}`"))
     } else {
         refusal
     }
+}
+
+/// The scene or ini file beside `missing` whose name, with or without its ending, is nearest to that of `missing`.
+pub(super) fn neighbour(missing: &Path) -> Option<String> {
+    let folder = match missing.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let files = fs::read_dir(folder).ok()?.take(MOST_NEIGHBOURS).flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    let names = names.filter(|name| {
+        [".pov", ".ini"]
+            .iter()
+            .any(|end| words::has_ending(name, end))
+    });
+    let names: Vec<String> = names.collect();
+    let name = missing.file_name()?.to_string_lossy();
+    let stems = names.iter().filter_map(|name| name.rsplit_once('.'));
+    let found = match name.contains('.') {
+        true => nearest(&name, names.iter().map(String::as_str))?,
+        false => {
+            let stem = nearest(&name, stems.map(|(stem, _)| stem))?;
+            let mut names = names.iter().map(String::as_str);
+            names.find(|name| name.starts_with(&format!("{stem}.")))?
+        }
+    };
+    Some(missing.with_file_name(found).display().to_string())
 }
 
 /// The line up to its comment.

@@ -4,6 +4,7 @@
 //! what the program of 3.7.0.10 accepts.
 
 use super::error::CliError;
+use super::nearest::nearest;
 use super::streams::Stream;
 use super::typed::{Output, Typed, Unbuilt};
 use super::values::{
@@ -20,8 +21,8 @@ pub(super) fn set(typed: &mut Typed, key: &str, value: &str, said: &str) -> Resu
         Some((_, set)) => set(typed, value, said),
         None => {
             let refusal = CliError::new(format!("unknown option `{key}`"));
-            Err(match nearest(key) {
-                Some(near) => refusal.with_hint(format!("is `{near}` meant?")),
+            Err(match nearest(key, KEYS.iter().map(|(name, _)| *name)) {
+                Some(near) => refusal.with_hint(format!("did you mean `{near}`?")),
                 None => refusal.with_hint("`povr --help` tells which options there are"),
             })
         }
@@ -39,7 +40,7 @@ const SCREEN: Set = |_, _, _| Ok(());
 
 #[rustfmt::skip]
 const KEYS: &[(&str, Set)] = &[
-    ("All_Console", |t, v, s| { t.quiet = !flag(t, v, s); Ok(()) }),
+    ("All_Console", |t, v, s| { t.has_console = true; t.quiet = !flag(t, v, s); Ok(()) }),
     ("All_File", |t, v, _| { t.stream(Stream::All, v); Ok(()) }),
     ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
     ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
@@ -64,7 +65,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
     ("Create_Ini", IDLE),
     ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
-    ("Debug_Console", |t, v, s| { t.debugs = flag(t, v, s); Ok(()) }),
+    ("Debug_Console", |t, v, s| { t.has_console = true; t.debugs = flag(t, v, s); Ok(()) }),
     ("Debug_File", |t, v, _| { t.stream(Stream::Debug, v); Ok(()) }),
     ("Declare", declare),
     ("Display", SCREEN),
@@ -74,7 +75,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Draw_Vistas", IDLE),
     ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
     ("End_Row", |t, v, s| { t.end_row = Some(single(v, s)?); Ok(()) }),
-    ("Fatal_Console", IDLE),
+    ("Fatal_Console", |t, _, s| { t.has_console = true; t.idle.push(s.to_owned()); Ok(()) }),
     ("Fatal_Error_Command", IDLE),
     ("Fatal_Error_Return", IDLE),
     ("Fatal_File", |t, v, _| { t.stream(Stream::Fatal, v); Ok(()) }),
@@ -121,14 +122,14 @@ const KEYS: &[(&str, Set)] = &[
     ("Remove_Bounds", IDLE),
     ("Render_Block_Size", IDLE),
     ("Render_Block_Step", IDLE),
-    ("Render_Console", IDLE),
+    ("Render_Console", |t, v, s| { t.has_console = true; t.renders = flag(t, v, s); Ok(()) }),
     ("Render_File", |t, v, _| { t.stream(Stream::Render, v); Ok(()) }),
     ("Render_Pattern", IDLE),
     ("Sampling_Method", method),
     ("Split_Unions", IDLE),
     ("Start_Column", |t, v, s| { t.start_column = Some(single(v, s)?); Ok(()) }),
     ("Start_Row", |t, v, s| { t.start_row = Some(single(v, s)?); Ok(()) }),
-    ("Statistic_Console", IDLE),
+    ("Statistic_Console", |t, v, s| { t.has_console = true; t.statistics = flag(t, v, s); Ok(()) }),
     ("Statistic_File", |t, v, _| { t.stream(Stream::Statistics, v); Ok(()) }),
     ("Subset_End_Frame", |t, v, s| { t.frames.subset_end = Some(single(v, s)?); Ok(()) }),
     ("Subset_Start_Frame", |t, v, s| { t.frames.subset_start = Some(single(v, s)?); Ok(()) }),
@@ -140,7 +141,7 @@ const KEYS: &[(&str, Set)] = &[
     ("Version", |t, v, s| { t.version = Some(number(v, s)?); Ok(()) }),
     ("Video_Mode", SCREEN),
     ("Vista_Buffer", IDLE),
-    ("Warning_Console", |t, v, s| { t.warnings = flag(t, v, s); Ok(()) }),
+    ("Warning_Console", |t, v, s| { t.has_console = true; t.warnings = flag(t, v, s); Ok(()) }),
     ("Warning_File", |t, v, _| { t.stream(Stream::Warning, v); Ok(()) }),
     ("Warning_Level", |t, v, s| { t.warnings = number(v, s)? > 0.0; Ok(()) }),
     ("Width", |t, v, s| { t.width = size(v, s)?; Ok(()) }),
@@ -242,34 +243,9 @@ fn acts(set: Set) -> bool {
             let mut typed = Typed::default();
             let done = set(&mut typed, value, "");
             typed.idle.clear();
+            typed.has_console = false;
             done.is_err() || typed != Typed::default()
         })
-}
-
-/// A known option that differs from `key` in at most two letters.
-fn nearest(key: &str) -> Option<&'static str> {
-    let key = key.to_ascii_lowercase();
-    KEYS.iter()
-        .map(|(name, _)| (distance(&key, &name.to_ascii_lowercase()), *name))
-        .min()
-        .filter(|(distance, name)| *distance <= 2 && 2 * *distance < name.len())
-        .map(|(_, name)| name)
-}
-
-/// How many letters must be put in, left out or changed (Levenshtein 1966).
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, from) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, to) in b.iter().enumerate() {
-            let changed = diagonal + usize::from(from != *to);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]
@@ -287,7 +263,7 @@ mod tests {
         let refused = set(&mut Typed::default(), "Widht", "3", "Widht=3").unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "unknown option `Widht`\n  hint: is `Width` meant?"
+            "unknown option `Widht`\n  hint: did you mean `Width`?"
         );
         let refused = set(&mut Typed::default(), "Foo", "3", "Foo=3").unwrap_err();
         assert_eq!(

@@ -10,7 +10,7 @@ use clap_mangen::roff::{Roff, bold, roman};
 use super::error::CliError;
 use super::report::say;
 use super::surroundings::Surroundings;
-use super::{COMMANDS, Command, keys, modern, switches};
+use super::{COMMANDS, Command, help, keys, modern, switches};
 
 pub(super) const COMMAND: Command = Command {
     name: "man",
@@ -34,7 +34,7 @@ fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr man".to_owned());
     match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => put(&page(face.command.as_deref())?),
-        Err(said) => say(modern::printed(&said)?.trim_end()),
+        Err(said) => say(modern::printed::<Face>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -49,13 +49,7 @@ fn page(command: Option<&str>) -> Result<String, CliError> {
     let made = match command {
         None => whole(&mut bytes),
         Some(name) => {
-            let known = COMMANDS.iter().find(|command| command.name == name);
-            let Some(command) = known else {
-                let names: Vec<&str> = COMMANDS.iter().map(|command| command.name).collect();
-                return Err(CliError::new(format!("there is no command `{name}`"))
-                    .with_hint(format!("commands are {}", names.join(", "))));
-            };
-            let face = (command.face)();
+            let face = (help::named(name)?.face)();
             Man::new(face.version(env!("CARGO_PKG_VERSION"))).render(&mut bytes)
         }
     };

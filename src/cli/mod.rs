@@ -10,15 +10,20 @@ mod batch;
 mod check;
 mod compare;
 mod completions;
+mod console;
 mod curve;
+mod done;
 mod draw;
 mod error;
 mod frames;
+mod help;
 mod ini;
+mod interrupt;
 mod keys;
 mod limits;
 mod man;
 mod modern;
+mod nearest;
 mod progress;
 mod report;
 mod settings;
@@ -28,6 +33,7 @@ mod surroundings;
 mod switches;
 mod typed;
 mod unfinished;
+mod unknown;
 mod values;
 mod watch;
 mod words;
@@ -40,6 +46,7 @@ pub use report::MessageFormat;
 pub use settings::{Scene, Settings, Talk};
 pub use surroundings::Surroundings;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use report::say;
@@ -65,6 +72,7 @@ const COMMANDS: &[Command] = &[
     compare::COMMAND,
     completions::COMMAND,
     curve::COMMAND,
+    help::COMMAND,
     man::COMMAND,
     sheet::COMMAND,
     watch::COMMAND,
@@ -73,12 +81,18 @@ const COMMANDS: &[Command] = &[
 /// The exit code of a command that could not begin.
 const MISUSED: u8 = 2;
 
-/// Does what the arguments, without the program's own name, ask for.
+/// Does what the arguments ask for, of which the first is the name by which the program was called. By the name `povray`
+/// it has no commands, and writes to standard error what POV-Ray writes there.
 pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     limits::outlive_file_limit();
-    let arguments: Vec<String> = arguments.into_iter().collect();
-    let around = Surroundings::of_this_process();
-    let (done, refused) = match named(&arguments) {
+    let mut arguments = arguments.into_iter();
+    let program = arguments.next().unwrap_or_default();
+    let arguments: Vec<String> = arguments.collect();
+    let around = Surroundings {
+        is_povray: is_povray(&program),
+        ..Surroundings::of_this_process()
+    };
+    let (done, refused) = match named(&arguments).filter(|_| !around.is_povray) {
         Some((command, rest)) => ((command.run)(rest, &around), ExitCode::from(MISUSED)),
         None => (draw::run(&arguments, &around), ExitCode::FAILURE),
     };
@@ -86,6 +100,12 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
         say(format_args!("povr: {refusal}"));
         refused
     })
+}
+
+/// Whether a program of this path is called as POV-Ray is.
+fn is_povray(program: &str) -> bool {
+    let name = Path::new(program).file_stem();
+    name.is_some_and(|name| name.eq_ignore_ascii_case("povray"))
 }
 
 /// The command that the first argument names, and the arguments behind it. A file of that name is `./check`.

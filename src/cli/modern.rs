@@ -3,12 +3,14 @@
 use std::str::FromStr;
 use std::time::Duration;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser};
 
 use super::COMMANDS;
 use super::error::CliError;
 use super::report::MessageFormat;
 use super::typed::{Output, Typed};
+use super::unknown;
 use super::values::{duration, error};
 use crate::options::{LeastDistance, RandomOrder};
 
@@ -22,30 +24,25 @@ use crate::options::{LeastDistance, RandomOrder};
     disable_version_flag = true
 )]
 pub(super) struct Modern {
-    /// Write to this very file; its ending chooses the type. `-` is standard output
+    /// Output file; the extension selects the format (`-` for standard output)
     #[arg(short, long, value_name = "FILE")]
     output: Option<String>,
     /// Size of the picture in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT")]
     size: Option<Size>,
-    /// Threads to draw with; one for each core unless given
+    /// Number of threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
-    /// The form of errors and warnings
-    #[arg(
-        long,
-        value_name = "povray|human|short|json",
-        value_enum,
-        hide_possible_values = true
-    )]
+    /// How to print errors and warnings: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
     message_format: Option<MessageFormat>,
-    /// Print what was done and how long it took
+    /// Print statistics and timings
     #[arg(long)]
     stats: bool,
-    /// The same as one line of JSON
+    /// Print them as one line of JSON
     #[arg(long)]
     json: bool,
     /// Sample until the estimated error of every pixel is at most E/255 (as +AM4 does with 1)
@@ -54,10 +51,10 @@ pub(super) struct Modern {
     /// Stop after this time with the best picture so far: 10s, 500ms, 2m
     #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
     time: Option<Duration>,
-    /// Lose what is thinner than POV-Ray's least distances, as it does
+    /// Use POV-Ray's minimum distances, dropping very thin surfaces as it does
     #[arg(long)]
     pov_distances: bool,
-    /// Take random numbers in POV-Ray's order in large pictures too, which then one thread draws
+    /// Match POV-Ray's random numbers in large images as well (renders on one thread)
     #[arg(long)]
     pov_random: bool,
     // Without a short form: `-V` is POV-Ray's.
@@ -66,22 +63,26 @@ pub(super) struct Modern {
     version: Option<bool>,
 }
 
-/// Switches as people look for them.
+/// Switches as people look for them, in lines that no terminal of 80 columns breaks.
 pub(super) const SWITCHES: &str = "\
 POV-Ray's switches, upper or lower case; later ones win:
   SCENE.pov, +IFILE     the scene; - is standard input
-  +OFILE                the picture, .png and the like appended unless there; +O- standard output
+  +OFILE                output file (extension added if missing); +O- standard
+                        output
   +W800 +H600           size in pixels
-  +FN +FN16 +FNg        PNG, with 16 bits, grey; +FT +FC Targa, +FB BMP, +FP PPM, +FJ JPEG,
-                        +FE EXR, +FH HDR, -F no file
+  +FN +FN16 +FNg        PNG, with 16 bits, grey; +FT Targa, +FB BMP, +FP PPM,
+                        +FJ JPEG, +FE EXR, +FH HDR, -F no file
   +UA                   keep the transparency of the background
   +Q9                   quality, 0 to 11
-  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method (4: see --error), depth, jitter; -A off
-  +SC +EC +SR +ER       first and last column and row: pixels from 1, or shares like 0.25
+  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method (4: see --error),
+                        depth, jitter; -A off
+  +SC +EC +SR +ER       first and last column and row: pixels from 1, or
+                        shares like 0.25
   +LFOLDER              search includes here too
   +K0.5                 the clock
-  +KFI1 +KFF30 +KC      an animation: first and last frame, cyclic; +KI0 +KF1 its clock, +SF +EF a part of it
-  +C                    go on with a picture whose drawing was interrupted
+  +KFI1 +KFF30 +KC      an animation: first and last frame, cyclic; +KI0 +KF1
+                        its clock, +SF +EF a part of it
+  +C                    resume an interrupted render
   Declare=Name=1.5      declare a number before the scene
   +MV3.6 +HIFILE        language version, file to include first
   +WT4 +V -GA           threads, verbose, quiet
@@ -139,8 +140,13 @@ pub(super) fn parse<Face: Parser>(option: &[String]) -> Result<Face, clap::Error
     Face::try_parse_from(std::iter::once("povr").chain(words))
 }
 
-/// What clap printed: an answer, or a refusal.
-pub(super) fn printed(said: &clap::Error) -> Result<String, CliError> {
+/// The text that clap printed: an answer, or a refusal of an option of this face.
+pub(super) fn printed<Face: CommandFactory>(said: &clap::Error) -> Result<String, CliError> {
+    if let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
+        (said.kind(), said.get(ContextKind::InvalidArg))
+    {
+        return Err(unknown::refused(option, &Face::command()));
+    }
     let text = said.render().to_string();
     if said.use_stderr() {
         let text = text.trim_end();
@@ -163,10 +169,9 @@ impl Modern {
         if let Some(threads) = self.threads {
             typed.threads = Some(usize::from(threads));
         }
-        if let Some(format) = self.message_format {
-            typed.message_format = format;
-        }
+        typed.message_format = self.message_format.or(typed.message_format);
         typed.quiet |= self.quiet;
+        typed.silent |= self.quiet;
         typed.stats |= self.stats;
         typed.json |= self.json;
         if self.error.is_some() || self.time.is_some() {
@@ -191,6 +196,7 @@ pub(super) fn everything() -> clap::Command {
             .bin_name(format!("povr {}", command.name))
     });
     Modern::command()
+        .disable_help_subcommand(true)
         .arg(
             clap::Arg::new("scene")
                 .value_name("SCENE.pov")

@@ -20,6 +20,7 @@ use std::sync::Mutex;
 use clap::ValueEnum;
 use serde::Serialize;
 
+use super::settings::Settings;
 use super::streams::{self, Files};
 use crate::options::{Event, Statistics};
 use crate::source::{Message, Severity};
@@ -27,7 +28,7 @@ use crate::source::{Message, Severity};
 /// The form of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MessageFormat {
-    /// POV-Ray's line, and below an error the lines of the scene.
+    /// POV-Ray's line, for programs that look for it.
     Povray,
     /// The lines of the scene with what is wrong beside them.
     Human,
@@ -130,10 +131,24 @@ impl Reporter {
         }
     }
 
+    /// The counts so far.
+    pub(super) fn counts(&self) -> Counts {
+        *self.lock()
+    }
+
     /// What has been found since this was last asked.
     pub(super) fn take_counts(&self) -> Counts {
         self.end_line();
         std::mem::take(&mut *self.lock())
+    }
+
+    /// Writes how many errors a drawing met, if they are several.
+    pub(super) fn total(&self, settings: &Settings, counts: Counts) {
+        let talk = settings.talk;
+        let is_wanted = !talk.quiet && !talk.is_povray && self.format != MessageFormat::Json;
+        if is_wanted && counts.errors > 1 {
+            self.line(format_args!("{}: {counts}", settings.scene.name()));
+        }
     }
 
     /// Writes a line where findings go.
@@ -174,12 +189,7 @@ impl Reporter {
             return;
         }
         match self.format {
-            MessageFormat::Povray if message.severity == Severity::Warning => {
-                self.line(&message.pov_line);
-            }
-            MessageFormat::Povray => {
-                self.line(format_args!("{}\n{}", message.pov_line, message.excerpt));
-            }
+            MessageFormat::Povray => self.line(message.povray()),
             MessageFormat::Human if self.is_colored() => {
                 self.line(format_args!("{}\n", message.colored));
             }

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 
 use super::error::CliError;
 use super::frames::Frames;
+use super::ini::neighbour;
 use super::report::MessageFormat;
 use super::streams::Stream;
+use super::surroundings::Surroundings;
 use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
 use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling, Stop};
@@ -63,14 +65,29 @@ pub struct Talk {
     pub verbose: bool,
     /// Nothing but errors.
     pub quiet: bool,
+    /// Not even what POV-Ray's console shows under `-GA`.
+    pub is_silent: bool,
+    /// On POV-Ray's console: the options of the drawing,
+    pub renders: bool,
+    /// and its times.
+    pub statistics: bool,
     /// Statistics.
     pub stats: bool,
     /// The same as an object in a line.
     pub json: bool,
+    /// Set if people read standard error: a bar of progress, and a line about the picture at the end.
+    pub is_terminal: bool,
+    /// Set if all that POV-Ray's console shows is to be printed in its form.
+    pub is_povray: bool,
 }
 
-/// Decides.
-pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Settings, CliError> {
+/// Decides. `command` is the one to name in a remedy: `povr`, or `povr watch`.
+pub(super) fn settle(
+    typed: Typed,
+    standard_folders: &[PathBuf],
+    around: &Surroundings,
+    command: &str,
+) -> Result<Settings, CliError> {
     if let Some((unbuilt, said)) = typed.unbuilt.first() {
         let (what, instead) = unbuilt.refusal();
         return Err(CliError::new(format!("`{said}`: {what}")).with_hint(instead));
@@ -78,7 +95,9 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
     let mut warnings = typed.doubts.clone();
     let render = render_options(&typed)?;
     let name = typed.scene.clone().ok_or_else(|| {
-        CliError::new("no scene is named").with_hint("write `povr scene.pov`, or `povr --help`")
+        CliError::new("no scene is named").with_hint(format!(
+            "write `{command} scene.pov`, or `{command} --help`"
+        ))
     })?;
     let output = output(&typed, &name, &mut warnings)?;
     let frames = Frames::of(&typed.frames);
@@ -105,15 +124,7 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
         continues: typed.continues,
         frames,
         output,
-        talk: Talk {
-            warnings: typed.warnings,
-            debugs: typed.debugs,
-            format: typed.message_format,
-            verbose: typed.verbose,
-            quiet: typed.quiet,
-            stats: typed.stats,
-            json: typed.json,
-        },
+        talk: talk(&typed, around),
         streams: typed.streams.clone(),
         warnings: warnings
             .iter()
@@ -125,6 +136,28 @@ pub(super) fn settle(typed: Typed, standard_folders: &[PathBuf]) -> Result<Setti
             .map(|said| format!("povr: note: `{said}` has no effect here"))
             .collect(),
     })
+}
+
+fn talk(typed: &Typed, around: &Surroundings) -> Talk {
+    let format = match typed.message_format {
+        Some(format) => format,
+        None if typed.has_console => MessageFormat::Povray,
+        None => around.message_format(),
+    };
+    Talk {
+        warnings: typed.warnings,
+        debugs: typed.debugs,
+        format,
+        verbose: typed.verbose,
+        quiet: typed.quiet,
+        is_silent: typed.silent,
+        renders: typed.renders,
+        statistics: typed.statistics,
+        stats: typed.stats,
+        json: typed.json,
+        is_terminal: around.is_terminal,
+        is_povray: around.is_povray,
+    }
 }
 
 /// What reading takes from what was typed.
@@ -242,6 +275,10 @@ pub(super) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
         .flat_map(|folder| ["", ".pov", ".POV"].map(|end| folder.join(format!("{name}{end}"))))
         .find(|file| file.exists() && !file.is_dir())
         .ok_or_else(|| {
+            let refusal = CliError::new(format!("cannot find the scene `{name}`"));
+            if let Some(near) = neighbour(Path::new(name)) {
+                return refusal.with_hint(format!("did you mean `{near}`?"));
+            }
             let searched: Vec<_> = folders
                 .iter()
                 .map(|f| format!("`{}`", f.display()))
@@ -250,8 +287,7 @@ pub(super) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
                 [] => String::new(),
                 folders => format!(" and in {}", folders.join(", ")),
             };
-            CliError::new(format!("cannot find the scene `{name}`"))
-                .with_hint(format!("looked in the current folder{also}"))
+            refusal.with_hint(format!("looked in the current folder{also}"))
         })
 }
 

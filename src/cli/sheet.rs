@@ -39,7 +39,7 @@ pub(super) const COMMAND: Command = Command {
 #[command(
     name = "povr sheet",
     after_help = "\
-In DIR a folder for each shape gets a scene and a picture for each transform, `overview.pov` with all of them,
+In DIR a folder for each shape gets a scene and a picture for each transform, `overview.pov` with all of them, \
 `sheet.png` and `sheet.html`. x is blue, y is yellow, z is red.
 Exit code 0: all pictures agree with POV-Ray's, or it is not installed; 1: some do not; 2: the command line is at fault."
 )]
@@ -52,7 +52,7 @@ struct Face {
     /// The folder to write to; it is made if it is missing
     #[arg(short, long, value_name = "DIR", default_value = "sheet")]
     output: PathBuf,
-    /// The declared object in a file of one's own; without it the file is an object itself
+    /// Object to draw when SHAPE is a file that declares several
     #[arg(long, value_name = "NAME")]
     object: Option<String>,
     /// Draw only the scene that holds all transforms
@@ -83,7 +83,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
     let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => face,
         Err(said) => {
-            say(modern::printed(&said)?.trim_end());
+            say(modern::printed::<Face>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };

@@ -119,7 +119,8 @@ impl Files {
     /// Writes what is drawn and how.
     pub(super) fn begin(&self, settings: &Settings) {
         if !self.files.is_empty() {
-            self.write(Stream::Render, &options(settings));
+            let text = format!("{}{RULE}\n{}", drawn_what(settings), drawn_how(settings));
+            self.write(Stream::Render, &text);
         }
     }
 }
@@ -147,8 +148,8 @@ fn wrapped(text: &str) -> String {
     lines
 }
 
-/// The options of a run as POV-Ray lists them, those that mean something here.
-fn options(settings: &Settings) -> String {
+/// The options of scene and picture as POV-Ray lists them, those that mean something here.
+pub(super) fn drawn_what(settings: &Settings) -> String {
     let scene = match &settings.scene {
         Scene::File(path) => path.display().to_string(),
         Scene::Stdin => "standard input".to_owned(),
@@ -181,7 +182,12 @@ fn options(settings: &Settings) -> String {
         Some((Target::Stdout, _)) => text += "  Output file..........standard output\n",
         None => text += "  Output file..........Off\n",
     }
-    text + &format!("{RULE}\nRender Options\n  Quality: {:2}\n", render.quality)
+    text
+}
+
+/// The options of drawing as POV-Ray lists them.
+pub(super) fn drawn_how(settings: &Settings) -> String {
+    format!("Render Options\n  Quality: {:2}\n", settings.render.quality)
 }
 
 #[cfg(test)]

@@ -1,10 +1,12 @@
 //! Where settings come from besides the command line: POV-Ray's ini files of the system and of the user.
 
 use std::env;
+use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use super::error::CliError;
 use super::ini::Reader;
+use super::report::MessageFormat;
 use super::typed::Typed;
 
 /// Where settings come from besides the command line.
@@ -16,6 +18,10 @@ pub struct Surroundings {
     pub user_ini: Option<PathBuf>,
     /// What was wrong with it.
     pub warning: Option<String>,
+    /// Set if standard error is a terminal, where people read.
+    pub is_terminal: bool,
+    /// Set if the program was called by the name `povray`.
+    pub is_povray: bool,
 }
 
 impl Surroundings {
@@ -34,6 +40,8 @@ impl Surroundings {
             system_ini: Some(PathBuf::from("/etc/povray/3.7/povray.ini")).filter(|f| f.is_file()),
             warning: missing
                 .map(|file| format!("`POVINI` names `{}`, which is not there", file.display())),
+            is_terminal: io::stderr().is_terminal(),
+            is_povray: false,
             user_ini: places.into_iter().flatten().find(|file| file.is_file()),
         }
     }
@@ -45,6 +53,15 @@ impl Surroundings {
             Reader::new(&mut system, &[]).read_file(file, None)?;
         }
         Ok(system.library_paths)
+    }
+
+    /// The form of messages that nobody chose: people get the lines of the scene, programs POV-Ray's one line.
+    pub(super) fn message_format(&self) -> MessageFormat {
+        if self.is_terminal && !self.is_povray {
+            MessageFormat::Human
+        } else {
+            MessageFormat::Povray
+        }
     }
 
     /// What holds before the first argument is read: the settings of the user's ini file.

@@ -127,6 +127,25 @@ pub(super) fn described() -> impl Iterator<Item = Described> {
     })
 }
 
+/// How the switch is written that sets an option: `+V`, `+W<value>`.
+pub(super) fn of_key(key: &str) -> Option<String> {
+    SWITCHES.iter().find_map(|&(name, form)| match form {
+        Flag(sets) | Both(sets, _) if sets == key => Some(format!("+{name}")),
+        Value(sets) | Both(_, sets) if sets == key => Some(format!("+{name}<value>")),
+        _ => None,
+    })
+}
+
+/// The option that takes what is written behind a switch; `None` if this is no switch. That of a switch without a value
+/// is empty.
+pub(super) fn key_of(said: &str) -> Option<&'static str> {
+    let (form, _) = meaning(said.strip_prefix(['+', '-'])?)?;
+    Some(match form {
+        Value(key) | Both(_, key) => key,
+        Flag(_) | FileType | Idle => "",
+    })
+}
+
 /// Sets what a switch stands for. `None` if this is no switch.
 pub(super) fn set(typed: &mut Typed, said: &str) -> Option<Result<(), CliError>> {
     let body = said.strip_prefix(['+', '-'])?;

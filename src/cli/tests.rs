@@ -307,7 +307,7 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
         (vec![&scene, "+KFF3", "Field_Render=on"], "`Field_Render=on`: rendering of fields is not built yet\n  hint: use `-UF` (or `Field_Render=off`)".to_owned()),
         (vec![&scene, "Clockless_Animation=on"], "`Clockless_Animation=on`: animation by several cameras is not built yet\n  hint: leave `Clockless_Animation` out and move one camera with `clock`".to_owned()),
         (vec![&scene, "+C", "+KFF3"], "`+C`: continuing an animation is not built yet\n  hint: draw the frames that are missing: `+SF` is the first, `+EF` the last".to_owned()),
-        (vec![&stem], format!("`{stem}` is neither a scene (`.pov`) nor an ini file that can be found\n  hint: is `{scene}` meant?")),
+        (vec![&stem], format!("no scene, ini file or command named `{stem}`; did you mean `{scene}`?")),
         (vec!["/none.pov"], "cannot find the scene `/none.pov`\n  hint: looked in the current folder".to_owned()),
         (vec![&scene, "-o", "a.xyz"], "no file type has the ending `.xyz` of `a.xyz`\n  hint: end the name in .png, .jpg, .ppm, .tga, .bmp, .exr or .hdr, or choose a type with `+F`".to_owned()),
     ] {
@@ -316,7 +316,16 @@ fn refusals_say_what_is_wrong_and_what_to_do() {
     assert!(refusal(&["--size", "3"]).starts_with(
         "invalid value '3' for '--size <WIDTHxHEIGHT>': a size is written like 320x240"
     ));
-    assert!(refusal(&["--foo"]).starts_with("unexpected argument '--foo' found"));
+    assert_eq!(
+        refusal(&["wacth", &scene]),
+        "no scene, ini file or command named `wacth`; did you mean `povr watch`?"
+    );
+    assert_eq!(
+        refusal(&["--serve", &scene]),
+        "`--serve` is an option of `povr watch`"
+    );
+    let near = here.path().join("s.ini").display().to_string();
+    assert_eq!(refusal(&[&near]), format!("no ini file named `{near}`"));
 }
 
 #[test]
@@ -412,7 +421,7 @@ fn the_system_gives_folders_and_the_user_settings() {
     let around = Surroundings {
         system_ini: Some(here.path().join("system.ini")),
         user_ini: Some(here.path().join("user.ini")),
-        warning: None,
+        ..Surroundings::default()
     };
     let scene = here.path().join("s.pov").display().to_string();
     let Ok(Request::Draw(settings)) = request(&[scene, "+La".to_owned()], &around) else {

@@ -39,11 +39,19 @@ pub(super) struct Typed {
     pub(super) frames: Wanted,
     pub(super) verbose: bool,
     pub(super) quiet: bool,
+    /// By `--quiet`, which leaves out even what POV-Ray prints under `-GA`.
+    pub(super) silent: bool,
     pub(super) warnings: bool,
     pub(super) debugs: bool,
+    /// Options and times on POV-Ray's console.
+    pub(super) renders: bool,
+    pub(super) statistics: bool,
     /// Files for what is said.
     pub(super) streams: Vec<(Stream, PathBuf)>,
-    pub(super) message_format: MessageFormat,
+    /// `None` until somebody names one.
+    pub(super) message_format: Option<MessageFormat>,
+    /// Set by any option about a console: the messages then have POV-Ray's form.
+    pub(super) has_console: bool,
     pub(super) stats: bool,
     pub(super) json: bool,
     pub(super) least_distance: LeastDistance,
@@ -116,10 +124,14 @@ impl Default for Typed {
             frames: Wanted::default(),
             verbose: false,
             quiet: false,
+            silent: false,
+            renders: true,
+            statistics: true,
             warnings: true,
             debugs: true,
             streams: Vec::new(),
-            message_format: MessageFormat::Povray,
+            message_format: None,
+            has_console: false,
             stats: false,
             json: false,
             least_distance: LeastDistance::default(),

@@ -23,7 +23,7 @@ use self::files::{Known, Watched};
 use self::painter::Painter;
 use self::shown::Shown;
 use super::Command;
-use super::draw::{Request, reporter, request};
+use super::draw::{Request, reporter, request_of};
 use super::error::CliError;
 use super::modern;
 use super::report::say;
@@ -44,21 +44,21 @@ pub(super) const COMMAND: Command = Command {
     name = "povr watch",
     override_usage = "povr watch [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
     after_help = "\
-All options and switches of drawing count: `povr watch scene.pov +W640 +H480 +A0.3 -o picture.png`. The picture is shown
-where the terminal can draw (kitty, iTerm, sixel; elsewhere with half characters), and with --serve on a page that only
+All options and switches of drawing count: `povr watch scene.pov +W640 +H480 +A0.3 -o picture.png`. The picture is shown \
+where the terminal can draw (kitty, iTerm, sixel; elsewhere with half characters), and with --serve on a page that only \
 this machine can see; no browser is opened. Ctrl-C ends it."
 )]
 struct Face {
-    /// Show the picture on a page of this machine, at an address that is printed
+    /// Serve a live page on localhost and print its address
     #[arg(long)]
     serve: bool,
-    /// The port of the page; a free one unless given
+    /// Port of the page [default: a free one]
     #[arg(long, value_name = "PORT")]
     port: Option<u16>,
     /// Show nothing in the terminal
     #[arg(long)]
     no_terminal: bool,
-    /// End after so many drawings
+    /// Exit after N renders
     #[arg(long, value_name = "N")]
     times: Option<u32>,
 }
@@ -96,7 +96,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let settings = match request(&rest, around)? {
+    let settings = match request_of("povr watch", &rest, around)? {
         Request::Print(text) => {
             say(text.trim_end());
             return Ok(ExitCode::SUCCESS);
@@ -172,7 +172,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.is_silent |= face.no_terminal;
                 wanted.times = face.times.or(wanted.times);
             }
-            Err(said) => return modern::printed(&said).map(Err),
+            Err(said) => return modern::printed::<Face>(&said).map(Err),
         }
         rest = behind;
     }

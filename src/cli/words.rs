@@ -54,33 +54,77 @@ pub(super) fn assignment(text: &str) -> Option<(&str, &str)> {
     is_key.then_some((key, value.trim()))
 }
 
-/// The words of an argument. An argument may hold several switches (`"+W320 +H240"`), but a space in a file name
-/// belongs to the name: a new word begins with a sign and a letter, or is an assignment.
+/// The words of an argument, or of a line of an ini file. Either may hold several (`"+W320 +H240"`), divided by white
+/// space that is not in quotes. POV-Ray takes every space in an argument for the end of a word; here one in a file name
+/// belongs to the name (`+Ia b.pov`): a name goes on until a switch or an assignment begins.
 pub(super) fn of_argument(argument: &str) -> Vec<String> {
-    if assignment(argument).is_some() {
-        return vec![argument.trim().to_owned()];
-    }
     let mut words: Vec<Range<usize>> = Vec::new();
     for piece in pieces(argument) {
         let text = &argument[piece.clone()];
-        let begins = assignment(text).is_some()
-            || text
-                .strip_prefix(['+', '-'])
-                .is_some_and(|t| t.starts_with(|c: char| c.is_ascii_alphabetic()));
         match words.last_mut() {
-            Some(word) if !begins => word.end = piece.end,
+            Some(word) if belongs_to(&argument[word.clone()], text) => word.end = piece.end,
             _ => words.push(piece),
         }
     }
     words.into_iter().map(|w| argument[w].to_owned()).collect()
 }
 
-/// The words of a line of an ini file, where only quotes keep a space.
-pub(super) fn of_line(line: &str) -> Vec<String> {
-    pieces(line)
-        .into_iter()
-        .map(|piece| line[piece].to_owned())
-        .collect()
+/// Whether a piece after white space goes on with the word before it.
+fn belongs_to(word: &str, piece: &str) -> bool {
+    let begins = assignment(piece).is_some()
+        || piece
+            .strip_prefix(['+', '-'])
+            .is_some_and(|t| t.starts_with(|c: char| c.is_ascii_alphabetic()));
+    match value_of(word) {
+        Value::Command => true,
+        _ if piece.starts_with('=') => true,
+        _ if begins => false,
+        // After `Key =`.
+        _ if word.ends_with('=') => true,
+        _ if word.ends_with(['"', '\'']) => false,
+        Value::Name => true,
+        Value::Other => !is_file(piece),
+    }
+}
+
+/// What may be written behind a switch or a key.
+enum Value {
+    /// A command for a shell, to the end of the line.
+    Command,
+    /// A file or a folder.
+    Name,
+    /// A number, a letter, or nothing.
+    Other,
+}
+
+fn value_of(word: &str) -> Value {
+    let key = match assignment(word) {
+        Some((key, _)) => key,
+        None => match switches::key_of(word) {
+            Some(key) => key,
+            None => return Value::Name,
+        },
+    };
+    let key = key.to_ascii_lowercase();
+    let is_name = key.ends_with("_file")
+        || key.contains("file_name")
+        || key.starts_with("include_")
+        || key == "library_path";
+    if key.ends_with("_command") {
+        Value::Command
+    } else if is_name {
+        Value::Name
+    } else {
+        Value::Other
+    }
+}
+
+/// Whether a piece can be nothing but a scene or an ini file, in quotes or not.
+fn is_file(piece: &str) -> bool {
+    let name = unquoted(piece);
+    [".pov", ".ini", "]"]
+        .iter()
+        .any(|end| has_ending(name, end))
 }
 
 pub(super) fn has_ending(name: &str, ending: &str) -> bool {
@@ -90,14 +134,21 @@ pub(super) fn has_ending(name: &str, ending: &str) -> bool {
         .is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
-/// What stands between white space that is not in quotes.
+/// What is between white space that is not in quotes.
 fn pieces(text: &str) -> Vec<Range<usize>> {
     let mut pieces = Vec::new();
     let mut start = None;
-    let mut is_quoted = false;
+    let mut quote = None;
     for (at, c) in text.char_indices() {
-        is_quoted ^= c == '"';
-        if is_quoted || !c.is_whitespace() {
+        match quote {
+            Some(open) if c == open => quote = None,
+            Some(_) => {}
+            None => {
+                let before = &text[start.unwrap_or(at)..at];
+                quote = Some(c).filter(|_| opens_quotes(c, before, &text[at + c.len_utf8()..]));
+            }
+        }
+        if quote.is_some() || !c.is_whitespace() {
             start.get_or_insert(at);
         } else if let Some(start) = start.take() {
             pieces.push(start..at);
@@ -105,6 +156,17 @@ fn pieces(text: &str) -> Vec<Range<usize>> {
     }
     pieces.extend(start.map(|start| start..text.len()));
     pieces
+}
+
+/// Whether a letter begins a stretch in quotes. An apostrophe does so only where a value begins (`'a b.pov'`,
+/// `+I'a b.pov'`, `Key='a b'`) and another one follows: names have apostrophes too.
+fn opens_quotes(c: char, before: &str, behind: &str) -> bool {
+    let is_switch = |text: &str| {
+        text.strip_prefix(['+', '-'])
+            .is_some_and(|t| !t.is_empty() && t.chars().all(|c| c.is_ascii_alphabetic()))
+    };
+    let begins_value = before.is_empty() || before.ends_with('=') || is_switch(before);
+    c == '"' || (c == '\'' && begins_value && behind.contains('\''))
 }
 
 #[cfg(test)]
@@ -121,6 +183,26 @@ mod tests {
             ("+A Width=3", vec!["+A", "Width=3"]),
             ("Input_File_Name=a b.pov", vec!["Input_File_Name=a b.pov"]),
             ("+A ", vec!["+A"]),
+            ("Width=9 Height=8", vec!["Width=9", "Height=8"]),
+            ("Width = 9", vec!["Width = 9"]),
+            ("+W9 s.pov +H8", vec!["+W9", "s.pov", "+H8"]),
+            ("+W9 p.ini[big]", vec!["+W9", "p.ini[big]"]),
+            ("+W 9", vec!["+W 9"]),
+            ("+I'a b.pov' +W9", vec!["+I'a b.pov'", "+W9"]),
+            ("'a b.pov' p.ini", vec!["'a b.pov'", "p.ini"]),
+            ("it's a b.pov", vec!["it's a b.pov"]),
+            (
+                "Input_File_Name=\"a b.pov\" Width=9",
+                vec!["Input_File_Name=\"a b.pov\"", "Width=9"],
+            ),
+            (
+                "Declare=A=3 Declare=B=4",
+                vec!["Declare=A=3", "Declare=B=4"],
+            ),
+            (
+                "Post_Frame_Command=mv -f a b.pov",
+                vec!["Post_Frame_Command=mv -f a b.pov"],
+            ),
             ("", vec![]),
         ] {
             assert_eq!(of_argument(argument), expected, "{argument}");

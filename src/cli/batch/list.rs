@@ -39,7 +39,8 @@ pub(super) fn list(wanted: &Wanted, around: &Surroundings) -> Result<List, CliEr
     };
     for (series, found) in scenes(wanted)?.into_iter().enumerate() {
         let typed = of_scene(&found, wanted, typed.clone(), &standard_folders);
-        let settled = typed.and_then(|typed| settings::settle(typed, &standard_folders));
+        let settled = typed
+            .and_then(|typed| settings::settle(typed, &standard_folders, around, "povr batch"));
         match settled.and_then(|settings| pictures(&found, series, wanted, settings)) {
             Ok(pictures) => list.pictures.extend(pictures),
             Err(refusal) => list.refused.push((found.scene, refusal)),

@@ -1,7 +1,7 @@
 //! What is told of a batch: a bar while it runs, the failures at the end, a log for programs.
 
 use std::collections::BTreeMap;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -13,6 +13,7 @@ use super::Wanted;
 use crate::batch::{News, Outcome, Picture, Status};
 use crate::cli::error::CliError;
 use crate::cli::report::{MessageFormat, Reporter, Stream, counted, say};
+use crate::cli::surroundings::Surroundings;
 use crate::options::Event;
 use crate::source::Message;
 
@@ -61,8 +62,8 @@ enum Line<'a> {
 }
 
 impl<'a> Teller<'a> {
-    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture]) -> Self {
-        let target = if wanted.is_quiet || !io::stderr().is_terminal() {
+    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture], around: &Surroundings) -> Self {
+        let target = if wanted.is_quiet || !around.is_terminal {
             ProgressDrawTarget::hidden()
         } else {
             ProgressDrawTarget::stderr()
@@ -77,7 +78,7 @@ impl<'a> Teller<'a> {
             out: &wanted.batch.out,
             is_json: wanted.is_json,
             is_quiet: wanted.is_quiet,
-            format: wanted.format.unwrap_or(MessageFormat::Povray),
+            format: wanted.format.unwrap_or_else(|| around.message_format()),
             started: Instant::now(),
             bar,
             told: Mutex::default(),

@@ -65,7 +65,7 @@ impl Painter {
                     && !stop.is_asked()
                 {
                     let mut errors = errors.lock().unwrap_or_else(PoisonError::into_inner);
-                    errors.push_str(&format!("{}\n{}\n", message.pov_line, message.excerpt));
+                    errors.push_str(&format!("{}\n", message.excerpt));
                 }
                 // The second drawing says nothing that the first has not said.
                 if (pass == 0 || !matches!(event, Event::Said(_) | Event::Found(_)))

@@ -1,0 +1,78 @@
+//! `povr help`: the same as `povr --help`, and `povr help COMMAND` as `povr COMMAND --help`.
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use super::error::CliError;
+use super::nearest::nearest;
+use super::report::say;
+use super::surroundings::Surroundings;
+use super::{COMMANDS, Command, draw, modern};
+
+pub(super) const COMMAND: Command = Command {
+    name: "help",
+    about: "print this text, or that of a command",
+    run,
+    face: <Face as CommandFactory>::command,
+};
+
+/// Prints what povr, or one of its commands, can do.
+#[derive(Debug, Parser)]
+#[command(name = "povr help")]
+struct Face {
+    /// The command; without one the text is that of povr itself
+    command: Option<String>,
+}
+
+fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+    let name = std::iter::once("povr help".to_owned());
+    let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
+        Ok(face) => face,
+        Err(said) => {
+            say(modern::printed::<Face>(&said)?.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    let help = ["--help".to_owned()];
+    match face.command {
+        None => draw::run(&help, around),
+        Some(name) => (named(&name)?.run)(&help, around),
+    }
+}
+
+/// The command of a name.
+///
+/// # Errors
+/// When there is none.
+pub(super) fn named(name: &str) -> Result<&'static Command, CliError> {
+    let names = || COMMANDS.iter().map(|command| command.name);
+    let known = COMMANDS.iter().find(|command| command.name == name);
+    known.ok_or_else(|| {
+        let refusal = CliError::new(format!("there is no command `{name}`"));
+        match nearest(name, names()) {
+            Some(near) => refusal.with_hint(format!("did you mean `{near}`?")),
+            None => {
+                let all: Vec<&str> = names().collect();
+                refusal.with_hint(format!("commands are {}", all.join(", ")))
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_that_is_not_there_has_its_neighbour() {
+        assert_eq!(
+            named("bacth")
+                .map(|command| command.name)
+                .unwrap_err()
+                .to_string(),
+            "there is no command `bacth`\n  hint: did you mean `batch`?"
+        );
+        assert!(named("watch").is_ok());
+    }
+}
