@@ -88,6 +88,11 @@ fn search(function: &impl Enclosed, ends: [(f64, bool); 2], depth: u32, places: 
     search(function, [half, ends[1]], depth - 1, places);
 }
 
+/// The one place on a stretch that is monotone where the function changes sign.
+pub(crate) fn exact_change(function: &impl Enclosed, [from, to]: [f64; 2], is_rising: bool) -> f64 {
+    bracketed(function, from, to, is_rising)
+}
+
 /// Newton's iteration for the root of a monotone stretch, halving where a step leaves the stretch or gains too little.
 fn bracketed(function: &impl Enclosed, mut low: f64, mut high: f64, is_rising: bool) -> f64 {
     let mut x = 0.5 * (low + high);

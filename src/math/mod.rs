@@ -16,6 +16,7 @@ pub(crate) mod lanes;
 pub mod mersenne;
 pub mod noise;
 pub(crate) mod polynomial;
+pub(crate) mod powers;
 pub(crate) mod quartic;
 #[cfg(test)]
 pub(crate) mod random;

@@ -9,7 +9,13 @@
 //! Up to `e = n = 2` the size is convex along a ray, and Newton's iteration from where the ray enters the box around it
 //! finds the near root or turns away; the far one from the other end. Beyond, the surface has hollow sides: the ray is
 //! cut where a coordinate is zero, and on each piece values and slopes of `N` are bounded by those of its ends.
+//!
+//! Both ways are first gone in numbers of ten digits, which cost a fraction of exact powers (`rough`); a root takes its
+//! last digits from the exact size, and what is too close to call is asked anew in exact numbers.
 
+mod rough;
+
+use self::rough::{Estimate, Pieces, Rough};
 use super::{Geometry, Root, Start, first_visible, span};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::{Eased, is_comfortable};
@@ -130,14 +136,14 @@ impl Superellipsoid {
         let middle = 0.5 * (from + to);
         let ray = Ray::new(ray.at(middle), ray.dir);
         let (from, to) = (from - middle, to - middle);
+        let is_seen = |t: f64| {
+            let t = t + middle;
+            seen.is_some_and(|(least, most)| least < t && t < most)
+        };
         let mut roots = if self.is_convex() {
-            let is_seen = |t: f64| {
-                let t = t + middle;
-                seen.is_some_and(|(least, most)| least < t && t < most)
-            };
             self.convex_crossings(&ray, (from, to), is_seen)
         } else {
-            self.hollow_crossings(&ray, from, to)
+            self.hollow_crossings(&ray, (from, to), is_seen)
         };
         for root in &mut roots {
             root.t += middle;
@@ -151,18 +157,13 @@ impl Superellipsoid {
         (from, to): (f64, f64),
         is_seen: impl Fn(f64) -> bool,
     ) -> Crossings {
-        let excess = |t: f64| {
-            let p = ray.at(t);
-            let (size, gradient) = self.size_and_slopes(p.abs());
-            (size - 1.0, gradient.dot(p.signum() * ray.dir))
-        };
         let mut roots = Crossings::new();
-        let Some(enter) = first_below_zero(excess, from, to) else {
+        let Some((enter, slope)) = self.first_inside(ray, from, to) else {
             return roots;
         };
-        if is_seen(enter) && excess(enter).1 < -STEEP * ray.dir.length() {
+        if is_seen(enter) && slope < -STEEP * ray.dir.length() {
             roots.extend(span((enter, 0), (to, 0)).map(|[enter, _]| enter));
-        } else if let Some(leave) = first_below_zero(excess, to, from)
+        } else if let Some((leave, _)) = self.first_inside(ray, to, from)
             && enter < leave
         {
             roots.extend(span((enter, 0), (leave, 0)).into_iter().flatten());
@@ -170,7 +171,34 @@ impl Superellipsoid {
         roots
     }
 
-    fn hollow_crossings(&self, ray: &Ray, from: f64, to: f64) -> Crossings {
+    /// Where a convex size falls below 1 on the way from one end to the other, and its slope there.
+    fn first_inside(&self, ray: &Ray, from: f64, to: f64) -> Option<(f64, f64)> {
+        if let Some(rough) = Rough::new(self, ray) {
+            match rough.first_inside(from, to) {
+                Estimate::None => return None,
+                Estimate::Near(t, slope) => {
+                    if let Some(t) = rough.sharpened(t, slope, from.abs().max(to.abs())) {
+                        return Some((t, slope));
+                    }
+                }
+                Estimate::Unclear => {}
+            }
+        }
+        let excess = |t: f64| {
+            let p = ray.at(t);
+            let (size, gradient) = self.size_and_slopes(p.abs());
+            (size - 1.0, gradient.dot(p.signum() * ray.dir))
+        };
+        let t = first_below_zero(excess, from, to)?;
+        Some((t, excess(t).1))
+    }
+
+    fn hollow_crossings(
+        &self,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        is_seen: impl Fn(f64) -> bool,
+    ) -> Crossings {
         let mut stops: SmallVec<[f64; 5]> = SmallVec::new();
         stops.push(from);
         for axis in 0..3 {
@@ -185,12 +213,26 @@ impl Superellipsoid {
             shape: self,
             ray: *ray,
         };
+        let pieces = Rough::new(self, ray).map(|rough| Pieces::new(rough, &along));
         let mut places = Places::new();
         let mut start = (from, false);
         for &stop in &stops[1..] {
-            let end = (stop, stop < to && along.value(stop) < 0.0);
-            sign_changes(&along, start, end, &mut places);
+            let end = match &pieces {
+                Some(pieces) => {
+                    let end = (stop, stop < to && pieces.is_inside(stop));
+                    pieces.sign_changes(start, end, &mut places);
+                    end
+                }
+                None => {
+                    let end = (stop, stop < to && along.value(stop) < 0.0);
+                    sign_changes(&along, start, end, &mut places);
+                    end
+                }
+            };
             start = end;
+            if places.chunks_exact(2).any(|pair| is_seen(pair[0])) {
+                break;
+            }
         }
         let mut roots = Crossings::new();
         for pair in places.chunks_exact(2) {
@@ -346,6 +388,15 @@ impl Geometry for Superellipsoid {
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         first_visible(&self.crossings(ray, Some((from, to))), from, to)
+    }
+
+    /// A size that is convex and grows where the ray starts does not fall again.
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        let Some(rough) = self.is_convex().then(|| Rough::new(self, ray)).flatten() else {
+            return false;
+        };
+        let is_near = ray.origin.abs().max_element() <= REACH;
+        is_near && rough.at(0.0).1 > STEEP * ray.dir.length()
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {

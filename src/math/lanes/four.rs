@@ -36,6 +36,29 @@ pub(crate) trait Four: Copy {
     fn bits(mask: Self::Mask) -> u32;
     /// The mask of these bits.
     fn mask(bits: u32) -> Self::Mask;
+    /// `e` and `m` of `2^e · m` with `1 <= m < 2`, for positive normal numbers.
+    fn split(self) -> [Self; 2];
+    /// `2^n` for whole numbers `n` from -1022 to 1023.
+    fn power_of_two(self) -> Self;
+}
+
+/// A double with these bits and those of a whole number below 2^52 is 2^52 more than that number.
+const WHOLE: u64 = (1023 + 52) << 52;
+/// 2^52.
+const WHOLES: f64 = f64::from_bits(WHOLE);
+/// What the exponent of a double is held with.
+const BIAS: f64 = 1023.0;
+/// The bits of the mantissa.
+const MANTISSA: u64 = (1 << 52) - 1;
+
+fn split_one(x: f64) -> [f64; 2] {
+    let exponent = f64::from_bits(x.to_bits() >> 52 | WHOLE) - (WHOLES + BIAS);
+    let mantissa = f64::from_bits(x.to_bits() & MANTISSA | 1.0_f64.to_bits());
+    [exponent, mantissa]
+}
+
+fn power_of_two_one(n: f64) -> f64 {
+    f64::from_bits((n + (WHOLES + BIAS)).to_bits() << 52)
 }
 
 /// Four numbers that may all be different.
@@ -189,6 +212,15 @@ impl Four for [f64; 4] {
     fn mask(bits: u32) -> [bool; 4] {
         std::array::from_fn(|i| bits >> i & 1 == 1)
     }
+    #[inline(always)]
+    fn split(self) -> [Self; 2] {
+        let each = self.map(split_one);
+        [0, 1].map(|part| each.map(|of| of[part]))
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        self.map(power_of_two_one)
+    }
 }
 
 impl Row for [f64; 4] {
@@ -281,12 +313,20 @@ impl Four for f64 {
     fn mask(bits: u32) -> bool {
         bits & 1 == 1
     }
+    #[inline(always)]
+    fn split(self) -> [Self; 2] {
+        split_one(self)
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        power_of_two_one(self)
+    }
 }
 
 /// Only for work that runs inside [`four_wide`].
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use super::{Four, Row};
+    use super::{BIAS, Four, MANTISSA, Row, WHOLES};
     use std::arch::x86_64::*;
 
     macro_rules! each {
@@ -387,6 +427,27 @@ mod wide {
         fn mask(bits: u32) -> __m256d {
             // Only the sign of a number of a mask is ever looked at, except by `both` and `either`, which keep it.
             Self::load(&SIGNS[bits as usize % 16])
+        }
+        #[inline(always)]
+        fn split(self) -> [Self; 2] {
+            // SAFETY: as in the others.
+            unsafe {
+                let bits = _mm256_castpd_si256(self);
+                let whole = _mm256_castpd_si256(Self::all(WHOLES));
+                let exponent = _mm256_or_si256(_mm256_srli_epi64::<52>(bits), whole);
+                let one = Self::all(1.0);
+                let mantissa = _mm256_and_pd(self, Self::all(f64::from_bits(MANTISSA)));
+                [
+                    _mm256_castsi256_pd(exponent).minus(Self::all(WHOLES + BIAS)),
+                    _mm256_or_pd(mantissa, one),
+                ]
+            }
+        }
+        #[inline(always)]
+        fn power_of_two(self) -> Self {
+            let biased = self.plus(Self::all(WHOLES + BIAS));
+            // SAFETY: as in the others.
+            unsafe { _mm256_castsi256_pd(_mm256_slli_epi64::<52>(_mm256_castpd_si256(biased))) }
         }
     }
 
