@@ -3,6 +3,7 @@
 //! What stands before the first `[section]` always counts, what stands in a section only if the file was named with
 //! it, `file.ini[section]`. `;` begins a comment, and `#` at the start of a word.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::error::CliError;
