@@ -494,9 +494,15 @@ fn sides(roots: &[Root], start: Start) -> (bool, bool) {
 
 /// Hides the root that a ray has just left: of the piece of surface it stands on, the one nearest to its start that
 /// it crosses in the right sense. A flat piece has no other, and its normal need not point out.
-pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, leaf: &Leaf, dir: DVec3) {
+/// Gives where that is, if one is hidden.
+pub(super) fn hide_departure(
+    roots: &mut [Root],
+    left: &Departure,
+    leaf: &Leaf,
+    dir: DVec3,
+) -> Option<f64> {
     if leaf.shape.knows_departures() {
-        return;
+        return None;
     }
     let is_faceted = leaf.shape.is_faceted();
     let expected = match left.crossing {
@@ -507,7 +513,7 @@ pub(super) fn hide_departure(roots: &mut [Root], left: &Departure, leaf: &Leaf, 
     let own = roots
         .iter_mut()
         .filter(|root| root.face == left.face && (is_faceted || root.crossing == expected));
-    if let Some(root) = own.min_by(|a, b| a.t.abs().total_cmp(&b.t.abs())) {
-        root.is_visible = false;
-    }
+    let root = own.min_by(|a, b| a.t.abs().total_cmp(&b.t.abs()))?;
+    root.is_visible = false;
+    Some(root.t)
 }

@@ -9,6 +9,9 @@ use crate::math::Ray;
 use crate::math::lanes::Lanes;
 use crate::shape::{Geometry, Root, Shape};
 
+/// As far from the start of a ray as the root that it has left almost always is, in units of the blur there.
+const NEAR: f64 = 16.0;
+
 /// Which surfaces a question is about.
 pub(super) trait Wants {
     /// Whether any of them will do; otherwise it must be the first.
@@ -224,9 +227,16 @@ fn nearest_but(
         let root = sphere.beside(ray, left.normal.dot(ray.dir) > 0.0)?;
         return (root.t > least).then_some(root);
     }
+    // Of the roots of its crossing the one that is left is the nearest to the start of the ray: one that near is it.
+    let near = NEAR * left.blur;
     roots.clear();
-    leaf.roots(ray, roots);
-    hide_departure(roots, left, leaf, ray.dir);
+    let are_all = leaf.roots_from(ray, -near, near.max(least), roots);
+    let hidden = hide_departure(roots, left, leaf, ray.dir);
+    if !are_all && hidden.is_none_or(|t| t.abs() > near) {
+        roots.clear();
+        leaf.roots(ray, roots);
+        hide_departure(roots, left, leaf, ray.dir);
+    }
     roots
         .iter()
         .find(|root| root.is_visible && root.t > least)

@@ -131,6 +131,20 @@ impl Leaf {
         self.shape.roots(self.to_object(ray, &mut None), roots)
     }
 
+    /// Of all roots on the whole line of a world ray at least those beyond `from` up to the first beyond `enough`. Says
+    /// whether these are all of them for certain.
+    pub(super) fn roots_from(
+        &self,
+        ray: &Ray,
+        from: f64,
+        enough: f64,
+        roots: &mut Vec<Root>,
+    ) -> bool {
+        let room = &mut None;
+        let ray = self.to_object(ray, room);
+        self.shape.roots_from(ray, from, enough, roots)
+    }
+
     /// The root that a world ray is known to have at `t`; none where it is none after all.
     pub(super) fn root_at(&self, ray: &Ray, t: f64, roots: &mut Vec<Root>) -> Option<Root> {
         let room = &mut None;

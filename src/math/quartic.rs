@@ -2,7 +2,7 @@
 //! quartic bends only one way, and there Newton's iteration from either end runs straight into the root: on a convex
 //! function it never passes it. Error bound: that of [`sign_changes`].
 
-use super::polynomial::{self, Places};
+use super::polynomial::{self, Places, bracketed, sign_changes_between};
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 pub(crate) const LAST_STEP: f64 = 1e-9;
@@ -17,6 +17,43 @@ pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Places {
         return places;
     }
     polynomial::quartic(c)
+}
+
+/// The same as [`sign_changes_between`], up to the last digits. The coefficients in the Bernstein basis change sign at
+/// least as often as the quartic: with none there is no root, and with one there is one.
+pub(crate) fn quartic_changes_between(
+    c: &[f64; 5],
+    starts_negative: bool,
+    ends_negative: bool,
+) -> Places {
+    let form = bernstein_form(c);
+    let is_negative = form.map(|c| c < 0.0);
+    if is_negative[0] != starts_negative || is_negative[4] != ends_negative {
+        return sign_changes_between(c, starts_negative, ends_negative);
+    }
+    let changes = is_negative.windows(2).filter(|pair| pair[0] != pair[1]);
+    match changes.count() {
+        0 => Places::new(),
+        1 => Places::from_slice(&[bracketed(c, -1.0, 1.0, starts_negative)]),
+        _ if !starts_negative && !ends_negative && bends_up(c) => {
+            from_both_ends(c).unwrap_or_else(|| polynomial::quartic(c))
+        }
+        _ => sign_changes_between(c, starts_negative, ends_negative),
+    }
+}
+
+/// The coefficients in the Bernstein basis of `-1 <= x <= 1`.
+fn bernstein_form(c: &[f64; 5]) -> [f64; 5] {
+    let [c0, c1, c2, c3, c4] = *c;
+    let (even, odd) = (c0 + c2 + c4, c1 + c3);
+    let (inner_even, inner_odd) = (c0 - c4, 0.5 * (c1 - c3));
+    [
+        even - odd,
+        inner_even - inner_odd,
+        c0 - c2 / 3.0 + c4,
+        inner_even + inner_odd,
+        even + odd,
+    ]
 }
 
 /// Whether the second derivative is positive for `-1 <= x <= 1` because all its Bernstein coefficients there are.
@@ -112,5 +149,24 @@ mod tests {
         assert!(bends_up(&square));
         let places = quartic_sign_changes(&square);
         assert!(places.len().is_multiple_of(2));
+    }
+
+    #[test]
+    fn changes_between_known_signs_are_those_of_the_careful_way() {
+        let mut rng = Random::new(12);
+        let mut counts = [0; 5];
+        for _ in 0..200_000 {
+            let c = [(); 5].map(|()| rng.share() - 0.5);
+            let is_negative = |x: f64| polynomial::value(&c, x) < 0.0;
+            let signs = (is_negative(-1.0), is_negative(1.0));
+            let fast = quartic_changes_between(&c, signs.0, signs.1);
+            let slow = sign_changes_between(&c, signs.0, signs.1);
+            assert_eq!(fast.len(), slow.len(), "{c:?}");
+            for (a, b) in fast.iter().zip(&slow) {
+                assert!((a - b).abs() < 1e-9, "{c:?}: {a} {b}");
+            }
+            counts[fast.len()] += 1;
+        }
+        assert!(counts[..3].iter().all(|&count| count > 1000), "{counts:?}");
     }
 }

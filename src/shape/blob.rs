@@ -16,7 +16,7 @@ use super::{Crossing, Crossings, Geometry, Root, Share, Shares, Skin, Start};
 use super::{first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
-use crate::math::polynomial::{is_quartic_positive, sign_changes_between};
+use crate::math::quartic::quartic_changes_between;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -27,6 +27,9 @@ use std::sync::Arc;
 const THRESHOLD: f64 = 1.0;
 /// With fewer components each is asked by itself.
 const TREE_FROM: usize = 8;
+
+/// A sum of bounds on fields is right to more than this, as a share of the threshold.
+const LOW: f64 = 1.0 - 1e-9;
 
 /// The numbers of the parts that cover a stretch.
 type Here = SmallVec<[u32; 16]>;
@@ -128,54 +131,51 @@ impl Field {
         let mut roots = Crossings::new();
         let mut parts = Parts::new();
         self.gather(ray, &mut parts);
-        // Where one begins or ends, in order.
-        let mut stops: SmallVec<[f64; 24]> = SmallVec::new();
-        for part in &parts {
-            stops.extend_from_slice(&[part.from, part.to]);
-        }
-        stops.sort_unstable_by(f64::total_cmp);
-        stops.dedup();
-        let is_met = |high: &f64| *high > from;
-        let Some(first) = stops.iter().skip(1).position(is_met) else {
-            return roots;
-        };
-        // None cover a gap, and none what lies outside.
-        let covering = |number: usize, here: &mut Here| {
-            here.clear();
-            if let Some(&[low, high]) = stops.get(number..).and_then(<[f64]>::first_chunk) {
-                let numbers = parts.iter().zip(0..);
-                let covering = numbers.filter(|(part, _)| part.covers(low, high));
-                here.extend(covering.map(|(_, number)| number));
-            }
-        };
-        // The side at the joint of two stretches.
-        let is_inside = |before: &Here, behind: &Here, joint: f64| {
-            if before.is_empty() || behind.is_empty() {
-                return self.is_inside(0.0);
-            }
-            self.is_inside(parts_of(&parts, before).map(|part| part.field(joint)).sum())
-        };
-        let (mut here, mut next) = (Here::new(), Here::new());
-        if let Some(before) = first.checked_sub(1) {
-            covering(before, &mut here);
-        }
-        covering(first, &mut next);
-        let mut starts_inside = is_inside(&here, &next, stops[first]);
-        for (number, pair) in stops.windows(2).enumerate().skip(first) {
-            let (low, high) = (pair[0], pair[1]);
+        let ends = Ends::new(&parts);
+        let mut at = 0;
+        let (mut here, mut next) = (Covering::default(), Covering::default());
+        let (mut low, mut starts_inside) = (f64::NEG_INFINITY, self.is_inside(0.0));
+        while let Some(joint) = ends.place(at) {
             if low >= to || roots.last().is_some_and(|root| root.t > enough) {
                 break;
             }
-            std::mem::swap(&mut here, &mut next);
-            covering(number + 1, &mut next);
-            let ends_inside = is_inside(&here, &next, high);
-            if !here.is_empty() {
-                let sides = (starts_inside, ends_inside);
-                self.solve(parts_of(&parts, &here), (low, high), sides, &mut roots);
+            next.numbers.clone_from(&here.numbers);
+            at = ends.cross(at, &mut next.numbers);
+            next.most = next.parts(&parts).map(Part::most).sum();
+            // None is looked at that ends before the ray begins.
+            if joint > from || ends.place(at).is_some_and(|end| end > from) {
+                let ends_inside = self.is_inside_at(&parts, (&here, &next), joint);
+                let is_empty = here.numbers.is_empty() || joint <= from;
+                let is_outside = !starts_inside && !ends_inside && self.is_too_low(here.most);
+                if !is_empty && !is_outside {
+                    let sides = (starts_inside, ends_inside);
+                    self.solve(here.parts(&parts), (low, joint), sides, &mut roots);
+                }
+                starts_inside = ends_inside;
             }
-            starts_inside = ends_inside;
+            low = joint;
+            std::mem::swap(&mut here, &mut next);
         }
         roots
+    }
+
+    /// The side at the joint of two stretches.
+    fn is_inside_at(
+        &self,
+        parts: &Parts,
+        (before, behind): (&Covering, &Covering),
+        joint: f64,
+    ) -> bool {
+        if before.numbers.is_empty() || behind.numbers.is_empty() {
+            return self.is_inside(0.0);
+        }
+        !self.is_too_low(before.most)
+            && self.is_inside(before.parts(parts).map(|part| part.field(joint)).sum())
+    }
+
+    /// Whether a field that is nowhere above this is nowhere above the threshold, by more than rounding.
+    fn is_too_low(&self, most: f64) -> bool {
+        most < LOW * self.threshold
     }
 
     fn solve<'p>(
@@ -191,11 +191,8 @@ impl Field {
         for part in parts {
             part.take_from(&mut quartic, middle, half);
         }
-        if !starts_inside && !ends_inside && is_quartic_positive(&quartic) {
-            return;
-        }
         let mut is_inside = starts_inside;
-        for place in sign_changes_between(&quartic, starts_inside, ends_inside) {
+        for place in quartic_changes_between(&quartic, starts_inside, ends_inside) {
             roots.push(Root {
                 t: middle + half * place,
                 crossing: if is_inside {
@@ -228,9 +225,56 @@ impl Field {
     }
 }
 
-/// The parts of these numbers.
-fn parts_of<'p>(parts: &'p Parts, numbers: &'p Here) -> impl Iterator<Item = &'p Part> {
-    numbers.iter().map(|&number| &parts[number as usize])
+/// The parts that cover a stretch.
+#[derive(Default)]
+struct Covering {
+    /// Their numbers, in order.
+    numbers: Here,
+    /// Nowhere the field is above this.
+    most: f64,
+}
+
+impl Covering {
+    fn parts<'p>(&'p self, parts: &'p Parts) -> impl Iterator<Item = &'p Part> {
+        self.numbers.iter().map(|&number| &parts[number as usize])
+    }
+}
+
+/// Where parts begin and end on a ray, in order.
+struct Ends(SmallVec<[(f64, u32); 24]>);
+
+impl Ends {
+    fn new(parts: &Parts) -> Self {
+        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::new();
+        for (part, number) in parts.iter().zip(0..) {
+            ends.extend_from_slice(&[(part.from, number), (part.to, number)]);
+        }
+        ends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        Ends(ends)
+    }
+
+    fn place(&self, at: usize) -> Option<f64> {
+        self.0.get(at).map(|end| end.0)
+    }
+
+    /// Goes past all ends at one place: what begins there covers what follows, and what ends there does not.
+    fn cross(&self, mut at: usize, covering: &mut Here) -> usize {
+        let Some(joint) = self.place(at) else {
+            return at;
+        };
+        while let Some(&(place, number)) = self.0.get(at)
+            && place == joint
+        {
+            match covering.binary_search(&number) {
+                Ok(index) => {
+                    covering.remove(index);
+                }
+                Err(index) => covering.insert(index, number),
+            }
+            at += 1;
+        }
+        at
+    }
 }
 
 impl Geometry for Blob {
@@ -242,6 +286,12 @@ impl Geometry for Blob {
         } else {
             Start::Outside
         }
+    }
+
+    fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
+        let ahead = (from, f64::INFINITY);
+        roots.extend(self.0.crossings(ray, ahead, enough));
+        false
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {

@@ -128,6 +128,13 @@ pub trait Geometry {
     /// Says whether the line starts inside. A shape without volume appends only `Touch`.
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start;
 
+    /// Appends, of the roots that [`Geometry::roots`] appends, at least those beyond `from` up to the first beyond `enough`.
+    /// Says whether these are all of them for certain.
+    fn roots_from(&self, ray: &Ray, _from: f64, _enough: f64, roots: &mut Vec<Root>) -> bool {
+        self.roots(ray, roots);
+        true
+    }
+
     /// The first visible root with `from < t < to`, both ends excluded: the same root, to the bit, that
     /// [`Geometry::roots`] appends.
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
@@ -272,6 +279,9 @@ macro_rules! shapes {
         impl Geometry for Shape {
             fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
                 match self { $(Shape::$name(shape) => shape.roots(ray, roots)),+ }
+            }
+            fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
+                match self { $(Shape::$name(shape) => shape.roots_from(ray, from, enough, roots)),+ }
             }
             #[inline(always)]
             fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {

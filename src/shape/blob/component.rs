@@ -31,14 +31,15 @@ pub(super) struct Part {
     origin: DVec3,
     dir: DVec3,
     strength: f64,
+    most: f64,
 }
 
 pub(super) type Parts = SmallVec<[Part; 12]>;
 
 impl Part {
-    /// Whether a stretch between neighbouring ends of parts lies in this one.
-    pub(super) fn covers(&self, low: f64, high: f64) -> bool {
-        self.from <= low && high <= self.to
+    /// Nowhere on the ray its field is above this.
+    pub(super) fn most(&self) -> f64 {
+        self.most
     }
 
     /// The field at a place of the ray.
@@ -212,8 +213,24 @@ impl Component {
                 origin: about.origin,
                 dir: about.dir,
                 strength: self.strength,
+                most: self.most_along(about, (from, to)),
             });
         }
+    }
+
+    /// A bound on the field along a part of a ray that is given about a centre.
+    fn most_along(&self, about: &Ray, (from, to): (f64, f64)) -> f64 {
+        if self.strength <= 0.0 {
+            return 0.0;
+        }
+        let nearest = -about.origin.dot(about.dir) / about.dir.dot(about.dir);
+        let p = about.at(if nearest.is_finite() {
+            nearest.max(from).min(to)
+        } else {
+            from
+        });
+        let rest = (1.0 - p.dot(p)).max(0.0);
+        self.strength * rest * rest
     }
 
     /// The field at a point.
