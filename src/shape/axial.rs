@@ -1,6 +1,6 @@
 //! What cylinders and cones share: an axis between two caps, and the stretch of a ray between the planes of the caps.
 
-use super::{Root, along, even_scale, span};
+use super::{Root, WELL_INSIDE, along, even_scale, span};
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, Ray, Step, rotation};
 use glam::{DAffine3, DVec3};
@@ -54,6 +54,22 @@ impl Axis {
     #[inline]
     pub(super) fn across(&self, v: DVec3) -> DVec3 {
         v - self.unit.dot(v) * self.unit
+    }
+
+    /// Whether a ray starts on the side or on a cap of a cone, or before it, and goes away: of one with this radius at the
+    /// base, which grows by `slope` towards the apex.
+    pub(super) fn is_left_behind(&self, ray: &Ray, base_radius: f64, slope: f64) -> bool {
+        let p = ray.origin - self.base;
+        let (height, length) = (self.unit.dot(p), self.length());
+        let climb = self.unit.dot(ray.dir);
+        let care = (1.0 - WELL_INSIDE) * length;
+        if height > length - care && climb > 0.0 || height < care && climb < 0.0 {
+            return true;
+        }
+        let off = self.across(p);
+        let distance = off.length();
+        let width = base_radius + slope * height;
+        distance > WELL_INSIDE * width && off.dot(ray.dir) > slope * climb * distance
     }
 
     /// The depths of the caps come from the caps' own points, so that the cap of an upright cylinder gets the same bits

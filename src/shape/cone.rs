@@ -224,6 +224,15 @@ impl Geometry for Cone {
         first_visible(&self.crossings(ray), from, to)
     }
 
+    /// As of a cylinder; an hourglass is not convex.
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        let is_convex = self.apex_radius >= 0.0;
+        is_convex
+            && self
+                .axis
+                .is_left_behind(ray, self.base_radius, self.slope())
+    }
+
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match face {
             BASE => -self.axis.unit,

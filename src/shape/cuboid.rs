@@ -179,6 +179,14 @@ impl Geometry for Cuboid {
         first_visible(&self.span(ray)?, from, to)
     }
 
+    /// From a face on, or from before it, away from the box.
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        let care = (1.0 - WELL_INSIDE) * (self.max - self.min);
+        let above = ray.origin.cmpgt(self.max - care) & ray.dir.cmpgt(DVec3::ZERO);
+        let below = ray.origin.cmplt(self.min + care) & ray.dir.cmplt(DVec3::ZERO);
+        (above | below).any()
+    }
+
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
         let mut normal = DVec3::ZERO;
         normal[(face as usize / 2).min(2)] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };

@@ -195,6 +195,11 @@ impl Geometry for Cylinder {
         first_visible(&self.span(ray)?, from, to)
     }
 
+    /// From the side or a cap on, or from before it, away from the cylinder.
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        self.axis.is_left_behind(ray, self.radius, 0.0)
+    }
+
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
         match face {
             BASE => -self.axis.unit,

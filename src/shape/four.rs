@@ -238,6 +238,7 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => sphere.four_left_behind(rays),
             Shape::Torus(torus) => torus.four_left_behind(rays),
+            Shape::Plane(plane) => plane.four_left_behind(rays),
             _ => F::mask(0),
         }
     }
@@ -245,7 +246,7 @@ impl Shape {
     /// Whether [`Shape::four_left_behind`] knows anything.
     #[inline(always)]
     pub(crate) fn tells_left_behind(&self) -> bool {
-        matches!(self, Shape::Sphere(_) | Shape::Torus(_))
+        matches!(self, Shape::Sphere(_) | Shape::Torus(_) | Shape::Plane(_))
     }
 
     /// The roots of four rays; all unknown for a shape that is not asked for four.

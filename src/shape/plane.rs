@@ -83,6 +83,12 @@ impl Plane {
         }
     }
 
+    /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
+    #[inline(always)]
+    pub(super) fn four_left_behind<F: Four>(&self, rays: &FourRays<F>) -> F::Mask {
+        F::all(0.0).below(dot(same(self.normal), rays.dir))
+    }
+
     /// The crossings of four lines.
     #[inline(always)]
     pub(super) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
@@ -127,6 +133,11 @@ impl Geometry for Plane {
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         first_visible(self.cross(ray).1.as_slice(), from, to)
+    }
+
+    /// A line that goes out of a half-space never enters it.
+    fn is_left_behind(&self, ray: &Ray) -> bool {
+        self.four_left_behind(&FourRays::<f64>::of(ray))
     }
 
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {

@@ -1,5 +1,6 @@
 use super::*;
 use crate::args::text::TextArgs;
+use crate::math::random::Random;
 use crate::syntax::Class;
 
 fn read(word: Word, text: &str) -> (Shape, TextArgs) {
@@ -72,5 +73,46 @@ fn a_missing_parameter_is_an_error() {
         let takes_vectors_only =
             matches!(word, Word::Box | Word::Superellipsoid | Word::JuliaFractal);
         assert_eq!(result.is_ok(), takes_vectors_only, "{word:?}");
+    }
+}
+
+#[test]
+fn what_a_ray_leaves_for_good_it_does_not_enter_again() {
+    let mut rng = Random::new(19);
+    for (word, text) in [
+        (Word::Sphere, "<1,2,3>, 4"),
+        (Word::Box, "<-1,-2,0.3>, <1,0.5,0.4>"),
+        (Word::Cylinder, "<0,-1,0.5>, <0.3,1,0>, 0.4"),
+        (Word::Cone, "<0,0,0.1>, 1, <0.2,1,0>, 0.3"),
+        (Word::Cone, "<0,0,0>, 0, <0,2,0>, 0.7"),
+        (Word::Cone, "<0,0,0>, 1, <0,1,0>, -0.5"),
+        (Word::Plane, "<0.3,1,0.2>, -1"),
+        (Word::Torus, "1, .3"),
+        (Word::Superellipsoid, "<.5, .3>"),
+        (Word::Superellipsoid, "<2, 1.1>"),
+    ] {
+        let (mut shape, _) = read(word, text);
+        shape.prepare();
+        let (mut left, mut roots) = (0, Vec::new());
+        for _ in 0..2000 {
+            let aim = rng.vector(1.0);
+            let away = rng.vector(4.0);
+            roots.clear();
+            shape.roots(&Ray::new(aim + away, -away), &mut roots);
+            for Root { t, face, .. } in roots.clone() {
+                let point = (aim + away) - t * away;
+                let out = Ray::new(point, rng.vector(1.0));
+                if shape.normal(point, face).dot(out.dir) <= 0.0 || !shape.is_left_behind(&out) {
+                    continue;
+                }
+                left += 1;
+                roots.clear();
+                shape.roots(&out, &mut roots);
+                let enters = |root: &Root| root.crossing == Crossing::Enter && root.t > 1e-9;
+                assert!(!roots.iter().any(enters), "{word:?} {text}: {out:?}");
+            }
+        }
+        let is_hourglass = text.ends_with("-0.5");
+        assert_eq!(left > 300, !is_hourglass, "{word:?} {text}: {left}");
     }
 }
