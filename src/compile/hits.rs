@@ -61,6 +61,22 @@ impl FourHits {
         turned: 0,
     };
 
+    /// Four times the same place, for the rays that leave from there.
+    #[must_use]
+    pub fn all_at(point: DVec3, departure: &Departure) -> FourHits {
+        let each = |v: DVec3| v.to_array().map(|x| [x; 4]);
+        FourHits {
+            point: each(point),
+            normal: each(departure.normal),
+            leaf: [departure.leaf; 4],
+            face: [departure.face; 4],
+            crossing: [departure.crossing; 4],
+            blur: [departure.blur; 4],
+            met: 0b1111,
+            ..FourHits::NOTHING
+        }
+    }
+
     /// The direction of a ray.
     #[must_use]
     #[inline(always)]
@@ -177,6 +193,14 @@ impl FourWays {
         blocked: 0,
         filtered: 0,
     };
+
+    /// Gives one of them its unit direction, and how far the light is and things cast shadows.
+    #[inline(always)]
+    pub fn aim(&mut self, lane: usize, to_light: DVec3, distance: f64, far: f64) {
+        put(&mut self.to_light, lane, to_light);
+        self.distance[lane] = distance;
+        self.far[lane] = far;
+    }
 
     /// Forgets what lies on them.
     #[inline(always)]

@@ -64,6 +64,26 @@ impl Lot {
         }
     }
 
+    /// Takes in rays that all leave from one hit, of which each of the four is; `least` as in the others.
+    #[inline(always)]
+    pub(super) fn shine_from(
+        &mut self,
+        hits: &FourHits,
+        ways: &[FourWays],
+        least: impl Fn(f64) -> f64,
+    ) {
+        self.fours.resize(ways.len(), FourQueries::NONE);
+        let least = least(hits.blur[0]);
+        for (four, ways) in self.fours.iter_mut().zip(ways) {
+            four.origin = hits.point;
+            four.dir = ways.to_light;
+            four.from = [least; 4];
+            four.far = ways.far;
+            four.left = hits.leaf;
+            four.goes_out = ways.goes_out;
+        }
+    }
+
     /// Takes in the rays to a light from hits at these places; `least` is the distance up to which nothing counts for
     /// one of such a blur.
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! What rays ask the world, what they get, and what a thread keeps between two questions.
 
 use super::csg::{Found, Sweep};
+use super::hits::FourWays;
 use super::lot::Lot;
 use super::meshes::MeshScratch;
 use super::order::Numbered;
@@ -90,6 +91,8 @@ pub struct Query {
 pub struct Scratch {
     /// The light that came from each lamp of the area light at hand, as far as it is known.
     pub lamps: Vec<Option<Rgb>>,
+    /// The ways from a point to lamps of an area light.
+    pub to_lamps: Vec<FourWays>,
     /// How many rays were followed.
     pub rays: Rays,
     /// The random numbers of lamps and rainbows for the sample at hand.

@@ -7,10 +7,11 @@ use super::model::Item;
 use super::order::Numbered;
 use super::query::{Query, Scratch, Seen, Way};
 use super::world::World;
-use crate::accel::Ended;
+use crate::accel::{Bundle, Ended};
 use crate::math::Ray;
 use crate::math::lanes::{Lanes, with_widest};
 use glam::DVec3;
+use smallvec::{SmallVec, smallvec};
 
 /// Calls `visit` with the place of each bit that is set.
 #[inline(always)]
@@ -169,35 +170,7 @@ impl World {
                 );
                 ways.resize(first + places.len(), Way::Free);
                 let ways = &mut ways[first..];
-                for &item in &self.finder().unbounded {
-                    for first in (0..ways.len()).step_by(8) {
-                        let rays = 0xff >> (8 - (ways.len() - first).min(8));
-                        let left = self.in_fours::<false>(
-                            lanes,
-                            (item, Seen::Shadow),
-                            (&mut lot, query),
-                            (first, rays),
-                            scratch,
-                            #[inline(always)]
-                            |lot, ray, found| {
-                                if found.root.t < lot.far(ray) {
-                                    ways[ray] = Way::Blocked;
-                                }
-                            },
-                        );
-                        each_bit(left, |lane| {
-                            let way = &mut ways[first + lane];
-                            if *way == Way::Blocked {
-                                return;
-                            }
-                            let query = query(first + lane);
-                            let asked = (&query, &self.search_for(&query));
-                            if self.blocks(item, asked, way, scratch) {
-                                *way = Way::Blocked;
-                            }
-                        });
-                    }
-                }
+                self.block_by_unbounded(lanes, &query, (&mut lot, ways), scratch);
                 let is_bundled = bundle.fill(
                     &self.finder().tree,
                     centre,
@@ -231,39 +204,12 @@ impl World {
                     query,
                     (&mut bundle, centre),
                     scratch,
-                ) && self.finder().tree.together(
+                ) && self.block_by_bounded(
                     lanes,
+                    &query,
+                    (&mut lot, ways),
                     &mut bundle,
-                    #[inline(always)]
-                    |number, first, rays, ended| {
-                        let item = self.finder().bounded[number as usize];
-                        if self.is_large_mesh(item) {
-                            return;
-                        }
-                        let left = self.in_fours::<false>(
-                            lanes,
-                            (item, Seen::Shadow),
-                            (&mut lot, query),
-                            (first, rays),
-                            scratch,
-                            #[inline(always)]
-                            |lot, ray, found| {
-                                if found.root.t < lot.far(ray) {
-                                    ways[ray] = Way::Blocked;
-                                    ended.note(ray - first, f64::NEG_INFINITY);
-                                }
-                            },
-                        );
-                        each_bit(left, |lane| {
-                            let way = &mut ways[first + lane];
-                            let query = &query(first + lane);
-                            let asked = (query, &self.search_for(query));
-                            if self.blocks(item, asked, way, scratch) {
-                                *way = Way::Blocked;
-                                ended.note(lane, f64::NEG_INFINITY);
-                            }
-                        });
-                    },
+                    scratch,
                 );
                 if !is_done {
                     self.find_ways(lanes, (query, light), scratch, ways);
@@ -274,6 +220,158 @@ impl World {
         scratch.bundle = bundle;
         scratch.lot = lot;
         was_of_use
+    }
+
+    /// Whether [`World::ways_from`] is of use.
+    #[must_use]
+    pub fn asks_from_points(&self) -> bool {
+        self.meshes.is_empty()
+    }
+
+    /// Notes what lies on the first `count` of the ways from one hit to places of the light of this number. Each of the
+    /// four is that hit; behind the last way some way stands again.
+    pub fn ways_from(
+        &self,
+        hits: &FourHits,
+        (to_light, count): (&mut [FourWays], usize),
+        light: u32,
+        scratch: &mut Scratch,
+    ) {
+        scratch.rays.shadow += count as u64;
+        let mut bundle = std::mem::take(&mut scratch.bundle);
+        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut ways: SmallVec<[Way; 16]> = smallvec![Way::Free; count];
+        let asked = &*to_light;
+        let query = |ray: usize| asked[ray / 4].query(hits, ray % 4);
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                lot.shine_from(
+                    hits,
+                    asked,
+                    #[inline(always)]
+                    |blur| self.least_from(Some(blur), Seen::Shadow),
+                );
+                self.block_by_unbounded(lanes, &query, (&mut lot, &mut ways), scratch);
+                let is_bundled = bundle.fill(
+                    &self.finder().tree,
+                    hits.point(0),
+                    count,
+                    #[inline(always)]
+                    |four| {
+                        let mut end = [f64::NEG_INFINITY; 4];
+                        for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
+                            if *way != Way::Blocked {
+                                end[lane] = asked[four].distance[lane];
+                            }
+                        }
+                        (*lot.dirs(four), end)
+                    },
+                );
+                let is_done = is_bundled
+                    && self.block_by_bounded(
+                        lanes,
+                        &query,
+                        (&mut lot, &mut ways),
+                        &mut bundle,
+                        scratch,
+                    );
+                if !is_done {
+                    self.find_ways(lanes, (query, light), scratch, &mut ways);
+                }
+            },
+        );
+        for (ray, &way) in ways.iter().enumerate() {
+            to_light[ray / 4].note(ray % 4, way);
+        }
+        scratch.bundle = bundle;
+        scratch.lot = lot;
+    }
+
+    /// Notes which rays to a light something unbounded blocks.
+    #[inline(always)]
+    fn block_by_unbounded(
+        &self,
+        lanes: Lanes,
+        query: &impl Fn(usize) -> Query,
+        (lot, ways): (&mut Lot, &mut [Way]),
+        scratch: &mut Scratch,
+    ) {
+        for &item in &self.finder().unbounded {
+            for first in (0..ways.len()).step_by(8) {
+                let rays = 0xff >> (8 - (ways.len() - first).min(8));
+                let left = self.in_fours::<false>(
+                    lanes,
+                    (item, Seen::Shadow),
+                    (&mut *lot, query),
+                    (first, rays),
+                    scratch,
+                    #[inline(always)]
+                    |lot, ray, found| {
+                        if found.root.t < lot.far(ray) {
+                            ways[ray] = Way::Blocked;
+                        }
+                    },
+                );
+                each_bit(left, |lane| {
+                    let way = &mut ways[first + lane];
+                    if *way == Way::Blocked {
+                        return;
+                    }
+                    let query = query(first + lane);
+                    let asked = (&query, &self.search_for(&query));
+                    if self.blocks(item, asked, way, scratch) {
+                        *way = Way::Blocked;
+                    }
+                });
+            }
+        }
+    }
+
+    /// The same of what is in the tree and no large mesh. Says whether it came to an end.
+    #[inline(always)]
+    fn block_by_bounded(
+        &self,
+        lanes: Lanes,
+        query: &impl Fn(usize) -> Query,
+        (lot, ways): (&mut Lot, &mut [Way]),
+        bundle: &mut Bundle,
+        scratch: &mut Scratch,
+    ) -> bool {
+        self.finder().tree.together(
+            lanes,
+            bundle,
+            #[inline(always)]
+            |number, first, rays, ended| {
+                let item = self.finder().bounded[number as usize];
+                if self.is_large_mesh(item) {
+                    return;
+                }
+                let left = self.in_fours::<false>(
+                    lanes,
+                    (item, Seen::Shadow),
+                    (&mut *lot, query),
+                    (first, rays),
+                    scratch,
+                    #[inline(always)]
+                    |lot, ray, found| {
+                        if found.root.t < lot.far(ray) {
+                            ways[ray] = Way::Blocked;
+                            ended.note(ray - first, f64::NEG_INFINITY);
+                        }
+                    },
+                );
+                each_bit(left, |lane| {
+                    let way = &mut ways[first + lane];
+                    let query = &query(first + lane);
+                    let asked = (query, &self.search_for(query));
+                    if self.blocks(item, asked, way, scratch) {
+                        *way = Way::Blocked;
+                        ended.note(lane, f64::NEG_INFINITY);
+                    }
+                });
+            },
+        )
     }
 
     /// What lies on the way from one hit to the light of this number.

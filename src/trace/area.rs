@@ -2,10 +2,13 @@
 
 use super::Tracer;
 use super::light::{Coat, Lit, Shining, is_nothing};
+use super::way::{LightWay, shadow_query};
 use crate::color::Rgb;
-use crate::compile::Scratch;
+use crate::compile::{FourHits, FourWays, Scratch};
 use crate::light::{Area, Arrival, Axes, Light};
+use crate::math::Ray;
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// By this much, summed over the channels, corners must differ for the part between them to be divided.
 const DIFFERENCE: f32 = 0.1;
@@ -21,7 +24,15 @@ pub(super) struct Lamps<'a> {
     distance: f64,
     /// What is to be spread over them.
     arriving: Rgb,
+    /// The point, four times, if several lamps can be asked about at once.
+    hits: Option<FourHits>,
 }
+
+/// The indices of lamps that are to be asked about.
+type Wanted = SmallVec<[[u32; 2]; 16]>;
+
+/// Fewer lamps than this are asked about one by one.
+const MANY: usize = 3;
 
 impl<'a> Lamps<'a> {
     pub(super) fn new(
@@ -40,6 +51,29 @@ impl<'a> Lamps<'a> {
             lit,
             distance: arrival.distance,
             arriving,
+            hits: None,
+        }
+    }
+
+    /// The number of a lamp.
+    fn index(&self, [u, v]: [u32; 2]) -> usize {
+        u as usize + self.area.sizes[0] as usize * v as usize
+    }
+
+    /// How the light of a lamp arrives that stands so far from the middle.
+    fn arrival(&self, offset: DVec3) -> Arrival {
+        let centre = self.light.centre + offset;
+        if self.light.is_parallel {
+            return Arrival {
+                to_light: (centre - self.light.points_at()).normalize_or_zero(),
+                distance: self.distance,
+            };
+        }
+        let offset = centre - self.lit.at.point;
+        let distance = offset.length();
+        Arrival {
+            to_light: offset / distance,
+            distance,
         }
     }
 
@@ -72,6 +106,10 @@ impl Part {
         [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| Part { u: u[i], v: v[j] })
     }
 
+    fn corners(self) -> [[u32; 2]; 4] {
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| [self.u[i], self.v[j]])
+    }
+
     fn can_be_divided(self) -> bool {
         self.u[1] - self.u[0] > 1 || self.v[1] - self.v[0] > 1
     }
@@ -79,7 +117,7 @@ impl Part {
 
 impl Tracer<'_> {
     /// What is left of light after the shadows of all lamps.
-    pub(super) fn through_area(&self, lamps: &Lamps, scratch: &mut Scratch) -> Rgb {
+    pub(super) fn through_area(&self, lamps: &mut Lamps, scratch: &mut Scratch) -> Rgb {
         let [columns, rows] = lamps.area.sizes;
         scratch.lamps.clear();
         scratch.lamps.resize(columns as usize * rows as usize, None);
@@ -87,12 +125,76 @@ impl Tracer<'_> {
             u: [0, columns - 1],
             v: [0, rows - 1],
         };
+        lamps.hits = self.hits_for(lamps);
+        if lamps.hits.is_some() {
+            let mut wanted = Wanted::new();
+            want_all(lamps, all, 0, &mut wanted, scratch);
+            self.ask(lamps, &wanted, scratch);
+        }
         self.part_of_area(lamps, all, 0, scratch)
     }
 
+    /// The point, four times, if its ways to several lamps can be asked about at once; with jitter lamps stand elsewhere
+    /// each time they are asked about, and in an order.
+    fn hits_for(&self, lamps: &Lamps) -> Option<FourHits> {
+        let lights = &self.world.lights;
+        let departure = lamps.lit.departure?;
+        let is_fit = !lamps.area.has_jitter
+            && !lamps.light.is_shadowless()
+            && !lights.is_projected(lamps.number)
+            && self.world.asks_from_points();
+        is_fit.then(|| FourHits::all_at(lamps.lit.at.point, departure))
+    }
+
+    /// Finds out at once what comes from some lamps.
+    fn ask(&self, lamps: &Lamps, wanted: &[[u32; 2]], scratch: &mut Scratch) {
+        let Some(hits) = &lamps.hits else {
+            return;
+        };
+        if wanted.len() < MANY {
+            for &[u, v] in wanted {
+                scratch.lamps[lamps.index([u, v])] = None;
+                self.lamp(lamps, [u, v], scratch);
+            }
+            return;
+        }
+        let mut ways = std::mem::take(&mut scratch.to_lamps);
+        ways.clear();
+        let departure = lamps.lit.departure.copied();
+        for four in wanted.chunks(4) {
+            let mut way = FourWays::NOTHING;
+            for lane in 0..4 {
+                let [u, v] = four[lane.min(four.len() - 1)];
+                let arrival =
+                    lamps.arrival(lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
+                let ray = Ray::new(lamps.lit.at.point, arrival.to_light);
+                let query = shadow_query(self.world, departure, ray, arrival.distance);
+                way.aim(lane, arrival.to_light, arrival.distance, query.far);
+                let goes_out = departure.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
+                way.goes_out |= u32::from(goes_out) << lane;
+            }
+            ways.push(way);
+        }
+        let to_lamps = (&mut ways[..], wanted.len());
+        self.world.ways_from(hits, to_lamps, lamps.number, scratch);
+        for (at, &lamp) in wanted.iter().enumerate() {
+            let (ways, lane) = (&ways[at / 4], at % 4);
+            let way = LightWay {
+                light: lamps.number,
+                query: ways.query(hits, lane),
+                distance: ways.distance[lane],
+                known: ways.way(lane),
+                inside: &lamps.lit.path.inside,
+                collects: lamps.lit.collects,
+            };
+            scratch.lamps[lamps.index(lamp)] =
+                Some(self.through_way(lamps.arriving, &way, scratch));
+        }
+        scratch.to_lamps = ways;
+    }
+
     fn part_of_area(&self, lamps: &Lamps, part: Part, level: u32, scratch: &mut Scratch) -> Rgb {
-        let corners = [(0, 0), (1, 0), (0, 1), (1, 1)]
-            .map(|(i, j)| self.lamp(lamps, part.u[i], part.v[j], scratch));
+        let corners = part.corners().map(|lamp| self.lamp(lamps, lamp, scratch));
         let [low_low, high_low, low_high, high_high] = corners;
         let is_divided = part.can_be_divided()
             && (level < lamps.area.adaptive
@@ -101,8 +203,15 @@ impl Tracer<'_> {
                 || differ(high_high, low_high)
                 || differ(low_high, low_low));
         let parts = if is_divided {
-            part.quarters()
-                .map(|quarter| self.part_of_area(lamps, quarter, level + 1, scratch))
+            let quarters = part.quarters();
+            if lamps.hits.is_some() && level >= lamps.area.adaptive {
+                let mut wanted = Wanted::new();
+                for quarter in quarters {
+                    want(lamps, quarter, &mut wanted, scratch);
+                }
+                self.ask(lamps, &wanted, scratch);
+            }
+            quarters.map(|quarter| self.part_of_area(lamps, quarter, level + 1, scratch))
         } else {
             corners
         };
@@ -111,25 +220,12 @@ impl Tracer<'_> {
     }
 
     /// What comes from one lamp, found out once for each point.
-    fn lamp(&self, lamps: &Lamps, u: u32, v: u32, scratch: &mut Scratch) -> Rgb {
-        let index = u as usize + lamps.area.sizes[0] as usize * v as usize;
+    fn lamp(&self, lamps: &Lamps, lamp: [u32; 2], scratch: &mut Scratch) -> Rgb {
+        let index = lamps.index(lamp);
         if let Some(known) = scratch.lamps[index] {
             return known;
         }
-        let centre = lamps.light.centre + lamps.offset(u, v, scratch);
-        let arrival = if lamps.light.is_parallel {
-            Arrival {
-                to_light: (centre - lamps.light.points_at()).normalize_or_zero(),
-                distance: lamps.distance,
-            }
-        } else {
-            let offset = centre - lamps.lit.at.point;
-            let distance = offset.length();
-            Arrival {
-                to_light: offset / distance,
-                distance,
-            }
-        };
+        let arrival = lamps.arrival(lamps.offset(lamp[0], lamp[1], scratch));
         let left = self.through_shadows(lamps.arriving, lamps.lit, lamps.number, &arrival, scratch);
         scratch.lamps[index] = Some(left);
         left
@@ -144,7 +240,7 @@ impl Tracer<'_> {
         scratch: &mut Scratch,
     ) -> Rgb {
         if self.quality.has_shadows && !lamps.light.is_shadowless() {
-            lamps.arriving = self.through_area(&lamps, scratch);
+            lamps.arriving = self.through_area(&mut lamps, scratch);
         }
         // No lamp is placed then, which later random numbers show.
         if is_nothing(lamps.arriving) {
@@ -175,6 +271,27 @@ impl Tracer<'_> {
             }
         }
         sum
+    }
+}
+
+/// Adds the lamps at the corners of a part that are not wanted yet. They count as dark until they are asked about.
+fn want(lamps: &Lamps, part: Part, wanted: &mut Wanted, scratch: &mut Scratch) {
+    for lamp in part.corners() {
+        let known = &mut scratch.lamps[lamps.index(lamp)];
+        if known.is_none() {
+            *known = Some(Rgb::BLACK);
+            wanted.push(lamp);
+        }
+    }
+}
+
+/// The same for all parts down to the depth to which they are divided whatever comes from their corners.
+fn want_all(lamps: &Lamps, part: Part, level: u32, wanted: &mut Wanted, scratch: &mut Scratch) {
+    want(lamps, part, wanted, scratch);
+    if part.can_be_divided() && level < lamps.area.adaptive {
+        for quarter in part.quarters() {
+            want_all(lamps, quarter, level + 1, wanted, scratch);
+        }
     }
 }
 

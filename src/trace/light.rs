@@ -253,8 +253,8 @@ impl Tracer<'_> {
         }
         match &light.area {
             Some(area) if self.samples_areas(lit.path) => {
-                let lamps = Lamps::new(number, light, area, lit, arriving);
-                self.through_area(&lamps, scratch)
+                let mut lamps = Lamps::new(number, light, area, lit, arriving);
+                self.through_area(&mut lamps, scratch)
             }
             _ => self.through_shadows(arriving, lit, number, arrival, scratch),
         }
