@@ -239,7 +239,10 @@ impl Program {
             }
         }
         for &number in &self.order.others {
-            self.ask(number, passing, (from, to), sweep);
+            // What is missed has no roots, and the ray is as it is at rest.
+            if sweep.missed.get(number as usize) != Some(&true) {
+                self.ask(number, passing, (from, to), sweep);
+            }
         }
         if let Some(many) = &self.order.many {
             // Where the ray is in no box, it is outside.

@@ -16,6 +16,8 @@ use std::ops::Range;
 
 /// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
 const TREE_FROM: usize = 9;
+/// The same where rays are always asked one by one, and no operand narrows the stretch in which to look.
+const TREE_OF_LONE_RAYS_FROM: usize = 4;
 
 /// So many parts have boxes that are tried.
 const MOST_BOXED: usize = 64;
@@ -186,12 +188,19 @@ impl Program {
                 order.others.push(number);
             }
         }
-        // Those without a matrix are the cheapest.
+        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded.
         let first = self.first as usize;
-        order
-            .required
-            .sort_by_key(|&number| leaves[first + number as usize].object_from_world.is_some());
-        if bounded.len() < TREE_FROM {
+        order.required.sort_by_key(|&number| {
+            let has_matrix = leaves[first + number as usize].object_from_world.is_some();
+            (has_matrix, !bounds[number as usize].is_finite())
+        });
+        let mut own = leaves[first..][..self.operands.len()].iter();
+        let least = if order.required.is_empty() && !own.all(|leaf| leaf.shape.has_four()) {
+            TREE_OF_LONE_RAYS_FROM
+        } else {
+            TREE_FROM
+        };
+        if bounded.len() < least {
             order.others.extend(bounded);
         } else {
             let boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();

@@ -20,6 +20,10 @@ use glam::{DMat3, DVec3};
 /// An ellipsoid that is longer than wide by more than this has no bounds: they would have no digits left.
 const LONGEST: f64 = 1e5;
 
+/// Squares of directions that need no scaling, which would change no digits.
+const EVEN_SQUARES: std::ops::Range<f64> =
+    f64::from_bits((1023 - 60) << 52)..f64::from_bits((1023 + 60) << 52);
+
 /// Roots are close to each other if the discriminant is less than this share of the square it comes from.
 const CLOSE: f64 = 1.0 / 1024.0;
 
@@ -155,8 +159,13 @@ impl Quadric {
 
     #[inline]
     fn crossings(&self, ray: &Ray, put: impl FnMut(Root)) -> Start {
-        let dir_size = power_of_two(ray.dir.abs().max_element());
-        let dir = ray.dir / dir_size;
+        // Powers of two change no digits: they are only there against numbers that are too large or too small.
+        let dir_size = if EVEN_SQUARES.contains(&ray.dir.dot(ray.dir)) {
+            1.0
+        } else {
+            power_of_two(ray.dir.abs().max_element())
+        };
+        let dir = ray.dir * (1.0 / dir_size);
         let ahead = (self.middle - ray.origin).dot(dir) / dir.dot(dir);
         let near = ray.origin + ahead * dir;
         let (ahead, near) = if near.is_finite() {
@@ -187,7 +196,11 @@ impl Quadric {
         if count < 2 || refined[0] <= refined[1] {
             places = refined;
         }
-        alternate_into(start, places.iter().take(count).map(|t| t / dir_size), put)
+        alternate_into(
+            start,
+            places.iter().take(count).map(|t| t * (1.0 / dir_size)),
+            put,
+        )
     }
 
     /// A root with two of Newton's steps on the quadric in space, as far as they are needed and bring it nearer.
