@@ -235,6 +235,16 @@ impl Field {
         f64::from(self.heights[z * (self.cells[0] + 1) + x])
     }
 
+    /// The least and the most height at the corners of a cell.
+    #[inline]
+    fn heights_of(&self, x: usize, z: usize) -> [f64; 2] {
+        let across = self.cells[0] + 1;
+        let at = z * across + x;
+        let corners = [at, at + 1, at + across, at + across + 1].map(|at| self.heights[at]);
+        let [a, b, c, d] = corners;
+        [a.min(b).min(c).min(d), a.max(b).max(c).max(d)].map(f64::from)
+    }
+
     /// The cell of a face, and whether it is the triangle away from the origin.
     fn cell(&self, face: u32) -> (usize, usize, bool) {
         let cell = (face / 2) as usize;

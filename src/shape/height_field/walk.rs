@@ -216,18 +216,25 @@ impl Walk<'_> {
                 self.is_over = true;
                 return;
             }
-            let [low, high] = field.squares[z * field.squares_along_x + x].map(f64::from);
-            let (a, b) = (self.at(near).y, self.at(far).y);
-            if a.min(b) > high.max(field.water) + SLACK {
-                self.change(near, false, None);
-                self.above = None;
-            } else if a.max(b) < low.max(field.water) - SLACK {
-                self.change(near, true, None);
-                self.above = None;
-            } else {
+            let heights = field.squares[z * field.squares_along_x + x].map(f64::from);
+            if !self.passes(heights, (near, far)) {
                 self.cells([x, z], (near, far));
             }
         }
+    }
+
+    /// Goes past ground between these heights if the ray is above or below all of it; says whether it is.
+    #[inline]
+    fn passes(&mut self, [low, high]: [f64; 2], (near, far): (f64, f64)) -> bool {
+        let water = self.field.water;
+        let (a, b) = (self.at(near).y, self.at(far).y);
+        let is_above = a.min(b) > high.max(water) + SLACK;
+        let is_below = a.max(b) < low.max(water) - SLACK;
+        if is_above || is_below {
+            self.change(near, is_below, None);
+            self.above = None;
+        }
+        is_above || is_below
     }
 
     /// Follows the ray through the cells of a square.
@@ -239,6 +246,12 @@ impl Walk<'_> {
         let mut steps = Steps::new(&self.ray, span, 1, [first, end]);
         let Ray { origin, dir } = self.ray;
         while let Some((x, z, near, far)) = steps.next() {
+            if self.passes(self.field.heights_of(x, z), (near, far)) {
+                if self.is_over {
+                    return;
+                }
+                continue;
+            }
             let diagonal = ((x + z + 1) as f64 - origin.x - origin.z) / (dir.x + dir.z);
             let is_split = near < diagonal && diagonal < far;
             let ends = if is_split {
@@ -380,6 +393,8 @@ struct Steps {
     end: [usize; 2],
     near: f64,
     last: f64,
+    /// Where the ray leaves the cell at hand along each axis.
+    exits: [f64; 2],
     is_over: bool,
 }
 
@@ -411,7 +426,7 @@ impl Steps {
             };
             (cell.max(0.0) as usize).clamp(first[axis], end[axis] - 1)
         });
-        Steps {
+        let mut steps = Steps {
             origin: [ray.origin.x, ray.origin.z],
             dir,
             size,
@@ -420,8 +435,11 @@ impl Steps {
             end,
             near,
             last,
+            exits: [0.0; 2],
             is_over: near > last,
-        }
+        };
+        steps.exits = [steps.exit(0), steps.exit(1)];
+        steps
     }
 
     /// Where the ray leaves the cell at hand along an axis.
@@ -439,7 +457,7 @@ impl Steps {
         if self.is_over {
             return None;
         }
-        let exits = [self.exit(0), self.exit(1)];
+        let exits = self.exits;
         let leave = exits[0].min(exits[1]);
         let far = leave.min(self.last).max(self.near);
         let step = (self.cell[0], self.cell[1], self.near, far);
@@ -455,6 +473,7 @@ impl Steps {
             } else {
                 self.is_over = true;
             }
+            self.exits[axis] = self.exit(axis);
         }
         self.near = far;
         Some(step)
