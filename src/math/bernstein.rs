@@ -13,8 +13,13 @@
 use super::polynomial::{Places, bracketed};
 use smallvec::SmallVec;
 
-/// The coefficients of one stretch; of degree 35 without the heap.
-type Form = SmallVec<[f64; 36]>;
+/// The coefficients of one stretch, up to `N` of them without the heap.
+type Form<const N: usize> = SmallVec<[f64; N]>;
+
+/// Enough for most, and less to be copied.
+const FEW: usize = 12;
+/// Enough for all polynomials that scenes can write.
+const ALL: usize = 36;
 
 /// By how many roundings, for each degree, a value may be off.
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
@@ -32,7 +37,6 @@ struct Halving<'c> {
 
 /// The places in `-1 <= x <= 1` where a polynomial, by rising power, changes sign; in order.
 pub(super) fn sign_changes(powers: &[f64]) -> Places {
-    let form = bernstein_form(powers);
     let size: f64 = powers.iter().map(|c| c.abs()).sum();
     let degree = f64::from(u32::try_from(powers.len()).unwrap_or(u32::MAX));
     let mut halving = Halving {
@@ -40,12 +44,16 @@ pub(super) fn sign_changes(powers: &[f64]) -> Places {
         noise: ROUNDINGS * degree * size,
         places: Places::new(),
     };
-    halving.search(form, -1.0, 1.0, MAX_HALVINGS);
+    if powers.len() <= FEW {
+        halving.search(bernstein_form::<FEW>(powers), -1.0, 1.0, MAX_HALVINGS);
+    } else {
+        halving.search(bernstein_form::<ALL>(powers), -1.0, 1.0, MAX_HALVINGS);
+    }
     halving.places
 }
 
 impl Halving<'_> {
-    fn search(&mut self, mut form: Form, low: f64, high: f64, depth: u32) {
+    fn search<const N: usize>(&mut self, mut form: Form<N>, low: f64, high: f64, depth: u32) {
         let changes = form
             .windows(2)
             .filter(|pair| is_negative(pair[0]) != is_negative(pair[1]))
@@ -79,7 +87,7 @@ fn is_negative(x: f64) -> bool {
 }
 
 /// De Casteljau's scheme: gives the form of the first half and leaves that of the second.
-fn halve(form: &mut Form) -> Form {
+fn halve<const N: usize>(form: &mut Form<N>) -> Form<N> {
     let mut left = Form::with_capacity(form.len());
     for last in (0..form.len()).rev() {
         left.push(form[0]);
@@ -92,12 +100,14 @@ fn halve(form: &mut Form) -> Form {
 
 /// The Bernstein coefficients on -1..1. By Horner's rule: `f·x + c` in a form of one degree more, where a product with
 /// `x` mixes neighbours with weights between -1 and 1.
-fn bernstein_form(powers: &[f64]) -> Form {
-    let mut form = Form::new();
+fn bernstein_form<const N: usize>(powers: &[f64]) -> Form<N> {
+    let mut form = Form::<N>::new();
     for c in powers.iter().rev() {
-        let degree = to_f64(form.len());
-        let mut next = Form::with_capacity(form.len() + 1);
-        for j in 0..=form.len() {
+        let len = form.len();
+        let degree = to_f64(len);
+        form.push(0.0);
+        // From the end, so that each finds its neighbours as they were.
+        for j in (0..=len).rev() {
             let share = if degree > 0.0 {
                 to_f64(j) / degree
             } else {
@@ -105,14 +115,13 @@ fn bernstein_form(powers: &[f64]) -> Form {
             };
             // x has the coefficients -1 and 1.
             let before = if j > 0 { share * form[j - 1] } else { 0.0 };
-            let after = if j < form.len() {
+            let after = if j < len {
                 (1.0 - share) * form[j]
             } else {
                 0.0
             };
-            next.push(before - after + c);
+            form[j] = before - after + c;
         }
-        form = next;
     }
     form
 }

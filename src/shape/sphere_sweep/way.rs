@@ -14,9 +14,11 @@ pub(super) struct Way {
     /// From the origin of the ray to the point nearest to the centre of the sphere, reversed.
     b: Poly,
     b_slope: Poly,
+    b_bend: Poly,
     /// The square of half the chord.
     d: Poly,
     d_slope: Poly,
+    d_bend: Poly,
 }
 
 impl Way {
@@ -32,11 +34,14 @@ impl Way {
             beside.push((from_centre - along * dir).extend(c.w));
         }
         let d = product(&beside, |p, q| p.w * q.w - p.truncate().dot(q.truncate()));
+        let (b_slope, d_slope) = (derivative(&b), derivative(&d));
         Way {
-            b_slope: derivative(&b),
-            d_slope: derivative(&d),
+            b_bend: derivative(&b_slope),
+            d_bend: derivative(&d_slope),
             b,
+            b_slope,
             d,
+            d_slope,
         }
     }
 
@@ -88,15 +93,19 @@ impl Way {
             let slope = value(&self.d_slope, x);
             let rise = side * slope / (2.0 * half) - value(&self.b_slope, x);
             let bend = side
-                * (value(&derivative(&self.d_slope), x) / (2.0 * half)
+                * (value(&self.d_bend, x) / (2.0 * half)
                     - slope * slope / (4.0 * half * half * half))
-                - value(&derivative(&self.b_slope), x);
+                - value(&self.b_bend, x);
             let next = x - rise / bend;
             let is_inside = from < next && next < to;
-            if !is_inside || side * way(next) <= side * best {
+            if !is_inside {
                 break;
             }
-            (x, best) = (next, way(next));
+            let there = way(next);
+            if side * there <= side * best {
+                break;
+            }
+            (x, best) = (next, there);
         }
         best
     }
