@@ -435,12 +435,14 @@ fn mean_of(sampling: &Sampling, of: impl Fn(f64) -> Rgb, scratch: &mut Scratch) 
     let mut shifted =
         |at: f64, by: f64| at + by * sampling.jitter * (scratch.media_stream.next_number() - 0.5);
     let mut from = shifted(0.0, width);
+    let mut first = of(from);
     for step in 1..=steps {
         let to = shifted(f64::from(step) * width, width);
         let middle = shifted(0.5 * (from + to), to - from);
+        let last = of(to);
         // Of the two thirds in the middle each half takes one.
-        sum += (of(from) + of(to)) * (1.0 / 3.0) + of(middle) * (1.0 / 3.0);
-        from = to;
+        sum += (first + last) * (1.0 / 3.0) + of(middle) * (1.0 / 3.0);
+        (from, first) = (to, last);
     }
     sum * (1.0 / f64::from(steps))
 }
