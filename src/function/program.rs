@@ -164,9 +164,19 @@ impl Program {
                 Op::Binary { to, a, b, f } => (to, of(frame, a).binary(f, of(frame, b))),
                 Op::Call { to, at } => {
                     let call = &self.calls[at as usize];
-                    let arguments: SmallVec<[N; ARGUMENTS]> =
-                        call.arguments.iter().map(|&a| of(frame, a)).collect();
-                    (to, N::call(&call.function, &arguments, call.component))
+                    let value = match *call.arguments {
+                        // A point, as most functions take.
+                        [x, y, z] => {
+                            let point = [of(frame, x), of(frame, y), of(frame, z)];
+                            N::call(&call.function, &point, call.component)
+                        }
+                        _ => {
+                            let arguments: SmallVec<[N; ARGUMENTS]> =
+                                call.arguments.iter().map(|&a| of(frame, a)).collect();
+                            N::call(&call.function, &arguments, call.component)
+                        }
+                    };
+                    (to, value)
                 }
                 Op::Select { to, test, at: site } => {
                     let site = self.selects[site as usize];
