@@ -432,6 +432,7 @@ impl Geometry for Superellipsoid {
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::random::Random;
     use crate::shape::check;
 
     #[test]
@@ -483,5 +484,69 @@ mod tests {
         let error = Superellipsoid::read(&mut TextArgs::new("<-1, 1>")).unwrap_err();
         assert!(error.message.ends_with("not negative, found <-1, 1>"));
         assert!(Superellipsoid::read(&mut TextArgs::new("<0, 1>")).is_ok());
+    }
+
+    /// Where a line crosses the surface, in exact numbers alone.
+    fn exact_places(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
+        let Some((from, to)) = clip(ray) else {
+            return Vec::new();
+        };
+        let middle = 0.5 * (from + to);
+        let ray = Ray::new(ray.at(middle), ray.dir);
+        let (from, to) = (from - middle, to - middle);
+        let mut stops: Vec<f64> = (0..3).map(|i| -ray.origin[i] / ray.dir[i]).collect();
+        stops.retain(|t| from < *t && *t < to);
+        stops.push(to);
+        stops.sort_by(f64::total_cmp);
+        let along = Along { shape, ray };
+        let (mut places, mut start) = (Places::new(), (from, false));
+        for stop in stops {
+            let end = (stop, stop < to && along.value(stop) < 0.0);
+            sign_changes(&along, start, end, &mut places);
+            start = end;
+        }
+        places.iter().map(|t| t + middle).collect()
+    }
+
+    #[test]
+    fn rough_powers_lose_no_root_and_no_digit() {
+        let mut rng = Random::new(23);
+        for (e, n) in [
+            (0.3, 0.25),
+            (0.5, 1.0),
+            (1.0, 2.0),
+            (2.0, 0.3),
+            (0.1, 1.7),
+            (0.3, 3.0),
+            (3.0, 0.5),
+            (3.0, 3.0),
+            (1.5, 4.0),
+            (0.01, 30.0),
+        ] {
+            let shape = Superellipsoid::new(e, n);
+            let mut found = 0;
+            for _ in 0..1000 {
+                let away = rng.vector(3.0);
+                let ray = Ray::new(rng.vector(1.0) + away, -away);
+                let roots = shape.crossings(&ray, None);
+                let exact = exact_places(&shape, &ray);
+                found += roots.len();
+                if roots.len() == exact.len() {
+                    for (root, t) in roots.iter().zip(&exact) {
+                        let size = (1.0 - shape.size(ray.at(root.t).abs())).abs();
+                        let is_near = (root.t - t).abs() < 1e-9 || size < 4e-15;
+                        assert!(is_near, "<{e}, {n}> {ray:?}: {} {t}", root.t);
+                    }
+                } else {
+                    // Only a line that touches the surface may be judged in two ways.
+                    let own: Vec<f64> = roots.iter().map(|root| root.t).collect();
+                    let more = if own.len() > exact.len() { own } else { exact };
+                    let is_close = |pair: &[f64]| pair[1] - pair[0] < 1e-6;
+                    let is_touch = more.windows(2).any(is_close);
+                    assert!(is_touch, "<{e}, {n}> {ray:?}: {more:?}");
+                }
+            }
+            assert!(found > 200, "<{e}, {n}>: {found}");
+        }
     }
 }
