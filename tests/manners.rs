@@ -1,4 +1,4 @@
-//! What the program says while it draws: to people on a terminal, to programs through a pipe, to those that call it by
+//! The program's words while it draws: to people on a terminal, to programs through a pipe, to those that call it by
 //! the name `povray`, and when it is interrupted.
 
 #![cfg(unix)]
@@ -38,7 +38,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// What povr writes to a terminal, and its exit code.
+/// Runs povr on a terminal; returns its text and its exit code.
 fn on_a_terminal(folder: &Path, arguments: &str) -> (String, Option<i32>) {
     let output = Command::new("script")
         .args([
@@ -57,7 +57,7 @@ fn on_a_terminal(folder: &Path, arguments: &str) -> (String, Option<i32>) {
     (said, output.status.code())
 }
 
-/// What a program writes to a pipe.
+/// Runs a program whose output goes to pipes.
 fn through_a_pipe(folder: &Path, program: &str, arguments: &str) -> Output {
     Command::new(program)
         .args(arguments.split_whitespace())
@@ -72,7 +72,7 @@ fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// How often a text is found.
+/// Counts how often a text is found.
 fn count(text: &str, part: &str) -> usize {
     text.matches(part).count()
 }
@@ -154,7 +154,7 @@ fn a_picture_that_is_ready_has_a_line_on_a_terminal_alone() {
 #[test]
 fn help_is_a_command_too() {
     let folder = folder();
-    let text = |arguments| {
+    let text = |arguments: &str| {
         let output = through_a_pipe(folder.path(), env!("CARGO_BIN_EXE_povr"), arguments);
         (output.status.code(), said(&output))
     };

@@ -71,7 +71,7 @@ enum Writing {
     Refused,
 }
 
-/// How far the frames came.
+/// The end of a run over frames.
 enum Done {
     All,
     /// To this one, counted from 0, which is not there.

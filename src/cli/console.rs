@@ -137,7 +137,7 @@ fn banner() -> String {
     )
 }
 
-/// What `povray --version` prints: POV-Ray's first line, and what this really is.
+/// The answer to `povray --version`: POV-Ray's first line, and what this really is.
 pub(super) fn version() -> String {
     format!("POV-Ray {POVRAY}.povr\n\n{}\n", honesty())
 }

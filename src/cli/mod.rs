@@ -102,7 +102,7 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     })
 }
 
-/// Whether a program of this path is called as POV-Ray is.
+/// Returns true if a program of this path is called as POV-Ray is.
 fn is_povray(program: &str) -> bool {
     let name = Path::new(program).file_stem();
     name.is_some_and(|name| name.eq_ignore_ascii_case("povray"))

@@ -127,7 +127,7 @@ pub(super) fn described() -> impl Iterator<Item = Described> {
     })
 }
 
-/// How the switch is written that sets an option: `+V`, `+W<value>`.
+/// The switch that sets an option, as it is written: `+V`, `+W<value>`.
 pub(super) fn of_key(key: &str) -> Option<String> {
     SWITCHES.iter().find_map(|&(name, form)| match form {
         Flag(sets) | Both(sets, _) if sets == key => Some(format!("+{name}")),

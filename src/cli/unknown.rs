@@ -74,7 +74,7 @@ fn long_options(face: &clap::Command) -> Vec<String> {
     longs.map(str::to_owned).collect()
 }
 
-/// How POV-Ray writes an option that was written with two hyphens: `--work-threads` is `Work_Threads`, or `+WT`.
+/// POV-Ray's form of an option that was written with two hyphens: `--work-threads` is `Work_Threads`, or `+WT`.
 fn switch_for(name: &str) -> Option<String> {
     let key = name.replace('-', "_");
     let (known, _) = keys::names().find(|(known, _)| known.eq_ignore_ascii_case(&key))?;

@@ -69,7 +69,7 @@ pub(super) fn of_argument(argument: &str) -> Vec<String> {
     words.into_iter().map(|w| argument[w].to_owned()).collect()
 }
 
-/// Whether a piece after white space goes on with the word before it.
+/// Returns true if a piece after white space goes on with the word before it.
 fn belongs_to(word: &str, piece: &str) -> bool {
     let begins = assignment(piece).is_some()
         || piece
@@ -87,7 +87,7 @@ fn belongs_to(word: &str, piece: &str) -> bool {
     }
 }
 
-/// What may be written behind a switch or a key.
+/// The kind of value that follows a switch or a key.
 enum Value {
     /// A command for a shell, to the end of the line.
     Command,
@@ -119,7 +119,7 @@ fn value_of(word: &str) -> Value {
     }
 }
 
-/// Whether a piece can be nothing but a scene or an ini file, in quotes or not.
+/// Returns true if a piece can be nothing but a scene or an ini file, in quotes or not.
 fn is_file(piece: &str) -> bool {
     let name = unquoted(piece);
     [".pov", ".ini", "]"]
@@ -134,7 +134,7 @@ pub(super) fn has_ending(name: &str, ending: &str) -> bool {
         .is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
-/// What is between white space that is not in quotes.
+/// The pieces between white space that is not in quotes.
 fn pieces(text: &str) -> Vec<Range<usize>> {
     let mut pieces = Vec::new();
     let mut start = None;
@@ -158,7 +158,7 @@ fn pieces(text: &str) -> Vec<Range<usize>> {
     pieces
 }
 
-/// Whether a letter begins a stretch in quotes. An apostrophe does so only where a value begins (`'a b.pov'`,
+/// Returns true if a letter begins a stretch in quotes. An apostrophe does so only where a value begins (`'a b.pov'`,
 /// `+I'a b.pov'`, `Key='a b'`) and another one follows: names have apostrophes too.
 fn opens_quotes(c: char, before: &str, behind: &str) -> bool {
     let is_switch = |text: &str| {

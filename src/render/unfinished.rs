@@ -54,7 +54,7 @@ pub struct Unfinished {
     key: u64,
     found: Vec<Piece>,
     growing: Mutex<Growing>,
-    /// How many pixels are in the file.
+    /// The number of pixels in the file.
     pixels: AtomicU64,
 }
 

@@ -27,12 +27,9 @@ use scan::Decoder;
 /// The width and height of a file, and about how many bytes decoding it takes.
 pub(crate) fn size(bytes: &[u8]) -> Result<([u64; 2], u64), Fault> {
     let mut reader = Reader::new(bytes)?;
-    loop {
-        match reader.next_segment()? {
-            Segment::Frame => break,
-            Segment::Scan(_) | Segment::End => return Err("it holds no picture".to_owned()),
-        }
-    }
+    let Segment::Frame = reader.next_segment()? else {
+        return Err("it holds no picture".to_owned());
+    };
     let frame = reader.frame.ok_or("it holds no picture")?;
     let size = [u64::from(frame.width), u64::from(frame.height)];
     Ok((size, frame.bytes()))
