@@ -85,6 +85,10 @@ impl Reader<'_> {
                 .with_hint("Write `#version 3.7;` if the scene uses nothing newer."),
             ));
         }
+        if (version < 3.5) != (self.version < 3.5) {
+            // Macros behind a number are read in another way.
+            self.replays.forget();
+        }
         self.version = version;
         self.has_version = true;
         Ok(())

@@ -408,7 +408,7 @@ fn semicolons_behind_macros_and_hashes_before_names() {
         #declare V = <0.1, 0.2, 0.3>; #declare N = 0; #declare W = 0*x;
         #macro Set(To, Value) #local Half = Value/2; #declare To = 2*Half; #end
         #macro Set_Open(To, Value) #declare To = Value #end
-        #macro Set_Both(To, Value) Set(N, Value) Set_Open(To, Value); #end
+        #macro Set_Both(To, Value) Set(N, Value.x) Set_Open(To, Value); #end
         #for (I, 1, 30)
           Set(N, I);
           Set_Open(N, N + 1);;

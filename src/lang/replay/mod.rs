@@ -180,6 +180,13 @@ impl Replays {
         self.is_off = true;
     }
 
+    /// Forgets all that was recorded.
+    pub(super) fn forget(&mut self) {
+        self.files.clear();
+        self.programs.clear();
+        self.balls.clear();
+    }
+
     /// Begins what is replayed as a whole or not at all.
     fn begin(&mut self) {
         self.again = 0;
@@ -276,6 +283,8 @@ impl Replays {
 
     /// Keeps a program, in place of an old one if there is one.
     fn keep(&mut self, mut program: Program, old: Option<u32>) -> Known {
+        // What was forgotten since has no old one.
+        let old = old.filter(|&index| (index as usize) < self.programs.len());
         match old {
             Some(index) => {
                 let old = &mut self.programs[index as usize];

@@ -39,6 +39,13 @@ pub(super) fn tokens(text: &str) -> (Vec<Plain>, Option<usize>) {
                 Ok(head) => match directive(text, head) {
                     Some(end) => (Kind::Directive, end),
                     None => {
+                        if is_judged_later(text, head) {
+                            out.push(Plain {
+                                kind: Kind::Directive,
+                                start: at,
+                                end: at + 1,
+                            });
+                        }
                         at = head;
                         continue;
                     }
@@ -71,7 +78,7 @@ fn directive(text: &str, head: usize) -> Option<usize> {
     if !first.is_ascii_alphabetic() && first != '_' {
         return None;
     }
-    let (kind, end) = word(text, head);
+    let (_, end) = word(text, head);
     let is_directive = [
         "break",
         "case",
@@ -103,7 +110,21 @@ fn directive(text: &str, head: usize) -> Option<usize> {
         "write",
     ]
     .contains(&&text[head..end]);
-    (is_directive || kind == Kind::Name).then_some(end)
+    is_directive.then_some(end)
+}
+
+/// Whether the reader has to judge a `#` before what begins here: a name, a float or `;`.
+fn is_judged_later(text: &str, at: usize) -> bool {
+    let mut letters = text[at..].chars();
+    match letters.next() {
+        Some('a'..='z' | 'A'..='Z' | '_') => {
+            let (_, end) = word(text, at);
+            Word::from_spelling(&text[at..end]).is_none_or(Word::gives_float)
+        }
+        Some('0'..='9' | ';') => true,
+        Some('.') => letters.next().is_some_and(|letter| letter.is_ascii_digit()),
+        _ => false,
+    }
 }
 
 fn number(bytes: &[u8], start: usize) -> usize {

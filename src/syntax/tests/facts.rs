@@ -118,9 +118,9 @@ fn a_directive_takes_trivia_before_its_word() {
     ]
     .map(Some);
     assert_eq!(words[..5], some);
-    assert_eq!(words[5..], [None]);
+    assert_eq!(words[5..], [None, None]);
     let rest: Vec<String> = spellings(text).into_iter().skip(5).collect();
-    assert_eq!(rest, ["5", "sphere", "once", "#foo"]);
+    assert_eq!(rest, ["#", "5", "sphere", "once", "#", "foo"]);
     assert_eq!(spellings(text)[1], "#/* /* c */ */ if");
 }
 
