@@ -231,6 +231,7 @@ impl Reader<'_> {
 
     /// Changes the defaults for the objects that follow.
     fn set_default(&mut self, layer: Layer) {
+        let layer = layer.into_default();
         self.default_texture = Arc::new(Texture::from(layer.clone()));
         self.default_layer = layer;
     }

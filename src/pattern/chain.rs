@@ -123,9 +123,10 @@ impl PreparedChain {
 }
 
 impl PreparedChain {
-    /// How normals turn on their way to the pattern and back. Warps leave them as they are.
+    /// How normals turn on their way to the pattern and back, made one long after each transform if `is_unit`. Warps leave
+    /// them as they are.
     #[must_use]
-    pub fn turns(&self) -> Turns {
+    pub fn turns(&self, is_unit: bool) -> Turns {
         let transforms = self.movements.iter().filter_map(|movement| match movement {
             Movement::Transform(inverse) => Some(inverse.matrix3),
             Movement::Warp(_) => None,
@@ -133,6 +134,7 @@ impl PreparedChain {
         let turn = |inverse: DMat3| Turn {
             to_pattern: inverse.inverse().transpose(),
             back: inverse.transpose(),
+            is_unit,
         };
         Turns(transforms.map(turn).collect())
     }
@@ -147,6 +149,8 @@ pub struct Turns(Vec<Turn>);
 struct Turn {
     to_pattern: DMat3,
     back: DMat3,
+    /// Whether the normal is made one long behind it; otherwise bumps keep their slope when they are scaled.
+    is_unit: bool,
 }
 
 impl Turns {
@@ -156,19 +160,27 @@ impl Turns {
         Turns(self.0.iter().chain(&others.0).copied().collect())
     }
 
-    /// A normal in pattern space; after each transform it is made one long if `is_unit`.
+    /// Whether unit normals are one long in pattern space too.
     #[must_use]
-    pub fn to_pattern(&self, normal: DVec3, is_unit: bool) -> DVec3 {
+    pub fn is_unit(&self) -> bool {
+        self.0.iter().all(|turn| turn.is_unit)
+    }
+
+    /// A normal in pattern space.
+    #[must_use]
+    pub fn to_pattern(&self, normal: DVec3) -> DVec3 {
         self.0.iter().fold(normal, |normal, turn| {
-            sized(turn.to_pattern * normal, is_unit)
+            sized(turn.to_pattern * normal, turn.is_unit)
         })
     }
 
     /// The way back.
     #[must_use]
-    pub fn back(&self, normal: DVec3, is_unit: bool) -> DVec3 {
+    pub fn back(&self, normal: DVec3) -> DVec3 {
         let turns = self.0.iter().rev();
-        turns.fold(normal, |normal, turn| sized(turn.back * normal, is_unit))
+        turns.fold(normal, |normal, turn| {
+            sized(turn.back * normal, turn.is_unit)
+        })
     }
 }
 

@@ -33,6 +33,10 @@ impl Modifiers {
         if self.chain.read(word, args)? {
             return Ok(true);
         }
+        // Taken, and of no meaning but beside bumps, which read it themselves.
+        if word == Word::NoBumpScale {
+            return args.accept(word);
+        }
         if word == Word::Turbulence {
             args.accept(word)?;
             self.turbulence = Some(args.vector()?);

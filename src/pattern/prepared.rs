@@ -42,9 +42,9 @@ impl PreparedPattern {
         self.value.minds_normal()
     }
 
-    /// How normals turn on their way to the pattern and back.
+    /// How normals turn on their way to the pattern and back, made one long after each transform if `is_unit`.
     #[must_use]
-    pub fn turns(&self) -> Turns {
-        self.chain.turns()
+    pub fn turns(&self, is_unit: bool) -> Turns {
+        self.chain.turns(is_unit)
     }
 }

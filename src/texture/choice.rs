@@ -83,7 +83,7 @@ impl Choice {
     ) -> Option<Self> {
         let modifiers = &patterned.modifiers;
         let chain = || modifiers.prepare_chain(after, settings);
-        let turns = far.then(&chain().turns());
+        let turns = far.then(&chain().turns(!patterned.has_no_bump_scale));
         let entry = |texture: &Texture| PreparedTexture::new(texture, &[], &turns, settings);
         match &patterned.kind {
             PatternedKind::Map(_, None) | PatternedKind::Average(None) => None,

@@ -23,6 +23,8 @@ pub struct Layer {
     pub finish: Arc<Finish>,
     /// Bumps.
     pub normal: Option<Arc<Normal>>,
+    /// `no_bump_scale` in the texture itself: as if it stood in whatever normal the layer has in the end.
+    pub has_no_bump_scale: bool,
 }
 
 /// What a surface looks like: layers, the lowest first, never none.
@@ -89,7 +91,20 @@ impl Layer {
             pigment: Pigment::plain(color),
             finish,
             normal: None,
+            has_no_bump_scale: false,
         }
+    }
+
+    /// The layer as further textures begin with it: `no_bump_scale` goes on with the normal only, if there is one (measured
+    /// with POV-Ray).
+    #[must_use]
+    pub(crate) fn into_default(mut self) -> Layer {
+        if std::mem::take(&mut self.has_no_bump_scale)
+            && let Some(normal) = &mut self.normal
+        {
+            Arc::make_mut(normal).has_no_bump_scale = true;
+        }
+        self
     }
 
     /// Whether it is a pigment without modifiers, and a finish.
@@ -125,8 +140,7 @@ impl Texture {
                 }));
             }
         }
-        texture.check(args)?;
-        Ok(texture)
+        texture.checked(args)
     }
 
     /// Takes a transform, or a part of the top layer, or what belongs to the pattern, if one is next.
@@ -139,16 +153,33 @@ impl Texture {
             return Ok(true);
         }
         match args.word()? {
+            Some(Word::NoBumpScale) => {
+                self.top_mut().has_no_bump_scale = args.accept(Word::NoBumpScale)?;
+                Ok(true)
+            }
             Some(word) => self.top_mut().read_part(word, args),
             None => self.top_mut().read_named(args),
         }
     }
 
-    /// An error if something that the texture needs has not been read.
-    pub(super) fn check(&self, args: &mut dyn Args) -> Parse<()> {
-        self.pattern
-            .as_ref()
-            .map_or(Ok(()), |pattern| pattern.check(args))
+    /// The texture at its end; an error if something that it needs has not been read.
+    pub(super) fn checked(mut self, args: &mut dyn Args) -> Parse<Texture> {
+        if let Some(pattern) = &mut self.pattern {
+            pattern.check(args)?;
+            pattern.spread_no_bump_scale();
+        }
+        Ok(self)
+    }
+
+    /// Says `no_bump_scale` of the texture: of its top layer, or of the pattern and what it chooses from.
+    pub(super) fn set_no_bump_scale(&mut self) {
+        match &mut self.pattern {
+            Some(pattern) => {
+                pattern.has_no_bump_scale = true;
+                pattern.spread_no_bump_scale();
+            }
+            None => self.top_mut().has_no_bump_scale = true,
+        }
     }
 
     /// Whether a pattern chooses among textures here.

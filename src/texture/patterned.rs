@@ -19,6 +19,8 @@ pub struct Patterned {
     pub kind: PatternedKind,
     /// Transforms, warps, turbulence and waves.
     pub modifiers: Modifiers,
+    /// Whether bumps keep their slope when the pattern is scaled.
+    pub has_no_bump_scale: bool,
 }
 
 /// What chooses a texture.
@@ -78,6 +80,7 @@ impl Patterned {
             word,
             kind,
             modifiers: Modifiers::default(),
+            has_no_bump_scale: false,
         }))
     }
 
@@ -87,7 +90,8 @@ impl Patterned {
             return Ok(false);
         };
         if word == Word::NoBumpScale {
-            return args.accept(word);
+            self.has_no_bump_scale = args.accept(word)?;
+            return Ok(true);
         }
         if self.modifiers.read(word, args)? {
             return Ok(true);
@@ -112,6 +116,27 @@ impl Patterned {
                 Err(args.expected(&format!("`texture_map` after `{}`", self.word)))
             }
             _ => Ok(()),
+        }
+    }
+
+    /// Says `no_bump_scale` of all entries if it is said of the pattern; those of `material_map` keep what they say
+    /// themselves (measured with POV-Ray).
+    pub(super) fn spread_no_bump_scale(&mut self) {
+        if !self.has_no_bump_scale {
+            return;
+        }
+        let kept = |texture: &Texture| {
+            let mut texture = texture.clone();
+            texture.set_no_bump_scale();
+            texture
+        };
+        match &mut self.kind {
+            PatternedKind::Map(_, map) | PatternedKind::Average(map) => {
+                *map = map.as_ref().map(|map| map.map(kept));
+            }
+            PatternedKind::Tiles(two) => *two = Arc::new([kept(&two[0]), kept(&two[1])]),
+            PatternedKind::Uv(mapped) => *mapped = Arc::new(kept(mapped)),
+            PatternedKind::Material(..) => {}
         }
     }
 
@@ -150,8 +175,7 @@ impl Texture {
     fn entry(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
         let mut texture = Texture::begin(args, default)?;
         while texture.read_item(args, default)? {}
-        texture.check(args)?;
-        Ok(texture)
+        texture.checked(args)
     }
 
     /// A name, a pattern, or the default texture.
@@ -160,6 +184,10 @@ impl Texture {
             return Ok(Texture::clone(&known));
         }
         let mut texture = Texture::from(default.clone());
+        let mut has_no_bump_scale = false;
+        while args.accept(Word::NoBumpScale)? {
+            has_no_bump_scale = true;
+        }
         if let Some(word) = args.word()?
             && !matches!(word, Word::BumpMap | Word::ImageMap)
         {
@@ -167,6 +195,9 @@ impl Texture {
             if texture.pattern.is_none() && pattern::is_pattern(word) {
                 return Err(crate::args::not_built(args, word));
             }
+        }
+        if has_no_bump_scale {
+            texture.set_no_bump_scale();
         }
         Ok(texture)
     }

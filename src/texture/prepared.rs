@@ -73,8 +73,7 @@ impl PreparedTexture {
     /// their way to it.
     pub(super) fn new(texture: &Texture, after: &[Step], far: &Turns, settings: &Settings) -> Self {
         let prepare = |layer: &Layer| {
-            let normal = layer.normal.as_ref();
-            let normal = normal.and_then(|normal| PreparedNormal::new(normal, after, settings));
+            let normal = PreparedNormal::of_layer(layer, after, settings);
             let normal = normal.map(|normal| normal.within(far));
             let quick_color = layer.pigment.quick_color.as_deref().copied();
             let has_more = normal.is_some() || quick_color.is_some();

@@ -1,6 +1,6 @@
 //! `normal` as rays need it: how bumps tilt the normal of a surface (Blinn, "Simulation of Wrinkled Surfaces", 1978).
 
-use super::{Facets, Normal, NormalKind};
+use super::{Facets, Layer, Normal, NormalKind};
 use crate::bitmap;
 use crate::math::Step;
 use crate::math::noise::vector_noise;
@@ -63,6 +63,12 @@ impl PreparedNormal {
         PreparedNormal::within_normal(normal, after, settings, true)
     }
 
+    /// The same for the normal of a layer.
+    pub(super) fn of_layer(layer: &Layer, after: &[Step], settings: &Settings) -> Option<Self> {
+        let is_unit = !layer.has_no_bump_scale;
+        PreparedNormal::within_normal(layer.normal.as_ref()?, after, settings, is_unit)
+    }
+
     /// The same; what `no_bump_scale` says of a map it says of all its entries (measured with POV-Ray).
     fn within_normal(
         normal: &Normal,
@@ -96,10 +102,10 @@ impl PreparedNormal {
         let turns = match &relief {
             Relief::Flat | Relief::Uv(_) => Turns::default(),
             Relief::Pattern(pattern) | Relief::Slopes(pattern, _) | Relief::Normals(pattern, _) => {
-                pattern.turns()
+                pattern.turns(is_unit)
             }
             Relief::Average(chain, _) | Relief::Image(chain, _) | Relief::Facets(chain, _) => {
-                chain.turns()
+                chain.turns(is_unit)
             }
         };
         Some(PreparedNormal {
@@ -143,7 +149,7 @@ impl PreparedNormal {
     #[must_use]
     pub fn tilted_and_seen(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
         let (tilted, seen) = self.bumped(point, normal, spot);
-        if self.is_unit {
+        if self.is_unit && self.around.is_unit() {
             return (tilted, seen);
         }
         let unit = tilted.normalize_or_zero();
@@ -152,13 +158,18 @@ impl PreparedNormal {
 
     /// The same; with `no_bump_scale` neither is a unit vector.
     fn bumped(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
-        let here = self.around.to_pattern(normal, self.is_unit);
+        let turned = self.around.to_pattern(normal);
+        let here = if self.is_unit && !self.around.is_unit() {
+            turned.normalize_or_zero()
+        } else {
+            turned
+        };
         let tilted = self.tilted_here(point, here, spot);
-        (self.around.back(tilted, self.is_unit), tilted)
+        (self.around.back(tilted), tilted)
     }
 
     fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &Spot) -> DVec3 {
-        let own = self.turns.to_pattern(normal, self.is_unit);
+        let own = self.turns.to_pattern(normal);
         let tilted = match &self.relief {
             Relief::Flat => own,
             Relief::Pattern(pattern) => {
@@ -177,7 +188,7 @@ impl PreparedNormal {
             }
             Relief::Normals(pattern, map) => {
                 let moved = pattern.moved(point);
-                let of = |entry: &PreparedNormal| entry.bumped(moved, own, spot).0;
+                let of = |entry: &PreparedNormal| entry.tilted_here(moved, own, spot);
                 match map.between(pattern.value(moved, spot)) {
                     Between::One(entry) => of(entry),
                     Between::Two(from, to, share) => (1.0 - share) * of(from) + share * of(to),
@@ -189,16 +200,16 @@ impl PreparedNormal {
                 let mut total = 0.0;
                 for (weight, entry) in map.entries() {
                     let weight = f64::from(*weight);
-                    sum += weight * entry.bumped(moved, own, spot).0;
+                    sum += weight * entry.tilted_here(moved, own, spot);
                     total += weight;
                 }
                 sum / total
             }
             Relief::Image(chain, source) => self.by_picture(own, chain.moved(point), source),
             Relief::Facets(chain, facets) => facet(own, chain.moved(point), facets),
-            Relief::Uv(mapped) => mapped.bumped(spot.on_the_map(), own, spot).0,
+            Relief::Uv(mapped) => mapped.tilted_here(spot.on_the_map(), own, spot),
         };
-        let tilted = self.turns.back(tilted, self.is_unit);
+        let tilted = self.turns.back(tilted);
         let kept = if self.is_unit {
             tilted.normalize_or_zero()
         } else {
