@@ -137,8 +137,8 @@ impl PreparedNormal {
         }
     }
 
-    /// The unit normal that the bumps make at a point of a unit normal of the surface. The point is that of the place, or
-    /// for the entries of maps one of the pattern around them.
+    /// The normal that the bumps make at a point of a unit normal of the surface, one long but behind textures chosen with
+    /// `no_bump_scale`. The point is that of the place, or for the entries of maps one of the pattern around them.
     #[must_use]
     pub fn tilted(&self, point: DVec3, normal: DVec3, spot: &Spot) -> DVec3 {
         self.tilted_and_seen(point, normal, spot).0
@@ -148,24 +148,20 @@ impl PreparedNormal {
     /// `no_bump_scale` as long as the bumps make it (measured with POV-Ray).
     #[must_use]
     pub fn tilted_and_seen(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
-        let (tilted, seen) = self.bumped(point, normal, spot);
-        if self.is_unit && self.around.is_unit() {
-            return (tilted, seen);
-        }
-        let unit = tilted.normalize_or_zero();
-        (if unit == DVec3::ZERO { normal } else { unit }, seen)
-    }
-
-    /// The same; with `no_bump_scale` neither is a unit vector.
-    fn bumped(&self, point: DVec3, normal: DVec3, spot: &Spot) -> (DVec3, DVec3) {
         let turned = self.around.to_pattern(normal);
         let here = if self.is_unit && !self.around.is_unit() {
             turned.normalize_or_zero()
         } else {
             turned
         };
-        let tilted = self.tilted_here(point, here, spot);
-        (self.around.back(tilted), tilted)
+        let seen = self.tilted_here(point, here, spot);
+        if self.is_unit && self.around.is_unit() {
+            return (self.around.back(seen), seen);
+        }
+        // Only the choices of textures around it lengthen it again, and POV-Ray shades with a normal of that length.
+        let unit = seen.normalize_or_zero();
+        let unit = if unit == DVec3::ZERO { here } else { unit };
+        (self.around.back(unit), seen)
     }
 
     fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &Spot) -> DVec3 {
