@@ -129,7 +129,7 @@ impl Normal {
         if word == Word::UvMapping {
             while args.accept(word)? {}
             normal.kind = NormalKind::Uv(Normal::read_entry(args)?);
-        } else if let Some(kind) = NormalKind::begin(word, args)? {
+        } else if let Some(kind) = normal.kind.begin(word, args)? {
             normal.kind = kind;
             if let NormalKind::Image(picture) = &normal.kind {
                 normal.amount = picture.bump_size.unwrap_or(normal.amount);
@@ -209,8 +209,9 @@ impl Normal {
 }
 
 impl NormalKind {
-    /// What begins with this word, if bumps do.
-    fn begin(word: Word, args: &mut dyn Args) -> Parse<Option<Self>> {
+    /// The bumps that begin with this word, if some do. A pattern keeps the map that the scene has given to the one before,
+    /// as in pigments.
+    fn begin(&self, word: Word, args: &mut dyn Args) -> Parse<Option<Self>> {
         match word {
             Word::BumpMap => {
                 args.accept(word)?;
@@ -219,7 +220,7 @@ impl NormalKind {
             }
             Word::Average => {
                 args.accept(word)?;
-                return Ok(Some(NormalKind::Average(None)));
+                return Ok(Some(NormalKind::Average(self.normals().cloned())));
             }
             Word::Facets => {
                 args.accept(word)?;
@@ -239,6 +240,12 @@ impl NormalKind {
         let kind = if is_list {
             let normals = normal_list(pattern.default_map(), args)?;
             NormalKind::Normals(pattern, normals)
+        } else if pattern.has_list() {
+            NormalKind::Pattern(pattern)
+        } else if let NormalKind::Slopes(_, map) = self {
+            NormalKind::Slopes(pattern, map.clone())
+        } else if let Some(map) = self.normals() {
+            NormalKind::Normals(pattern, map.clone())
         } else {
             NormalKind::Pattern(pattern)
         };
@@ -246,6 +253,15 @@ impl NormalKind {
             args.close()?;
         }
         Ok(Some(kind))
+    }
+
+    /// The normals that are chosen from.
+    fn normals(&self) -> Option<&Map<Arc<Normal>>> {
+        match self {
+            NormalKind::Normals(_, map) => Some(map),
+            NormalKind::Average(map) => map.as_ref(),
+            _ => None,
+        }
     }
 
     fn read_item(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {

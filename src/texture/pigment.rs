@@ -53,6 +53,29 @@ impl PigmentKind {
     fn pigments(pattern: Box<dyn Pattern>, map: Map<Pigment>) -> Self {
         PigmentKind::Pigments(Box::new(Mapped { pattern, map }))
     }
+
+    /// A pattern in place of what was there. It keeps the map that the scene has given to the pattern before, and takes a
+    /// list for one (measured with POV-Ray: a name or the default pigment may stand before a pattern).
+    fn with_pattern(&self, pattern: Box<dyn Pattern>) -> Self {
+        match self {
+            PigmentKind::Pigments(mapped) => PigmentKind::pigments(pattern, mapped.map.clone()),
+            PigmentKind::Colors(mapped) if mapped.is_said() => {
+                PigmentKind::colors(pattern, mapped.map.clone())
+            }
+            PigmentKind::Average(Some(map)) => PigmentKind::pigments(pattern, (**map).clone()),
+            _ => {
+                let usual = Map::of_stops(pattern.default_map());
+                PigmentKind::colors(pattern, usual)
+            }
+        }
+    }
+}
+
+impl Mapped<Color> {
+    /// Whether the colours are other ones than the pattern has by itself.
+    fn is_said(&self) -> bool {
+        self.pattern.has_list() || self.map.entries() != self.pattern.default_map()
+    }
 }
 
 /// Whose words a pigment is written in: those of a density are other ones, and the two do not mix.
@@ -294,7 +317,11 @@ impl Pigment {
         }
         if word == Word::Average {
             args.accept(word)?;
-            self.kind = PigmentKind::Average(None);
+            let known = match &self.kind {
+                PigmentKind::Pigments(mapped) => Some(Box::new(mapped.map.clone())),
+                _ => None,
+            };
+            self.kind = PigmentKind::Average(known);
             return Ok(true);
         }
         let Some(pattern) = read_pattern(word, args)? else {
@@ -303,7 +330,7 @@ impl Pigment {
         let has_open_block = pattern.has_open_block();
         let defaults = pattern.default_map();
         self.kind = if !pattern.has_list() {
-            PigmentKind::colors(pattern, Map::of_stops(defaults))
+            self.kind.with_pattern(pattern)
         } else if args.word()? == Some(family.word()) {
             PigmentKind::pigments(pattern, pigment_list(defaults, args, family)?)
         } else {
