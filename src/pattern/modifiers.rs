@@ -50,6 +50,11 @@ impl Modifiers {
         Ok(read_octaves(&mut self.octaves, word, args)? || self.read_wave(word, args)?)
     }
 
+    /// Shapes the value as if the scene said so.
+    pub fn set_shape(&mut self, shape: Shape) {
+        self.shape = Some(shape);
+    }
+
     fn read_wave(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
         let mut wave = Wave::default();
         let is_known = wave.read(word, args)?;

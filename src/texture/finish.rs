@@ -122,6 +122,36 @@ impl Finish {
         Ok(finish)
     }
 
+    /// Reads `word`, the next token, with its value if it may stand in the texture itself before version 3.0. `diffuse` has
+    /// one number there and `metallic` none.
+    pub(super) fn read_bare(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        match word {
+            Word::Diffuse => {
+                self.diffuse = number(word, args)?;
+                self.diffuse_back = 0.0;
+                self.diffuse_as_given = [self.diffuse, 0.0];
+            }
+            Word::Metallic => {
+                args.accept(word)?;
+                self.metallic = 1.0;
+            }
+            Word::Ambient
+            | Word::Brilliance
+            | Word::Crand
+            | Word::Phong
+            | Word::PhongSize
+            | Word::Roughness
+            | Word::Specular => {
+                self.read_light(word, args, &mut Albedo::default())?;
+            }
+            Word::Reflection => return self.read_mirror(word, args),
+            Word::Ior | Word::Refraction => return self.read_old(word, args),
+            _ => return Ok(false),
+        }
+        self.leave_out_negative_light();
+        Ok(true)
+    }
+
     /// Whether the surface has a mirror image.
     #[must_use]
     pub fn has_reflection(&self) -> bool {

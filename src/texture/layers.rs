@@ -157,8 +157,14 @@ impl Texture {
                 self.top_mut().has_no_bump_scale = args.accept(Word::NoBumpScale)?;
                 Ok(true)
             }
-            Some(word) => self.top_mut().read_part(word, args),
-            None => self.top_mut().read_named(args),
+            Some(word) => {
+                let layer = self.top_mut();
+                Ok(layer.read_part(word, args)? || layer.read_old(args)?)
+            }
+            None => {
+                let layer = self.top_mut();
+                Ok(layer.read_named(args)? || layer.read_old(args)?)
+            }
         }
     }
 

@@ -7,6 +7,7 @@ mod finish;
 mod layers;
 mod material;
 mod normal;
+mod old;
 mod patterned;
 mod pigment;
 mod pigment_pattern;

@@ -100,6 +100,21 @@ impl Normal {
         })
     }
 
+    /// Bumps and how high they are, without a block; all else is as in `base`.
+    pub(super) fn read_bare(args: &mut dyn Args, base: Option<&Arc<Normal>>) -> Parse<Arc<Normal>> {
+        let at = args.span();
+        Normal::begin(args, at, base.map(Arc::as_ref))?.checked(args)
+    }
+
+    /// Reads `word`, the next token, with its value if it may stand beside any pattern.
+    pub(super) fn read_modifier(
+        normal: &mut Arc<Normal>,
+        word: Word,
+        args: &mut dyn Args,
+    ) -> Parse<bool> {
+        Arc::make_mut(normal).modifiers.read(word, args)
+    }
+
     fn read_entry(args: &mut dyn Args) -> Parse<Arc<Normal>> {
         let at = args.span();
         let base: Option<Arc<Normal>> = default_of(args);

@@ -1,5 +1,6 @@
 //! Textures that are chosen by a pattern: `texture_map`, lists behind `checker` and its kin, `tiles`, `material_map`.
 
+use super::old::begins_part;
 use super::{Layer, Texture, read_pattern};
 use crate::args::{Args, Parse, Word, declared};
 use crate::bitmap;
@@ -190,6 +191,7 @@ impl Texture {
         }
         if let Some(word) = args.word()?
             && !matches!(word, Word::BumpMap | Word::ImageMap)
+            && !begins_part(word, args.version())
         {
             texture.pattern = Patterned::begin(word, args, default)?.map(Box::new);
             if texture.pattern.is_none() && pattern::is_pattern(word) {

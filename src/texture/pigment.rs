@@ -239,10 +239,23 @@ impl Pigment {
         Map::read("pigment_map", keys, args, &mut Pigment::entry)
     }
 
+    /// A colour, a pattern, a map or a modifier without a block.
+    pub(super) fn read_bare(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        self.read_item(args, Family::Pigment)
+    }
+
+    /// A colour by its name.
+    pub(super) fn read_own_color(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        let color = args.color_if_any()?;
+        if let Some(color) = color {
+            self.kind = PigmentKind::Plain(color);
+        }
+        Ok(color.is_some())
+    }
+
     /// One part of a pigment; false if none begins here.
     fn read_item(&mut self, args: &mut dyn Args, family: Family) -> Parse<bool> {
-        if let Some(color) = args.color_if_any()? {
-            self.kind = PigmentKind::Plain(color);
+        if self.read_own_color(args)? {
             return Ok(true);
         }
         let Some(word) = args.word()? else {
