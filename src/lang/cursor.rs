@@ -54,7 +54,7 @@ pub(super) struct Declaring {
     pub(super) blocks: usize,
     /// Whether the value may be complete, so that what follows is only looked at.
     pub(super) is_complete: bool,
-    /// Whether the value ends before the end of a macro or file at hand.
+    /// Set where the value ends before the next token, which only leaves a macro or file or calls a macro.
     pub(super) has_ended: bool,
 }
 

@@ -40,7 +40,7 @@ impl Reader<'_> {
         self.with_trace(error.with_hint(hint))
     }
 
-    /// Whether a float begins with the token at hand.
+    /// Tells if a float begins with this token.
     fn is_float(&self, token: Token) -> bool {
         match token.kind {
             Kind::Number => true,

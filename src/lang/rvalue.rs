@@ -75,7 +75,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the item of an array at hand is all there is: behind its indices stands neither a call nor an operator, but
+    /// Tells if the next item of an array is all there is: behind its indices stands neither a call nor an operator, but
     /// what may stand behind a value.
     fn is_item_alone(&self) -> bool {
         let tokens = &self.here.tokens.tokens;

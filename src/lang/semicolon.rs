@@ -12,7 +12,7 @@ use crate::source::{Diagnostic, Span};
 use crate::syntax::{Kind, Token};
 
 impl Reader<'_> {
-    /// The token behind the ends of macros and files that follow each other from a token of the text at hand on, and how
+    /// The token behind the ends of macros and files that follow each other from a token of the current text on, and how
     /// many ends these are.
     pub(super) fn behind_ends(&self, from: usize) -> (u32, Token) {
         let (mut tokens, mut at) = (&self.here.tokens, from);
@@ -30,7 +30,7 @@ impl Reader<'_> {
         (ends, tokens.tokens[at])
     }
 
-    /// Takes a `;` at hand or behind the ends of macros and files at hand, which are left then.
+    /// Takes a `;` that comes next, or behind the ends of macros and files that come next, which are left then.
     pub(super) fn take_semicolon(&mut self) -> bool {
         let (ends, token) = self.behind_ends(self.here.at);
         let is_it = token.is_mark(';');
@@ -88,13 +88,13 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a number ends before the token at hand because a macro is called there, which may use its name: so before
+    /// Tells if a number ends before the next token because a macro is called there, which may use its name: so before
     /// 3.5, where it needs no `;`.
     fn ends_before_macro(&self, next: Token) -> bool {
         self.version < 3.5 && next.symbol().is_some_and(|name| self.scopes.is_macro(name))
     }
 
-    /// Whether the macro or file in which a name is declared ends at hand, and the number with it: then the name must get
+    /// Tells if the macro or file in which a name is declared ends next, and the number with it: then the name must get
     /// its value before it is left, for it may be a parameter.
     fn ends_with_scope(&self, open: &Declaring) -> bool {
         let (ends, behind) = self.behind_ends(self.here.at);
