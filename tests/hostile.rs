@@ -350,6 +350,10 @@ const NOISE: &str = "plane { z, -2 finish { ambient 1 } pigment { cells scale 0.
 
 /// Runs a command in a file system of its own of so many KiB, mounted on the folder `disk`, where the scene lies; and
 /// then says which files are there. `None` where nobody may mount.
+#[allow(
+    clippy::print_stderr,
+    reason = "a test that is left out says so on the terminal"
+)]
 fn on_a_disk(kib: u32, command: &str) -> Option<(Ended, String)> {
     let place = Place::with(NOISE);
     fs::create_dir(place.path("here/disk")).expect("folders can be made");

@@ -27,7 +27,7 @@ pub(crate) enum Content {
 struct Head {
     width: usize,
     height: usize,
-    /// Whether the rows begin at the top.
+    /// True if the rows begin at the top.
     is_from_top: bool,
     bits: u16,
     packing: u32,

@@ -21,7 +21,7 @@ const HALF: f64 = 0.5;
 #[derive(Default)]
 struct Pending {
     angle_deg: Option<f64>,
-    /// Whether there is an `angle`, be it one of 0, which opens the view to nothing else.
+    /// True if there is an `angle`, be it one of 0, which opens the view to nothing else.
     has_angle: bool,
     look_at: Option<(DVec3, Span)>,
     has_frame: bool,

@@ -10,7 +10,7 @@ use crate::options::Stop;
 /// The exit code of a drawing that was stopped.
 pub(super) const INTERRUPTED: u8 = 2;
 
-/// Has the signals stop a drawing from now on. What is kept at that moment is told by `tell`.
+/// Has the signals stop a drawing from now on. `tell` says what is kept at that moment.
 #[cfg(unix)]
 pub(super) fn heed(stop: &Stop) {
     use signal_hook::consts::{SIGINT, SIGTERM};

@@ -35,7 +35,7 @@ pub(super) struct Heritage {
     pub(super) says_uv: bool,
     /// The transforms of everything above, innermost first.
     pub(super) steps: Arc<[Step]>,
-    /// Whether a union above was moved after its parts were complete, so that shapes are not seen within boxes.
+    /// True if a union above was moved after its parts were complete, so that shapes are not seen within boxes.
     pub(super) is_moved: bool,
     /// Where what has no texture takes one from, in a combination with `cutaway_textures`.
     pub(super) cutaway: Option<Arc<Cutaway>>,

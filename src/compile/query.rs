@@ -91,7 +91,7 @@ pub struct Query {
 pub struct Scratch {
     /// The light that came from each lamp of the area light at hand, as far as it is known.
     pub lamps: Vec<Option<Rgb>>,
-    /// The ways from a point to lamps of an area light.
+    /// The shadow rays from a point to the samples of an area light.
     pub to_lamps: Vec<FourWays>,
     /// How many rays were followed.
     pub rays: Rays,

@@ -27,7 +27,7 @@ pub(super) fn seen_in(object: &Object, above: &Heritage) -> Option<Bounds> {
     Some(seen_in.what.transformed(&to_world))
 }
 
-/// Whether a box holds what is shown, but for the roundings of boxes.
+/// Tells whether a box holds what is shown, but for the roundings of boxes.
 pub(super) fn holds(seen_in: &Bounds, shown: &Bounds) -> bool {
     let slack = SLACK * seen_in.min.abs().max(seen_in.max.abs()).max_element();
     let is_held = shown.min.cmpge(seen_in.min - slack) & shown.max.cmple(seen_in.max + slack);

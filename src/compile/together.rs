@@ -222,7 +222,7 @@ impl World {
         was_of_use
     }
 
-    /// Whether [`World::ways_from`] is of use.
+    /// Tells whether [`World::ways_from`] is of use.
     #[must_use]
     pub fn asks_from_points(&self) -> bool {
         self.meshes.is_empty()

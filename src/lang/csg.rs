@@ -36,7 +36,7 @@ impl Reader<'_> {
         Ok(object)
     }
 
-    /// The objects at hand, in words and by their names alone, in any order.
+    /// The objects that follow, in words and by their names alone, in any order.
     pub(super) fn children(&mut self) -> Parse<Vec<Arc<Object>>> {
         let mut children = Vec::new();
         loop {

@@ -147,7 +147,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a value that has been read ends as a number does: it is one, or a function or spline by its name.
+    /// Tells whether a value that has been read ends as a number does: it is one, or a function or spline by its name.
     pub(super) fn is_like_number(&self, value: &Value) -> bool {
         let is_written = || self.last.tokens.tokens[self.last.at].is_mark('}');
         matches!(value, Value::Number(_)) || is_callable(value) && !is_written()

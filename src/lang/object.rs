@@ -99,7 +99,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The object at hand, in words or by its name.
+    /// The object that follows, in words or by its name.
     pub(super) fn object_or_name(&mut self) -> Parse<Option<Arc<Object>>> {
         match self.object()? {
             Some(object) => Ok(Some(object)),
@@ -107,7 +107,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Moves objects by the transforms at hand.
+    /// Moves objects by the transforms that follow.
     pub(super) fn move_all(&mut self, objects: &mut [Arc<Object>]) -> Parse<()> {
         let mut steps = Vec::new();
         while let Some(step) = transform_step(self)? {

@@ -124,7 +124,7 @@ impl Reader<'_> {
         Err(self.with_trace(error.with_hint(hint)))
     }
 
-    /// Whether a file lies in a folder that scenes may write to, links and `..` resolved.
+    /// Tells whether a file lies in a folder that scenes may write to, links and `..` resolved.
     fn may_write(&self, path: &Path) -> bool {
         let place = fs::canonicalize(path).or_else(|_| -> io::Result<PathBuf> {
             let folder = match path.parent() {

@@ -54,7 +54,7 @@ pub(super) struct Reader<'a> {
     pub(super) nesting: usize,
     /// The `#declare` whose value is being read.
     pub(super) declaring: Option<Declaring>,
-    /// Whether the number of a `#version` is being read.
+    /// True if the number of a `#version` is being read.
     pub(super) is_in_version: bool,
     /// Whether a directive within the statement being read failed.
     pub(super) has_faulty_directive: bool,

@@ -149,7 +149,7 @@ pub struct Turns(Vec<Turn>);
 struct Turn {
     to_pattern: DMat3,
     back: DMat3,
-    /// Whether the normal is made one long behind it; otherwise bumps keep their slope when they are scaled.
+    /// True if the normal is made one long behind it; otherwise bumps keep their slope when they are scaled.
     is_unit: bool,
 }
 
@@ -160,7 +160,7 @@ impl Turns {
         Turns(self.0.iter().chain(&others.0).copied().collect())
     }
 
-    /// Whether unit normals are one long in pattern space too.
+    /// Tells whether unit normals are one long in pattern space too.
     #[must_use]
     pub fn is_unit(&self) -> bool {
         self.0.iter().all(|turn| turn.is_unit)

@@ -169,7 +169,7 @@ fn of_shape(shape: &Shape, steps: &[Step]) -> Stored {
     Stored::new(&bounds.transformed(&rest.world_from_object))
 }
 
-/// Whether a box has ends on all sides.
+/// Tells whether a box has ends on all sides.
 pub(super) fn is_limited(bounds: &Bounds) -> bool {
     (bounds.max - bounds.min).max_element() < UNBOUNDED
 }
@@ -207,7 +207,7 @@ fn moved(plane: &Plane, steps: &[Step]) -> Plane {
     }
 }
 
-/// Whether an object is one of those whose boxes count for nothing in an intersection or a difference.
+/// Tells whether an object is one of those whose boxes count for nothing in an intersection or a difference.
 fn is_height_field(object: &Object) -> bool {
     matches!(&object.kind, Kind::Shape(shape) if matches!(**shape, Shape::HeightField(_)))
 }

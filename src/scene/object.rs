@@ -61,7 +61,7 @@ pub struct Size {
     pub uses_uv: bool,
     /// Whether it or something in it says `cutaway_textures`.
     pub has_cutaways: bool,
-    /// Whether there are shapes in it whose insides reach beyond the boxes around their surfaces.
+    /// True if there are shapes in it whose insides reach beyond the boxes around their surfaces.
     pub reaches_out: bool,
     /// Combinations inside each other, without those that say no more than the one around them would say of their
     /// parts: differences whose first part is a difference, unions of unions.
@@ -276,7 +276,7 @@ impl Object {
         self.rare.as_ref()?.seen_in.as_ref()
     }
 
-    /// Whether it moves parts that are seen within boxes, if it is taken apart.
+    /// Tells whether it moves parts that are seen within boxes, if it is taken apart.
     pub(crate) fn moves_parts(&self) -> bool {
         self.rare.as_ref().is_some_and(|rare| rare.moves_parts)
     }

@@ -56,7 +56,7 @@ impl Axis {
         v - self.unit.dot(v) * self.unit
     }
 
-    /// Whether a ray starts on the side or on a cap of a cone, or before it, and goes away: of one with this radius at the
+    /// Tells whether a ray starts on the side or on a cap of a cone, or before it, and goes away: of one with this radius at the
     /// base, which grows by `slope` towards the apex.
     pub(super) fn is_left_behind(&self, ray: &Ray, base_radius: f64, slope: f64) -> bool {
         let p = ray.origin - self.base;

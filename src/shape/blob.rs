@@ -173,7 +173,7 @@ impl Field {
             && self.is_inside(before.parts(parts).map(|part| part.field(joint)).sum())
     }
 
-    /// Whether a field that is nowhere above this is nowhere above the threshold, by more than rounding.
+    /// Tells whether a field that is nowhere above this is nowhere above the threshold, by more than rounding.
     fn is_too_low(&self, most: f64) -> bool {
         most < LOW * self.threshold
     }

@@ -165,7 +165,7 @@ pub trait Geometry {
         self.bounds()
     }
 
-    /// Whether its inside reaches beyond the box around its surface.
+    /// Tells whether its inside reaches beyond the box around its surface.
     fn reaches_out(&self) -> bool {
         false
     }

@@ -316,7 +316,7 @@ pub(super) fn line_crossings(
     }
 }
 
-/// Whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
+/// Tells whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
 /// do.
 fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
     let slack = BERNSTEIN_SLACK * (c0.abs() + c1.abs() + c2.abs() + c3.abs());

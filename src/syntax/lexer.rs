@@ -433,7 +433,7 @@ fn skip_blanks(text: &str, start: usize) -> usize {
     start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
 }
 
-/// Whether a text begins with a number or `;`.
+/// Tells whether a text begins with a number or `;`.
 fn before_number_or_semicolon(text: &[u8]) -> bool {
     match text {
         [b'.', digit, ..] | [digit, ..] if digit.is_ascii_digit() => true,

@@ -141,14 +141,14 @@ impl Tokens {
         Span::new(self.file, token.start, end)
     }
 
-    /// Whether a token of this text is an `#end`.
+    /// Tells whether a token of this text is an `#end`.
     #[must_use]
     pub fn is_end(&self, token: Token) -> bool {
         token.kind == Kind::Directive
             && self.directives[token.value as usize].word == Some(Word::End)
     }
 
-    /// Whether a token of this text is a `#` before anything but a directive.
+    /// Tells whether a token of this text is a `#` before anything but a directive.
     #[must_use]
     pub fn is_hash(&self, token: Token) -> bool {
         token.kind == Kind::Directive && self.directives[token.value as usize].word.is_none()

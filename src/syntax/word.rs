@@ -70,7 +70,7 @@ impl Word {
         WORDS[self as usize].2
     }
 
-    /// Whether an expression that begins with the word begins with a float.
+    /// Tells whether an expression that begins with the word begins with a float.
     #[must_use]
     pub fn gives_float(self) -> bool {
         use Word::{

@@ -48,7 +48,7 @@ const OF_NORMAL: [Word; 6] = [
     Word::Wrinkles,
 ];
 
-/// Whether a word that stands first in a texture of this version begins a part of it, and no choice of textures.
+/// Tells whether a word that stands first in a texture of this version begins a part of it, and no choice of textures.
 pub(super) fn begins_part(word: Word, version: f64) -> bool {
     version < FIRST_OF_BLOCKS && (OF_PIGMENT.contains(&word) || OF_NORMAL.contains(&word))
 }

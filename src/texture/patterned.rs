@@ -20,7 +20,7 @@ pub struct Patterned {
     pub kind: PatternedKind,
     /// Transforms, warps, turbulence and waves.
     pub modifiers: Modifiers,
-    /// Whether bumps keep their slope when the pattern is scaled.
+    /// True if bumps keep their slope when the pattern is scaled.
     pub has_no_bump_scale: bool,
 }
 

@@ -72,7 +72,7 @@ impl PigmentKind {
 }
 
 impl Mapped<Color> {
-    /// Whether the colours are other ones than the pattern has by itself.
+    /// Tells whether the colours are other ones than the pattern has by itself.
     fn is_said(&self) -> bool {
         self.pattern.has_list() || self.map.entries() != self.pattern.default_map()
     }

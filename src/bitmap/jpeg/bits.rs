@@ -62,7 +62,7 @@ pub(super) struct Bits<'r, 'a> {
     /// Bits not yet taken, from the highest on, and zeros behind them.
     held: u64,
     count: u32,
-    /// Whether more bits were taken than there are before the next marker.
+    /// True if more bits were taken than there are before the next marker.
     pub(super) is_short: bool,
 }
 

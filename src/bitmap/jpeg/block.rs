@@ -74,7 +74,7 @@ pub(super) fn band(
     0
 }
 
-/// How many blocks from this one on have nothing more.
+/// The number of blocks from this one on that have nothing more.
 fn empty_blocks(bits: &mut Bits<'_, '_>, length: u8) -> u32 {
     let more = bits.take(length.into());
     (1 << length) + more.unsigned_abs()

@@ -25,7 +25,7 @@ pub(super) struct Component {
     pub(super) blocks: [usize; 2],
 }
 
-/// What the file holds.
+/// The contents of the file.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     pub(super) width: u16,
@@ -36,7 +36,7 @@ pub(super) struct Frame {
     pub(super) components: Vec<Component>,
 }
 
-/// What the samples of a picture are.
+/// The meaning of the samples of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Coding {
     /// Grey, or red, green and blue.

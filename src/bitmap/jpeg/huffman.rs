@@ -18,7 +18,7 @@ pub(super) struct Huffman {
     symbols: Vec<u8>,
 }
 
-/// Whether a code is for the first coefficients of blocks or for the others.
+/// True if a code is for the first coefficients of blocks or for the others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum For {
     First,

@@ -38,7 +38,7 @@ struct Channel {
 #[derive(Debug)]
 pub(super) struct Decoder {
     channels: Vec<Channel>,
-    /// Whether one scan held all there is.
+    /// True if one scan held all there is.
     is_complete: bool,
     visits: u64,
 }
@@ -71,7 +71,7 @@ impl Decoder {
         })
     }
 
-    /// Whether no more scans may follow.
+    /// Tells whether no more scans may follow.
     pub(super) fn is_complete(&self) -> bool {
         self.is_complete
     }

@@ -42,7 +42,7 @@ pub(super) struct Tables {
     pub(super) first: [Option<Codes>; 4],
     /// For the others.
     pub(super) others: [Option<Codes>; 4],
-    /// How many units of a scan stand between two restart markers; 0 for no markers.
+    /// The number of units of a scan between two restart markers; 0 for no markers.
     pub(super) restart: u16,
 }
 

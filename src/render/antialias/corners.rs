@@ -13,7 +13,7 @@ type Point = (usize, u32, u32);
 pub(super) struct Corners<'s, 'a> {
     sampler: &'s Sampler<'a>,
     scratch: &'s mut BlockScratch,
-    /// Whether each sample is traced as soon as it is asked for.
+    /// True if each sample is traced as soon as it is asked for.
     in_order: bool,
     /// The centre of the upper left pixel.
     first: Place,
@@ -33,7 +33,7 @@ struct Square {
     middle: (u32, u32),
     /// Upper left, upper right, lower left, lower right.
     corners: [Graded; 4],
-    /// How many times it may be divided; half its side on the finest grid is 2 to the power of this.
+    /// The number of times that it may be divided; half its side on the finest grid is 2 to the power of this.
     level: u32,
 }
 

@@ -107,7 +107,7 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// Whether two colours are so far apart that the pixel deserves more samples.
+    /// Tells whether two colours are so far apart that the pixel deserves more samples.
     fn differ(&self, a: &Graded, b: &Graded) -> bool {
         let [r, g, b, transmit] = std::array::from_fn(|i| (a.grades[i] - b.grades[i]).abs());
         r + g + b + transmit >= self.how.threshold

@@ -18,7 +18,7 @@ const GRID_SLACK: f64 = 1e-10;
 pub(super) struct Neighbours<'s, 'a> {
     sampler: &'s Sampler<'a>,
     scratch: &'s mut BlockScratch,
-    /// Whether each sample is traced as soon as it is asked for.
+    /// True if each sample is traced as soon as it is asked for.
     in_order: bool,
     /// The place of number 0, with which nothing is compared.
     first: Place,

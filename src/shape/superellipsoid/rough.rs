@@ -157,7 +157,7 @@ impl<'s> Pieces<'s> {
         Pieces { rough, exact }
     }
 
-    /// Whether the size is below 1 there.
+    /// Tells whether the size is below 1 there.
     pub(super) fn is_inside(&self, t: f64) -> bool {
         self.is_below(self.rough.at(t).0, t)
     }

@@ -113,7 +113,7 @@ fn directive(text: &str, head: usize) -> Option<usize> {
     is_directive.then_some(end)
 }
 
-/// Whether the reader has to judge a `#` before what begins here: a name, a float or `;`.
+/// Tells whether the reader has to judge a `#` before what begins here: a name, a float or `;`.
 fn is_judged_later(text: &str, at: usize) -> bool {
     let mut letters = text[at..].chars();
     match letters.next() {
