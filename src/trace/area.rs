@@ -134,12 +134,13 @@ impl Tracer<'_> {
         self.part_of_area(lamps, all, 0, scratch)
     }
 
-    /// The point, four times, if its ways to several lamps can be asked about at once; with jitter lamps stand elsewhere
-    /// each time they are asked about, and in an order.
+    /// The point, four times, if its ways to several lamps can be asked about at once. With jitter lamps stand elsewhere
+    /// each time they are asked about, and media on the ways draw random numbers: both keep POV-Ray's order.
     fn hits_for(&self, lamps: &Lamps) -> Option<FourHits> {
         let lights = &self.world.lights;
         let departure = lamps.lit.departure?;
         let is_fit = !lamps.area.has_jitter
+            && !self.has_media
             && !lamps.light.is_shadowless()
             && !lights.is_projected(lamps.number)
             && self.world.asks_from_points();
