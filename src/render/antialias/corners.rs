@@ -6,6 +6,9 @@ use crate::film::Pixel;
 use crate::trace::BlockScratch;
 use rustc_hash::FxHashMap;
 
+/// Samples inside of pixels that are kept at a time: those of a tile divided five times.
+const MOST_INNER: usize = 1 << 20;
+
 /// A place on the finest grid of a pixel: the pixel's number, then column and row.
 type Point = (usize, u32, u32);
 
@@ -59,14 +62,20 @@ impl<'s, 'a> Corners<'s, 'a> {
     pub(super) fn pixels(mut self) -> Vec<Pixel> {
         let corners = self.trace_corners();
         let mut pixels = vec![Pixel::default(); self.width * self.height];
-        let mut open: Vec<usize> = (0..pixels.len()).collect();
-        while !open.is_empty() {
-            open.retain(|&number| {
-                let pixel = self.mean(&self.whole(number, &corners));
-                pixels[number] = pixel.unwrap_or_default();
-                pixel.is_none()
-            });
-            self.trace_wanted();
+        let numbers: Vec<usize> = (0..pixels.len()).collect();
+        // Each halving makes four times as many samples of a pixel.
+        let together = (MOST_INNER >> (2 * self.sampler.how.depth)).max(1);
+        for numbers in numbers.chunks(together) {
+            let mut open = numbers.to_vec();
+            while !open.is_empty() {
+                open.retain(|&number| {
+                    let pixel = self.mean(&self.whole(number, &corners));
+                    pixels[number] = pixel.unwrap_or_default();
+                    pixel.is_none()
+                });
+                self.trace_wanted();
+            }
+            self.inner.clear();
         }
         pixels
     }
