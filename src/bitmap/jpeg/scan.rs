@@ -238,6 +238,10 @@ impl Run<'_, '_> {
                 }
                 left -= 1;
             }
+            decoder.visits = decoder.visits.saturating_sub(1);
+            if decoder.visits == 0 {
+                return Err("it has too many scans".to_owned());
+            }
             if self.bits.is_short {
                 if restart == 0 {
                     break;
@@ -256,10 +260,6 @@ impl Run<'_, '_> {
                     let block = [0, 1].map(|axis| place[axis] * factors[axis] + inner[axis]);
                     self.block(at, channel, block);
                 }
-            }
-            decoder.visits = decoder.visits.saturating_sub(1);
-            if decoder.visits == 0 {
-                return Err("it has too many scans".to_owned());
             }
         }
         Ok(())
