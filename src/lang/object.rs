@@ -377,6 +377,7 @@ pub(super) fn fold_steps(object: &mut Object) {
     let textures = object.textures().map(|texture| texture.after);
     let start = textures
         .chain(object.around().map(|attached| attached.after))
+        .chain(object.seen_in().map(|boxes| boxes.after))
         .max()
         .unwrap_or(0);
     shorten(&mut object.steps, start);
