@@ -127,14 +127,15 @@ impl Unfinished {
                 }
                 if is_time {
                     *growing = begin(keep, self.key, waiting);
+                    if let Growing::Given(_) = *growing {
+                        self.pixels.store(0, Ordering::Relaxed);
+                    }
                 }
             }
-            Growing::File(file) => {
-                if let Err(error) = file.write_all(&record(self.key, piece)) {
-                    *growing = Growing::Given(error.kind());
-                }
-                self.count(piece);
-            }
+            Growing::File(file) => match file.write_all(&record(self.key, piece)) {
+                Ok(()) => self.count(piece),
+                Err(error) => *growing = Growing::Given(error.kind()),
+            },
             Growing::Given(_) => {}
         }
     }
@@ -148,8 +149,11 @@ impl Unfinished {
     #[must_use]
     pub fn kept(&self) -> Option<u64> {
         match &*self.growing.lock().unwrap_or_else(PoisonError::into_inner) {
-            Growing::File(_) => Some(self.pixels.load(Ordering::Relaxed)).filter(|&kept| kept > 0),
-            _ => None,
+            Growing::Waiting(..) => None,
+            // Whole records stay where the disk is full.
+            Growing::File(_) | Growing::Given(_) => {
+                Some(self.pixels.load(Ordering::Relaxed)).filter(|&kept| kept > 0)
+            }
         }
     }
 
@@ -173,7 +177,11 @@ fn begin(keep: &Keep, key: u64, waiting: &[u8]) -> Growing {
         }
         let mut options = OpenOptions::new();
         let mut file = options.append(true).create_new(true).open(&keep.file)?;
-        file.write_all(&[MAGIC.as_slice(), &key.to_le_bytes(), waiting].concat())?;
+        let written = file.write_all(&[MAGIC.as_slice(), &key.to_le_bytes(), waiting].concat());
+        written.inspect_err(|_| {
+            // A torn beginning is of no use, and takes the room of the picture.
+            let _ = std::fs::remove_file(&keep.file);
+        })?;
         Ok(file)
     };
     made().map_or_else(|error| Growing::Given(error.kind()), Growing::File)
