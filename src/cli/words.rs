@@ -82,7 +82,7 @@ fn belongs_to(word: &str, piece: &str) -> bool {
         // After `Key =`.
         _ if word.ends_with('=') => true,
         _ if word.ends_with(['"', '\'']) => false,
-        Value::Name => true,
+        Value::Name => !(is_file(word) && is_file(piece)),
         Value::Other => !is_file(piece),
     }
 }
@@ -187,6 +187,7 @@ mod tests {
             ("Width = 9", vec!["Width = 9"]),
             ("+W9 s.pov +H8", vec!["+W9", "s.pov", "+H8"]),
             ("+W9 p.ini[big]", vec!["+W9", "p.ini[big]"]),
+            ("s.pov p.ini", vec!["s.pov", "p.ini"]),
             ("+W 9", vec!["+W 9"]),
             ("+I'a b.pov' +W9", vec!["+I'a b.pov'", "+W9"]),
             ("'a b.pov' p.ini", vec!["'a b.pov'", "p.ini"]),
