@@ -113,6 +113,6 @@ fn what_a_ray_leaves_for_good_it_does_not_enter_again() {
             }
         }
         let is_hourglass = text.ends_with("-0.5");
-        assert_eq!(left > 300, !is_hourglass, "{word:?} {text}: {left}");
+        assert_eq!(left > 200, !is_hourglass, "{word:?} {text}: {left}");
     }
 }
