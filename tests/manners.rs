@@ -298,10 +298,12 @@ fn an_interrupted_drawing_ends_as_that_of_povray_and_can_be_gone_on_with() {
 #[test]
 fn an_interrupted_reading_ends_with_the_same_code() {
     let folder = folder();
-    let endless = "#declare I = 0; #while (I < 100000000) #declare I = I + 1; #end";
-    fs::write(folder.path().join("endless.pov"), endless).expect("a scene");
+    // Seconds of work even where it is optimised.
+    let long = "#declare I = 0; #while (I < 1e8) #declare I = I + 1; \
+        #declare S = concat(\"a\", str(I, 0, 3)); #declare V = vnormalize(<I, sin(I), strlen(S)>); #end";
+    fs::write(folder.path().join("long.pov"), long).expect("a scene");
     let child = Command::new(env!("CARGO_BIN_EXE_povr"))
-        .args(["endless.pov", "+W8", "+H6"])
+        .args(["long.pov", "+W8", "+H6"])
         .current_dir(folder.path())
         .stdin(Stdio::null())
         .stderr(Stdio::piped())
