@@ -84,6 +84,9 @@ impl Object {
 
     /// What all clips or bounds that are not inverse share takes the place of the box if it is smaller.
     fn narrowed(&self, bounds: Stored, by: &[Attached<Arc<Object>>]) -> Stored {
+        if by.iter().all(|held| held.what.is_inverse) {
+            return bounds;
+        }
         let shared = Stored::new(&shared(by, &self.steps));
         if shared.volume() < bounds.volume() {
             shared
