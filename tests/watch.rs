@@ -230,7 +230,7 @@ fn the_page_shows_the_last_good_picture_and_what_is_wrong() {
     write(here, "look.inc", "#declare Look = ");
     let mut told = BufReader::new(stream).lines().map_while(Result::ok);
     let error = told
-        .find(|line| line.contains("look.inc"))
+        .find(|line| line.contains("which is a camera"))
         .expect("the error is told");
     assert!(
         error.starts_with("data: {") && error.contains("\"width\":64"),
