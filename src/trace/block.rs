@@ -259,10 +259,9 @@ impl Tracer<'_> {
         mut take: impl FnMut(usize, Sample, Option<&FourHits>),
     ) {
         if !self.search((places, parts), size, scratch) {
-            for (number, &(x, y)) in places.iter().enumerate() {
-                let sample = self.pixel(x, y, size.0, size.1, &mut scratch.single);
+            self.seen_from_anywhere(places, size, scratch, |number, sample| {
                 take(number, sample, None);
-            }
+            });
             return;
         }
         let count = places.len();
@@ -310,6 +309,40 @@ impl Tracer<'_> {
         self.follow_waves(waves, (single, coats), |number, sample| {
             take(number, sample, all.hits.get(number / 4));
         });
+    }
+
+    /// The same where the rays of the camera do not start in one point, or some places have none: those that there are
+    /// are followed as rays that go on from surfaces are.
+    fn seen_from_anywhere(
+        &self,
+        places: &[(f64, f64)],
+        (width, height): (u32, u32),
+        scratch: &mut BlockScratch,
+        mut take: impl FnMut(usize, Sample),
+    ) {
+        let world = self.world;
+        let has_one_ray = world.lens.is_none() && world.camera.rays() == 1;
+        let goes_singly = !has_one_ray
+            || !self.sends_waves
+            || world.radiosity.is_some()
+            || !self.is_worth((0, 1.0), 0);
+        for (number, &(x, y)) in places.iter().enumerate() {
+            if goes_singly {
+                take(number, self.pixel(x, y, width, height, &mut scratch.single));
+                continue;
+            }
+            match world.camera.primary_ray(x, y, width, height) {
+                Some(ray) => self.begin_ray(&mut scratch.waves, number, ray),
+                None => take(number, Sample::OUTSIDE),
+            }
+        }
+        let BlockScratch {
+            single,
+            waves,
+            coats,
+            ..
+        } = scratch;
+        self.follow_waves(waves, (single, coats), take);
     }
 
     /// What the camera sees at the place of this number, of which all that can be found out together is known.

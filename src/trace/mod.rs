@@ -67,6 +67,11 @@ impl Sample {
         rgb: Rgb::BLACK,
         transmit: 0.0,
     };
+    /// Seen where the camera has no ray.
+    const OUTSIDE: Sample = Sample {
+        rgb: Rgb::BLACK,
+        transmit: 1.0,
+    };
 }
 
 /// What a quality leaves out (`+Q`); measured with POV-Ray 3.7.
@@ -264,10 +269,7 @@ impl<'w> Tracer<'w> {
     fn sample(&self, ray: Option<Ray>, scratch: &mut Scratch) -> Sample {
         match ray {
             Some(ray) => self.trace(self.camera_path(ray), None, scratch),
-            None => Sample {
-                rgb: Rgb::BLACK,
-                transmit: 1.0,
-            },
+            None => Sample::OUTSIDE,
         }
     }
 

@@ -177,6 +177,22 @@ impl Tracer<'_> {
         self.show(waves, &onward, (hits, lane), showing);
     }
 
+    /// Notes a ray of the camera, which is followed with those that go on from surfaces.
+    pub(super) fn begin_ray(&self, waves: &mut Waves, place: usize, ray: Ray) {
+        let path = self.camera_path(ray);
+        if waves.insides.last() != Some(&path.inside) {
+            waves.insides.push(path.inside);
+        }
+        waves.next.push(Onward {
+            query: Onward::query(ray, None, path.seen),
+            level: path.level,
+            passed: 0,
+            weight: path.weight,
+            inside: waves.insides.len() - 1,
+            to: To::Place(place),
+        });
+    }
+
     /// Notes the rays that go on from a surface that such a ray meets.
     fn show(
         &self,

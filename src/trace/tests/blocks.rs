@@ -148,6 +148,27 @@ fn shown_in_each_other(settings: &str) -> String {
 }
 
 #[test]
+fn rays_that_do_not_start_in_one_point() {
+    for camera in [
+        "orthographic location <2, 3, -9> look_at 0 right 6*x up 5*y",
+        "cylinder 1 location <2, 3, -9> look_at 0 angle 60",
+        "cylinder 3 location <2, 3, -9> look_at 0 angle 60",
+        "fisheye location <2, 3, -9> look_at 0 angle 90",
+    ] {
+        for settings in ["", "max_trace_level 0", "adc_bailout 0.5"] {
+            let scene = shown_in_each_other(settings);
+            let own = "location <0.3, 2, -8> look_at 0 angle 55";
+            assert_same(&scene.replace(own, camera));
+        }
+        assert_same(&format!(
+            "camera {{ {camera} }} light_source {{ <-8, 9, -9>, 1 }}
+            sphere {{ <2, 3, -9>, 4 pigment {{ rgbf 0.9 }} interior {{ ior 1.3 }} }}
+            sphere {{ 0, 1.5 pigment {{ agate }} normal {{ bumps 0.5 }} finish {{ reflection 0.4 }} }}"
+        ));
+    }
+}
+
+#[test]
 fn what_surfaces_show_of_each_other() {
     assert_same(&shown_in_each_other(""));
     assert_same(
