@@ -348,6 +348,14 @@ impl Ended {
         self.lanes |= 1 << lane;
         self.ends[lane % LANES] = end;
     }
+
+    /// Calls `visit` with each ray that has a new end, and that.
+    #[inline(always)]
+    pub(super) fn each(&self, mut visit: impl FnMut(usize, f64)) {
+        for lane in (0..LANES).filter(|lane| self.lanes >> lane & 1 == 1) {
+            visit(lane, self.ends[lane]);
+        }
+    }
 }
 
 impl Bvh {

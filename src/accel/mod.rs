@@ -19,12 +19,14 @@ mod node;
 mod pyramid;
 mod raster;
 mod rod;
+mod stream;
 mod view;
 mod vista;
 
 pub use bundle::{Bundle, Ended};
 
 pub use rod::Rod;
+pub(crate) use stream::STREAM;
 pub use vista::Vista;
 
 use crate::math::lanes::{Lanes, with_widest};

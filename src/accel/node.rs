@@ -235,7 +235,7 @@ impl Frame {
 
 impl FrameRay {
     /// The ray that meets every box at every time.
-    const BLIND: FrameRay = FrameRay {
+    pub(super) const BLIND: FrameRay = FrameRay {
         low: [f32::NEG_INFINITY; 3],
         high: [f32::INFINITY; 3],
         inverse: [1.0; 3],

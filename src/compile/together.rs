@@ -5,9 +5,9 @@ use super::hits::{FourHits, FourWays};
 use super::lot::Lot;
 use super::model::Item;
 use super::order::Numbered;
-use super::query::{Query, Scratch, Seen, Way};
+use super::query::{Best, Query, Scratch, Seen, Way};
 use super::world::World;
-use crate::accel::{Bundle, Ended};
+use crate::accel::{Bundle, Ended, STREAM};
 use crate::math::Ray;
 use crate::math::lanes::{Lanes, with_widest};
 use glam::DVec3;
@@ -50,29 +50,9 @@ impl World {
                 for &item in &self.finder().unbounded {
                     for first in (0..count).step_by(8) {
                         let rays = 0xff >> (8 - (count - first).min(8));
-                        let mut offer = |lot: &mut Lot, ray: usize, found| {
-                            let old = lot.far(ray);
-                            let best = &mut bests[ray];
-                            let new = self.offer(item.number, found, &query(ray), old, best);
-                            lot.shorten(ray, new);
-                        };
-                        let left = self.in_fours::<true>(
-                            lanes,
-                            (item, Seen::Image),
-                            (&mut lot, query),
-                            (first, rays),
-                            scratch,
-                            #[inline(always)]
-                            |lot, ray, found| offer(lot, ray, found),
-                        );
-                        each_bit(left, |lane| {
-                            let ray = first + lane;
-                            let query = &query(ray);
-                            let asked = (query, &self.search_for(query));
-                            if let Some(found) = self.see_item(item, asked, lot.far(ray), scratch) {
-                                offer(&mut lot, ray, found);
-                            }
-                        });
+                        let asked = ((item, Seen::Image), (first, rays), &query);
+                        let ended = &mut Ended::default();
+                        self.see_by(lanes, asked, (&mut lot, &mut bests), ended, scratch);
                     }
                 }
                 let is_done = bundle.fill(
@@ -93,36 +73,10 @@ impl World {
                     #[inline(always)]
                     |number, first, rays, ended| {
                         let item = self.finder().bounded[number as usize];
-                        if self.is_large_mesh(item) {
-                            return;
+                        if !self.is_large_mesh(item) {
+                            let asked = ((item, Seen::Image), (first, rays), &query);
+                            self.see_by(lanes, asked, (&mut lot, &mut bests), ended, scratch);
                         }
-                        let mut offer = |lot: &mut Lot, ray: usize, found, ended: &mut Ended| {
-                            let old = lot.far(ray);
-                            let best = &mut bests[ray];
-                            let new = self.offer(item.number, found, &query(ray), old, best);
-                            if new < old {
-                                lot.shorten(ray, new);
-                                ended.note(ray - first, new);
-                            }
-                        };
-                        let left = self.in_fours::<true>(
-                            lanes,
-                            (item, Seen::Image),
-                            (&mut lot, query),
-                            (first, rays),
-                            scratch,
-                            #[inline(always)]
-                            |lot, ray, found| offer(lot, ray, found, ended),
-                        );
-                        each_bit(left, |lane| {
-                            let ray = first + lane;
-                            let query = &query(ray);
-                            let asked = (query, &self.search_for(query));
-                            let found = self.see_item(item, asked, lot.far(ray), scratch);
-                            if let Some(found) = found {
-                                offer(&mut lot, ray, found, ended);
-                            }
-                        });
                     },
                 );
                 if !is_done {
@@ -141,13 +95,13 @@ impl World {
         scratch.lot = lot;
     }
 
-    /// What lies on the ways from hits at these places to the light of this number at `centre`, in an order in which
+    /// What lies on the ways from hits at these places to a light at `centre`, in an order in which
     /// neighbours differ little, added to `ways`. Says whether it was of use to ask together.
     pub fn ways_of(
         &self,
         places: &[u16],
         (hits, to_light): (&[FourHits], &[FourWays]),
-        (light, centre): (u32, DVec3),
+        centre: DVec3,
         scratch: &mut Scratch,
         ways: &mut Vec<Way>,
     ) -> bool {
@@ -195,7 +149,7 @@ impl World {
                     },
                 );
                 if !is_bundled {
-                    self.find_ways(lanes, (query, light), scratch, ways);
+                    self.block_streams(lanes, &query, (&mut lot, ways), scratch);
                     return false;
                 }
                 let is_done = self.meshes_block(
@@ -212,7 +166,7 @@ impl World {
                     scratch,
                 );
                 if !is_done {
-                    self.find_ways(lanes, (query, light), scratch, ways);
+                    self.block_streams(lanes, &query, (&mut lot, ways), scratch);
                 }
                 is_done
             },
@@ -228,13 +182,11 @@ impl World {
         self.meshes.is_empty()
     }
 
-    /// Notes what lies on the first `count` of the ways from one hit to places of the light of this number. Each of the
-    /// four is that hit; behind the last way some way stands again.
+    /// Notes what lies on the first `count` of the ways from one hit to places of a light. Each of the four is that hit; behind the last way some way stands again.
     pub fn ways_from(
         &self,
         hits: &FourHits,
         (to_light, count): (&mut [FourWays], usize),
-        light: u32,
         scratch: &mut Scratch,
     ) {
         scratch.rays.shadow += count as u64;
@@ -277,7 +229,7 @@ impl World {
                         scratch,
                     );
                 if !is_done {
-                    self.find_ways(lanes, (query, light), scratch, &mut ways);
+                    self.block_streams(lanes, &query, (&mut lot, &mut ways), scratch);
                 }
             },
         );
@@ -286,6 +238,43 @@ impl World {
         }
         scratch.bundle = bundle;
         scratch.lot = lot;
+    }
+
+    /// Offers what some of eight rays, those from the first on that are marked, see of an item; notes new ends.
+    #[inline(always)]
+    pub(super) fn see_by(
+        &self,
+        lanes: Lanes,
+        (item, (first, rays), query): ((Numbered, Seen), (usize, u32), &impl Fn(usize) -> Query),
+        (lot, bests): (&mut Lot, &mut [Option<Best>]),
+        ended: &mut Ended,
+        scratch: &mut Scratch,
+    ) {
+        let mut offer = |lot: &mut Lot, ray: usize, found, ended: &mut Ended| {
+            let old = lot.far(ray);
+            let new = self.offer(item.0.number, found, &query(ray), old, &mut bests[ray]);
+            if new < old {
+                lot.shorten(ray, new);
+                ended.note(ray - first, new);
+            }
+        };
+        let left = self.in_fours::<true>(
+            lanes,
+            item,
+            (lot, query),
+            (first, rays),
+            scratch,
+            #[inline(always)]
+            |lot, ray, found| offer(lot, ray, found, ended),
+        );
+        each_bit(left, |lane| {
+            let ray = first + lane;
+            let query = &query(ray);
+            let asked = (query, &self.search_for(query));
+            if let Some(found) = self.see_item(item.0, asked, lot.far(ray), scratch) {
+                offer(lot, ray, found, ended);
+            }
+        });
     }
 
     /// Notes which rays to a light something unbounded blocks.
@@ -347,45 +336,116 @@ impl World {
                 if self.is_large_mesh(item) {
                     return;
                 }
-                let left = self.in_fours::<false>(
+                self.block_by(
                     lanes,
-                    (item, Seen::Shadow),
-                    (&mut *lot, query),
-                    (first, rays),
+                    (item, first, rays),
+                    (query, lot, ways),
+                    ended,
                     scratch,
-                    #[inline(always)]
-                    |lot, ray, found| {
-                        if found.root.t < lot.far(ray) {
-                            ways[ray] = Way::Blocked;
-                            ended.note(ray - first, f64::NEG_INFINITY);
-                        }
-                    },
                 );
-                each_bit(left, |lane| {
-                    let way = &mut ways[first + lane];
-                    let query = &query(first + lane);
-                    let asked = (query, &self.search_for(query));
-                    if self.blocks(item, asked, way, scratch) {
-                        *way = Way::Blocked;
-                        ended.note(lane, f64::NEG_INFINITY);
-                    }
-                });
             },
         )
     }
 
-    /// What lies on the way from one hit to the light of this number.
-    #[must_use]
-    pub fn way_of(
+    /// Notes which of some of eight rays to a light, those from the first on that are marked, an item blocks.
+    #[inline(always)]
+    fn block_by(
         &self,
-        place: u16,
-        (hits, to_light): (&[FourHits], &[FourWays]),
-        light: u32,
+        lanes: Lanes,
+        (item, first, rays): (Numbered, usize, u32),
+        (query, lot, ways): (&impl Fn(usize) -> Query, &mut Lot, &mut [Way]),
+        ended: &mut Ended,
         scratch: &mut Scratch,
-    ) -> Way {
-        let place = usize::from(place);
-        let query = to_light[place / 4].query(&hits[place / 4], place % 4);
-        self.way(&query, light, scratch)
+    ) {
+        let left = self.in_fours::<false>(
+            lanes,
+            (item, Seen::Shadow),
+            (lot, query),
+            (first, rays),
+            scratch,
+            #[inline(always)]
+            |lot, ray, found| {
+                if found.root.t < lot.far(ray) {
+                    ways[ray] = Way::Blocked;
+                    ended.note(ray - first, f64::NEG_INFINITY);
+                }
+            },
+        );
+        each_bit(left, |lane| {
+            let way = &mut ways[first + lane];
+            let query = query(first + lane);
+            let asked = (&query, &self.search_for(&query));
+            if self.blocks(item, asked, way, scratch) {
+                *way = Way::Blocked;
+                ended.note(lane, f64::NEG_INFINITY);
+            }
+        });
+    }
+
+    /// Notes what in the tree lies on each ray that is not known to be blocked, where rays have little in common.
+    #[inline(always)]
+    fn block_streams(
+        &self,
+        lanes: Lanes,
+        query: &impl Fn(usize) -> Query,
+        (lot, ways): (&mut Lot, &mut [Way]),
+        scratch: &mut Scratch,
+    ) {
+        for first in (0..ways.len()).step_by(STREAM) {
+            let mut asked = 0;
+            for (lane, way) in ways[first..].iter().take(STREAM).enumerate() {
+                asked |= u32::from(*way != Way::Blocked) << lane;
+            }
+            self.finder().tree.stream(
+                lanes,
+                asked,
+                #[inline(always)]
+                |lane| {
+                    let query = query(first + lane);
+                    (query.ray, query.far)
+                },
+                #[inline(always)]
+                |number, rays, ended| {
+                    let item = self.finder().bounded[number as usize];
+                    let asked = (item, first, rays);
+                    self.block_by(lanes, asked, (query, &mut *lot, &mut *ways), ended, scratch);
+                },
+            );
+        }
+    }
+
+    /// What lies on the ways from hits at these places to the light of this number, which have little in common, added to
+    /// `ways`.
+    pub fn ways_of_streams(
+        &self,
+        places: &[u16],
+        (hits, to_light): (&[FourHits], &[FourWays]),
+        scratch: &mut Scratch,
+        ways: &mut Vec<Way>,
+    ) {
+        let first = ways.len();
+        scratch.rays.shadow += places.len() as u64;
+        let mut lot = std::mem::take(&mut scratch.lot);
+        let query = |ray: usize| {
+            let place = usize::from(places[ray]);
+            to_light[place / 4].query(&hits[place / 4], place % 4)
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                lot.shine(
+                    places,
+                    (hits, to_light),
+                    #[inline(always)]
+                    |blur| self.least_from(Some(blur), Seen::Shadow),
+                );
+                ways.resize(first + places.len(), Way::Free);
+                let ways = &mut ways[first..];
+                self.block_by_unbounded(lanes, &query, (&mut lot, ways), scratch);
+                self.block_streams(lanes, &query, (&mut lot, ways), scratch);
+            },
+        );
+        scratch.lot = lot;
     }
 
     /// Asks about an item by four rays at a time, where that goes, those of `rays` from the first on. Gives the rays
@@ -432,21 +492,5 @@ impl World {
             left |= unknown << half;
         }
         left
-    }
-
-    /// What lies on each ray that is not known to be blocked, one ray at a time.
-    #[inline(always)]
-    fn find_ways(
-        &self,
-        lanes: Lanes,
-        (query, light): (impl Fn(usize) -> Query, u32),
-        scratch: &mut Scratch,
-        ways: &mut [Way],
-    ) {
-        for (ray, way) in ways.iter_mut().enumerate() {
-            if *way != Way::Blocked {
-                *way = self.way_found(lanes, &query(ray), light, scratch);
-            }
-        }
     }
 }

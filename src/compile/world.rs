@@ -184,6 +184,12 @@ impl World {
         sees_all && self.model.suits_four(item)
     }
 
+    /// Whether there is neither fog nor a rainbow.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        self.fogs.is_empty() && self.rainbows.is_empty()
+    }
+
     /// Whether nothing in the scene lets light through.
     #[must_use]
     pub fn is_opaque(&self) -> bool {

@@ -6,7 +6,7 @@ use crate::compile::{LightList, Scratch};
 use crate::math::Ray;
 
 /// What the air does to light, the rainbows first.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Air {
     /// The media of the interiors that the ray is in.
     inside: Option<Tint>,
@@ -28,7 +28,7 @@ pub(super) enum End {
 impl Tracer<'_> {
     /// Whether air does anything anywhere.
     pub(super) fn has_air(&self) -> bool {
-        self.has_media || !(self.world.fogs.is_empty() && self.world.rainbows.is_empty())
+        self.has_media || !self.world.is_clear()
     }
 
     /// What the air does to light along a ray from its start; `None` where it does nothing. A ray that meets nothing is not

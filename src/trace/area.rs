@@ -177,7 +177,7 @@ impl Tracer<'_> {
             ways.push(way);
         }
         let to_lamps = (&mut ways[..], wanted.len());
-        self.world.ways_from(hits, to_lamps, lamps.number, scratch);
+        self.world.ways_from(hits, to_lamps, scratch);
         for (at, &lamp) in wanted.iter().enumerate() {
             let (ways, lane) = (&ways[at / 4], at % 4);
             let way = LightWay {

@@ -4,10 +4,11 @@
 //! goes one pixel at a time, as for a single one.
 
 use super::coats::Coats;
+use super::light::KnownLights;
 use super::plain_four::{FourSeen, Looking};
 use super::shadows::Together;
 use super::waves::Waves;
-use super::{Sample, Tracer, begin_sample};
+use super::{Path, Sample, Tracer, begin_sample};
 use crate::compile::{FourHits, InteriorId, Rays, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::with_widest;
@@ -64,6 +65,11 @@ impl Looking for FromCamera<'_, '_> {
 
     fn inside(&self, _lane: usize) -> &[InteriorId] {
         &self.0.around_camera
+    }
+
+    fn path(&self, _lane: usize, dir: DVec3) -> Path {
+        self.0
+            .camera_path(Ray::new(self.0.world.camera.location(), dir))
     }
 }
 
@@ -239,7 +245,8 @@ impl Tracer<'_> {
     /// The background, if nothing else is seen between these places, and it is the same everywhere.
     fn nothing_at(&self, between: Between, (width, height): (u32, u32)) -> Option<Sample> {
         let world = self.world;
-        let is_even = self.takes_plain && world.sky.is_none() && world.lens.is_none();
+        let is_even =
+            self.takes_plain && !self.has_air() && world.sky.is_none() && world.lens.is_none();
         if !is_even || self.stop.is_asked() {
             return None;
         }
@@ -289,10 +296,15 @@ impl Tracer<'_> {
                             (Some(sample), _) => sample,
                             (None, Some(showing)) => {
                                 let hits = (&scratch.all.hits[four], lane);
-                                self.begin_wave(&mut scratch.waves, number, hits, &showing);
+                                let single = &mut scratch.single;
+                                let waves = &mut scratch.waves;
+                                self.begin_wave(waves, number, hits, &showing, single);
                                 continue;
                             }
-                            (None, None) => self.seen_singly(number, place, scratch),
+                            (None, None) => match self.seen_singly(number, place, scratch) {
+                                Some(sample) => sample,
+                                None => continue,
+                            },
                         };
                         take(number, sample, scratch.all.hits.get(four));
                     }
@@ -345,20 +357,30 @@ impl Tracer<'_> {
         self.follow_waves(waves, (single, coats), take);
     }
 
-    /// What the camera sees at the place of this number, of which all that can be found out together is known.
+    /// What the camera sees at the place of this number, of which all that can be found out together is known; nothing if
+    /// it is noted what goes on from there.
     #[inline(never)]
-    fn seen_singly(&self, number: usize, (x, y): (f64, f64), scratch: &mut BlockScratch) -> Sample {
-        let known = scratch.all.known(number);
+    fn seen_singly(
+        &self,
+        number: usize,
+        (x, y): (f64, f64),
+        scratch: &mut BlockScratch,
+    ) -> Option<Sample> {
+        let known = KnownLights::at(&scratch.all, number);
         let hits = &scratch.all.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
-        let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
         let single = &mut scratch.single;
+        if self.queues && self.is_worth((0, 1.0), 0) {
+            let met = (dir, hit, known);
+            return self.seen_by_camera(&mut scratch.waves, number, met, single);
+        }
+        let path = self.camera_path(Ray::new(self.world.camera.location(), dir));
         if self.world.radiosity.is_some() {
-            let see = |single: &mut Scratch| self.trace(path, Some((hit, &known)), single);
-            return self.noted((x, y), single, see);
+            let see = |single: &mut Scratch| self.trace(path, Some((hit, known)), single);
+            return Some(self.noted((x, y), single, see));
         }
         begin_sample(x, y, single);
-        self.trace(path, Some((hit, &known)), single)
+        Some(self.trace(path, Some((hit, known)), single))
     }
 
     /// Searches for what the camera sees; false if its rays do not start in one

@@ -5,6 +5,7 @@
 //! them made. Where there are several threads all are sent at once with the samples that there are; those for which there
 //! were too few, or for which one that came since counts, are sent again in their turn.
 
+use super::light::KnownLights;
 use super::radiosity::Gathering;
 use super::{Inside, Path, Tracer};
 use crate::atmosphere::WAY_TO_NOTHING;
@@ -225,7 +226,7 @@ impl Tracer<'_> {
                 weight,
             };
         }
-        let seen = self.trace(path, Some((hit, &[])), scratch);
+        let seen = self.trace(path, Some((hit, KnownLights::NONE)), scratch);
         let session = scratch.radiosity.as_deref();
         Found {
             distance,

@@ -2,6 +2,7 @@
 
 use super::area::Lamps;
 use super::arrived::Arrived;
+use super::shadows::Together;
 use super::surface::facing_normal;
 use super::way::shadow_query;
 use super::{Path, Tracer};
@@ -48,8 +49,8 @@ pub(super) struct Lit<'p> {
     /// The root that rays from here leave; none in the middle of space.
     pub(super) departure: Option<&'p Departure>,
     pub(super) path: &'p Path,
-    /// By light, what of it is known.
-    pub(super) known: &'p [Known],
+    /// What is known of the lights.
+    pub(super) known: KnownLights<'p>,
     /// What shadows have left for layers and textures drawn before, where there is more than one.
     pub(super) arrived: Option<&'p Arrived>,
     pub(super) is_double_illuminated: bool,
@@ -106,6 +107,45 @@ impl Known {
     pub(super) fn shadow_query(&self, world: &World, hit: &Hit) -> Query {
         let ray = Ray::new(hit.point, self.arrival.to_light);
         shadow_query(world, Some(hit.departure), ray, self.arrival.distance)
+    }
+}
+
+/// What is known of the lights at a hit that was lit together with others.
+#[derive(Clone, Copy)]
+pub(super) struct KnownLights<'a>(Option<(&'a Together, usize)>);
+
+impl<'a> KnownLights<'a> {
+    /// Nothing.
+    pub(super) const NONE: KnownLights<'static> = KnownLights(None);
+
+    /// What is known at a place of these.
+    pub(super) fn at(all: &'a Together, place: usize) -> Self {
+        KnownLights(all.knows_ways.then_some((all, place)))
+    }
+
+    /// What is known of the light of this number, if anything is known of any.
+    #[inline]
+    pub(super) fn of(self, light: u32) -> Option<Known> {
+        let (all, place) = self.0?;
+        let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
+        Some(Known::of(ways, place % 4))
+    }
+
+    /// What is in the way of the light of this number, if that is known.
+    #[inline]
+    pub(super) fn way(self, light: u32) -> Option<Way> {
+        let (all, place) = self.0?;
+        let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
+        ways.way(place % 4)
+    }
+
+    /// Whether something transparent is in the way of any light.
+    pub(super) fn any_is_filtered(self) -> bool {
+        self.0.is_some_and(|(all, place)| {
+            let ways = all.ways.chunks(all.hits.len());
+            let mut ways = ways.map(|ways| ways[place / 4].way(place % 4));
+            ways.any(|way| way == Some(Way::Filtered))
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 //! A stretch is divided where beams of light begin and end, each part into intervals, and these are sampled by one of
 //! three methods (facts 2, section 1): at random, evenly, or evenly with halving where neighbours differ.
 
-use super::light::{Lit, Viewed, is_nothing};
+use super::light::{KnownLights, Lit, Viewed, is_nothing};
 use super::{Inside, Path, Tracer};
 use crate::atmosphere::Tint;
 use crate::color::Rgb;
@@ -352,7 +352,7 @@ impl Tracer<'_> {
             },
             departure,
             path: stretch.path,
-            known: &[],
+            known: KnownLights::NONE,
             arrived: None,
             is_double_illuminated: false,
             lights: &[],

@@ -42,7 +42,7 @@ use crate::radiosity::{Mode, Session};
 use air::{Air, End};
 pub use block::{BLOCK, BlockScratch, Met};
 use glam::DVec3;
-use light::Known;
+use light::KnownLights;
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -147,6 +147,8 @@ pub struct Tracer<'w> {
     /// Whether what plain surfaces show of others may be looked for together: not if light splits, nor if
     /// something takes random numbers one after the other.
     sends_waves: bool,
+    /// Whether that may be done for all surfaces: not if radiosity is gathered in the order of the rays either.
+    queues: bool,
     /// Whether what is plain may be coloured the short way.
     takes_plain: bool,
     /// The interiors around the camera, if all rays start in one point.
@@ -167,10 +169,7 @@ impl<'w> Tracer<'w> {
         let is_all_opaque = world.is_opaque();
         let has_fresnel = world.has_fresnel();
         let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
-        let minds_interiors = !is_all_opaque
-            || has_fresnel
-            || has_media
-            || !(world.fogs.is_empty() && world.rainbows.is_empty());
+        let minds_interiors = !is_all_opaque || has_fresnel || has_media || !world.is_clear();
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {
@@ -193,6 +192,9 @@ impl<'w> Tracer<'w> {
             minds_backs: world.minds_backs(),
             minds_surfaces: world.minds_backs() || world.has_unlit(),
             sends_waves: !world.interiors.split_light() && !world.takes_chances(),
+            queues: !world.interiors.split_light()
+                && !world.takes_chances()
+                && world.radiosity.is_none(),
             takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
             minds_interiors,
             around_camera,
@@ -295,7 +297,7 @@ impl<'w> Tracer<'w> {
     fn trace(
         &self,
         mut path: Path,
-        mut first: Option<(Option<Hit>, &[Known])>,
+        mut first: Option<(Option<Hit>, KnownLights)>,
         scratch: &mut Scratch,
     ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
@@ -312,19 +314,19 @@ impl<'w> Tracer<'w> {
                     far: f64::INFINITY,
                     seen: path.seen,
                 };
-                (self.world.nearest(&query, scratch), &[])
+                (self.world.nearest(&query, scratch), KnownLights::NONE)
             });
             let Some(hit) = hit else {
                 let air = self.air(&path, End::Nothing, scratch);
                 break self.behind_everything(path.ray.dir, path.seen).through(air);
             };
-            if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
-                break plain;
-            }
             let lights = self.world.surfaces[hit.surface as usize].lights;
+            let end = End::Surface(hit.t, lights);
+            if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
+                break plain.through(self.air(&path, end, scratch));
+            }
             // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
             let is_last = scratch.minds_order();
-            let end = End::Surface(hit.t, lights);
             let air = (!is_last).then(|| self.air(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
             let air = air.unwrap_or_else(|| self.air(&path, end, scratch));

@@ -1,6 +1,6 @@
 //! A photon on its way: through what it may pass, off its target and on, and where it comes to rest.
 
-use super::light::{Lit, Viewed};
+use super::light::{KnownLights, Lit, Viewed};
 use super::passage::{Bend, bend};
 use super::surface::{Mirror, Sight, facing_normal, mirror, mirrored_off};
 use super::{Inside, Path, Tracer, spectrum};
@@ -173,7 +173,7 @@ impl<'w> Tracer<'w> {
             at: Viewed::new(hit, path.ray.dir),
             departure: Some(&departure),
             path,
-            known: &[],
+            known: KnownLights::NONE,
             arrived: None,
             is_double_illuminated: false,
             lights: &[],

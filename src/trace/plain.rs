@@ -1,10 +1,10 @@
-//! The short way to a colour: one opaque layer without a mirror image, lit by lamps of a point each, in clear air. Most
-//! pixels of most pictures are that.
+//! The short way to a colour: one opaque layer without a mirror image, lit by lamps of a point each. Most pixels of most
+//! pictures are that.
 //!
 //! It is the way of all others ([`Tracer::trace`]) without what cannot happen here: the sums are the same, in the same
 //! order. Where light is on its way through something transparent, all turn to that.
 
-use super::light::{Coat, Known, Shining, Viewed, is_nothing};
+use super::light::{Coat, Known, KnownLights, Shining, Viewed, is_nothing};
 use super::surface::spot;
 use super::{Quality, Sample, Tracer};
 use crate::color::Rgb;
@@ -33,9 +33,14 @@ pub(super) fn suits(world: &World, quality: Quality) -> bool {
     quality == Quality::FULL
         && globals.max_trace_level > 0
         && (0.0..=1.0).contains(&globals.adc_bailout)
-        && world.fogs.is_empty()
-        && world.rainbows.is_empty()
+        && (world.is_clear() || dims_rays_alone(world))
         && lights.all(is_simple)
+}
+
+/// Whether fog and rainbows change what rays see and not what light arrives, and take no random numbers.
+fn dims_rays_alone(world: &World) -> bool {
+    let mut lights = world.lights.iter();
+    !world.takes_chances() && !lights.any(|light| light.media_attenuation)
 }
 
 impl Tracer<'_> {
@@ -72,12 +77,11 @@ impl Tracer<'_> {
         &self,
         hit: &Hit,
         dir: DVec3,
-        known: &[Known],
+        known: KnownLights,
         scratch: &mut Scratch,
     ) -> Option<Sample> {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let is_filtered = |known: &Known| known.way == Some(Way::Filtered);
-        if !self.takes_plain || !surface.is_plain() || known.iter().any(is_filtered) {
+        if !self.takes_plain || !surface.is_plain() || known.any_is_filtered() {
             return None;
         }
         let layer = surface.texture.layers().first()?;
@@ -86,14 +90,8 @@ impl Tracer<'_> {
         let at = Viewed::new(hit, dir);
         let mut sum = Rgb::BLACK;
         for &number in self.world.lights.of(surface.lights) {
-            let found;
-            let known = match known.get(number as usize) {
-                Some(known) => known,
-                None => {
-                    found = self.find_out(number, hit, &at, scratch);
-                    &found
-                }
-            };
+            let known = known.of(number);
+            let known = known.unwrap_or_else(|| self.find_out(number, hit, &at, scratch));
             match known.way {
                 Some(Way::Free) => {}
                 Some(Way::Filtered) => return None,

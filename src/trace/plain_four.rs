@@ -2,17 +2,18 @@
 //! show others ([`super::waves`]). A place that needs more than diffuse light and highlights is left to the way for single
 //! ones.
 
+use super::air::{Air, End};
 use super::coats::{Coats, PlainCoat};
 use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
 use super::way::LightWay;
-use super::{Sample, Tracer};
+use super::{Path, Sample, Tracer};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, InteriorId, LightList, Scratch, Seen};
 use crate::light::Light;
 use crate::pattern::Spot;
 use crate::texture::{Finish, PreparedPigment};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// A number for each of four places, far enough from the next four that the two are not read as one: what was just written
 /// in two pieces is slow to read in one. For the same reason all that is told of four places stays where it is.
@@ -52,6 +53,8 @@ pub(super) trait Looking {
     fn all_seen(&self) -> Option<Seen>;
     /// The interiors that the ray in this lane is in.
     fn inside(&self, lane: usize) -> &[InteriorId];
+    /// The ray in this lane, which goes in this direction.
+    fn path(&self, lane: usize, dir: DVec3) -> Path;
 }
 
 impl<'w> FourSeen<'w> {
@@ -214,6 +217,7 @@ impl<'w> Tracer<'w> {
         let meets_nothing = there & hits.met == 0;
         if meets_nothing
             && self.world.sky.is_none()
+            && !self.has_air()
             && let Some(who) = rays.all_seen()
         {
             seen.see(self.background_of(who).seen, there);
@@ -227,6 +231,7 @@ impl<'w> Tracer<'w> {
             seen.known |= 1 << lane;
         });
         if meets_nothing {
+            self.dim(rays, hits, scratch, seen);
             return;
         }
         let mut lit = self.coats(hits, there & hits.met, kept, &mut seen.coats);
@@ -263,6 +268,49 @@ impl<'w> Tracer<'w> {
         });
         seen.known |= lit & !coats.showing;
         seen.half_known = lit & coats.showing;
+        self.dim(rays, hits, scratch, seen);
+    }
+
+    /// Takes the air between into account where it is known what is seen.
+    #[inline(always)]
+    fn dim(
+        &self,
+        rays: &(impl Looking + ?Sized),
+        hits: &FourHits,
+        scratch: &mut Scratch,
+        seen: &mut FourSeen<'w>,
+    ) {
+        if !self.has_air() {
+            return;
+        }
+        each_lane(seen.known, |lane| {
+            let air = self.air_before(hits, lane, || rays.path(lane, hits.dir(lane)), scratch);
+            let Sample { rgb, transmit } = seen.known(lane).through(air);
+            put(&mut seen.rgb, lane, rgb);
+            seen.transmit[lane] = transmit;
+        });
+    }
+
+    /// What the air does to light on its way from one of four hits, or from where nothing is met.
+    #[inline]
+    pub(super) fn air_before(
+        &self,
+        hits: &FourHits,
+        lane: usize,
+        path: impl FnOnce() -> Path,
+        scratch: &mut Scratch,
+    ) -> Option<Air> {
+        if !self.has_air() {
+            return None;
+        }
+        let end = match hits.is_met(lane) {
+            true => {
+                let surface = &self.world.surfaces[hits.surface[lane] as usize];
+                End::Surface(hits.t[lane], surface.lights)
+            }
+            false => End::Nothing,
+        };
+        self.air(&path(), end, scratch)
     }
 
     /// What is left of the light of this number at a place behind all that filters it on its way.

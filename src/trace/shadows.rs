@@ -2,22 +2,21 @@
 //! at a time, the ways to the lamp in an order in which neighbours have much in common.
 
 use super::Tracer;
-use super::light::{Known, MOST_TILTED, NOTHING};
+use super::light::{MOST_TILTED, NOTHING};
 use crate::compile::{FourHits, FourWays, Scratch, Way};
 use crate::light::{Arrival, Light};
 use crate::math::lanes::three::{Three, dot, load, minus, over, plus, same, scaled, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four, with_widest};
 use crate::math::rounding::nearest;
 use glam::DVec3;
-use smallvec::SmallVec;
 
 /// So many points are lit together.
 const LIT_TOGETHER: usize = 64;
 /// Points that change from object to object more often than each time after so many are lit in the order in which the
 /// light sees them.
 const SORTED_BELOW: usize = 12;
-/// After points that had nothing in common so many times as many are lit one by one.
-const LIT_SINGLY: usize = 3;
+/// After points that had nothing in common so many times as many are not expected to have.
+const TAKEN_APART: usize = 3;
 /// The number of cells on each axis by which a light tells points apart.
 const CELLS: usize = 32;
 const LAST_CELL: f32 = 31.0;
@@ -34,18 +33,6 @@ pub(super) struct Together {
     /// Whether it is known what lies on the ways; otherwise those that matter are noted as filtered.
     pub(super) knows_ways: bool,
     order: LightOrder,
-}
-
-impl Together {
-    /// What is known of the lights at a place.
-    pub(super) fn known(&self, place: usize) -> SmallVec<[Known; 4]> {
-        if !self.knows_ways {
-            return SmallVec::new();
-        }
-        let of_light = self.ways.chunks(self.hits.len());
-        let at = of_light.map(|ways| Known::of(&ways[place / 4], place % 4));
-        at.collect()
-    }
 }
 
 /// The order in which a light is asked about the points of a block.
@@ -195,20 +182,15 @@ impl Tracer<'_> {
             },
         );
         order.answers.clear();
-        let mut singly = 0;
+        let mut apart = 0;
         for places in order.sorted.chunks(LIT_TOGETHER) {
-            if singly > 0 {
-                singly -= 1;
-                for &place in places {
-                    let way = self.world.way_of(place, (hits, ways), number, single);
-                    order.answers.push(way);
-                }
-                continue;
-            }
-            let (rays, light) = ((&**hits, &*ways), (number, light.centre));
+            let rays = (&**hits, &*ways);
             let answers = &mut order.answers;
-            if !self.world.ways_of(places, rays, light, single, answers) {
-                singly = LIT_SINGLY;
+            if apart > 0 {
+                apart -= 1;
+                self.world.ways_of_streams(places, rays, single, answers);
+            } else if !(self.world).ways_of(places, rays, light.centre, single, answers) {
+                apart = TAKEN_APART;
             }
         }
         for (&place, way) in order.sorted.iter().zip(&order.answers) {

@@ -1,7 +1,7 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
 use super::arrived::Arrived;
-use super::light::{Coat, Known, Lit, Viewed, metallic, mirrored};
+use super::light::{Coat, KnownLights, Lit, Viewed, metallic, mirrored};
 use super::radiosity::{Gathered, Gathering};
 use super::through::StraightOn;
 use super::{Inside, Path, Sample, Tracer};
@@ -11,7 +11,7 @@ use crate::interior::Interior;
 use crate::math::Ray;
 use crate::pattern::Spot;
 use crate::shape::Shares;
-use crate::texture::{Choosing, Finish, Look, Looks, PreparedLayer, PreparedTexture};
+use crate::texture::{Choosing, Finish, Irid, Look, Looks, PreparedLayer, PreparedTexture};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -25,6 +25,20 @@ pub(super) struct View {
     pub(super) reflected: Rgb,
     /// What is still to be added if light also comes straight through.
     pub(super) straight_on: Option<StraightOn>,
+}
+
+/// The light of a texture's layers at a hit, before the rays that go on from there are followed.
+pub(super) struct Shaded<'t> {
+    /// Its own light.
+    pub(super) rgb: Rgb,
+    /// The share of light that passes all layers.
+    pub(super) filter: Rgb,
+    /// Whether that is worth following.
+    pub(super) passes: bool,
+    /// The film on the top layer.
+    pub(super) film: Option<&'t Irid>,
+    /// Its mirror images, the top layer's first.
+    pub(super) mirrors: SmallVec<[Mirror<'t>; 2]>,
 }
 
 impl View {
@@ -79,19 +93,19 @@ pub(super) enum Sight {
 pub(super) struct Mirror<'f> {
     pub(super) reflectivity: Rgb,
     pub(super) weight: f64,
-    finish: &'f Finish,
+    pub(super) finish: &'f Finish,
     /// The direction of the mirrored ray.
     pub(super) dir: DVec3,
 }
 
-impl Tracer<'_> {
-    /// What a ray sees at a hit, without what comes straight through. `known` tells by light what is
-    /// known of it.
+impl<'w> Tracer<'w> {
+    /// What a ray sees at a hit, without what comes straight through. `known` is what is known of
+    /// the lights.
     pub(super) fn shade(
         &self,
         path: &Path,
         hit: &Hit,
-        known: &[Known],
+        known: KnownLights,
         scratch: &mut Scratch,
     ) -> View {
         let surface = &self.world.surfaces[hit.surface as usize];
@@ -228,20 +242,43 @@ impl Tracer<'_> {
         &self,
         path: &Path,
         hit: &Hit,
-        (look, tilted, arrived): (&Look, &mut Option<DVec3>, Option<&Arrived>),
-        known: &[Known],
+        of: (&Look, &mut Option<DVec3>, Option<&Arrived>),
+        known: KnownLights,
         scratch: &mut Scratch,
     ) -> View {
+        let mut view = View::NOTHING;
+        let (shaded, lit) = self.layers(path, hit, of, known, scratch);
+        view.rgb = shaded.rgb;
+        let mut is_total = false;
+        if shaded.passes {
+            let filter = (shaded.filter, shaded.film);
+            is_total = self.pass(&lit, hit, filter, &mut view, scratch);
+        }
+        if scratch.minds_order() && (self.has_air() || !shaded.mirrors.is_empty()) {
+            self.follow_straight_on(&lit, hit, &mut view, scratch);
+        }
+        if !is_total {
+            for mirror in &shaded.mirrors {
+                view.reflected += self.reflect(&lit, hit, mirror, scratch);
+            }
+        }
+        view
+    }
+
+    /// The light of all layers of a texture at a hit, and what of others they show.
+    pub(super) fn layers<'p>(
+        &self,
+        path: &'p Path,
+        hit: &'p Hit,
+        (look, tilted, arrived): (&Look<'p>, &mut Option<DVec3>, Option<&'p Arrived>),
+        known: KnownLights<'p>,
+        scratch: &mut Scratch,
+    ) -> (Shaded<'p>, Lit<'p>)
+    where
+        'w: 'p,
+    {
         let texture = look.texture;
         let surface = &self.world.surfaces[hit.surface as usize];
-        let mut view = View::NOTHING;
-        if !self.quality.has_light {
-            if let Some(lowest) = texture.layers().last() {
-                let (_, spot) = self.place(hit, path.ray.dir);
-                view.rgb = self.color(lowest, look.point, &spot).rgb;
-            }
-            return view;
-        }
         let mut lit = Lit {
             at: Viewed::new(hit, path.ray.dir),
             departure: Some(&hit.departure),
@@ -252,7 +289,20 @@ impl Tracer<'_> {
             lights: self.world.lights.of(surface.lights),
             collects: self.has_caustics() && !surface.photons().keeps_none,
         };
-        let mut mirrors: SmallVec<[Mirror; 2]> = SmallVec::new();
+        let mut shaded = Shaded {
+            rgb: Rgb::BLACK,
+            filter: Rgb::WHITE,
+            passes: false,
+            film: None,
+            mirrors: SmallVec::new(),
+        };
+        if !self.quality.has_light {
+            if let Some(lowest) = texture.layers().last() {
+                let (_, spot) = self.place(hit, path.ray.dir);
+                shaded.rgb = self.color(lowest, look.point, &spot).rgb;
+            }
+            return (shaded, lit);
+        }
         let mut filter = Rgb::WHITE;
         let mut gathered = Gathered::default();
         let mut photons = None;
@@ -281,7 +331,7 @@ impl Tracer<'_> {
                 let gathering = Gathering::new(radiosity, &lit, flat);
                 own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
             }
-            view.rgb += own * filter;
+            shaded.rgb += own * filter;
             if self.quality.has_reflection && layer.finish.has_reflection() {
                 let coat = (&*layer.finish, color.rgb);
                 let ior = || self.relative_ior(&path.inside, surface.interior);
@@ -291,7 +341,7 @@ impl Tracer<'_> {
                 if layer.finish.conserve_energy {
                     filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
                 }
-                mirrors.push(mirror);
+                shaded.mirrors.push(mirror);
             }
             filter *= color.transmission();
             if self.is_opaque(path.gathered, filter) {
@@ -302,20 +352,10 @@ impl Tracer<'_> {
             scratch.photons = photons;
         }
         lit.at.normal = top.unwrap_or(flat);
-        let mut is_total = false;
-        if self.quality.has_transparency && !self.is_opaque(path.gathered, filter) {
-            let film = texture.layers().first().map(|top| &top.finish.irid);
-            is_total = self.pass(&lit, hit, (filter, film), &mut view, scratch);
-        }
-        if scratch.minds_order() && (self.has_air() || !mirrors.is_empty()) {
-            self.follow_straight_on(&lit, hit, &mut view, scratch);
-        }
-        if !is_total {
-            for mirror in &mirrors {
-                view.reflected += self.reflect(&lit, hit, mirror, scratch);
-            }
-        }
-        view
+        shaded.filter = filter;
+        shaded.passes = self.quality.has_transparency && !self.is_opaque(path.gathered, filter);
+        shaded.film = texture.layers().first().map(|top| &top.finish.irid);
+        (shaded, lit)
     }
 
     /// The light of one layer itself.

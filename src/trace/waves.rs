@@ -1,19 +1,23 @@
-//! What plain surfaces show of others, in their mirror images and through them, for all places of a block together: the
-//! rays that go on from what the camera sees are followed, lit and coloured as those of the camera are
-//! ([`super::block`]), then those that go on from what these meet, and so on. What is not plain is left to the way for
-//! single rays.
+//! What surfaces show of others, in their mirror images and through them, for all places of a block together: the rays
+//! that go on from what the camera sees are followed, lit and coloured as those of the camera are ([`super::block`]), then
+//! those that go on from what these meet, and so on. Rays that split, surfaces of several textures or mirror images, and
+//! scenes whose random numbers come one after the other are left to the way for single rays.
 
+use super::air::{Air, End};
+use super::arrived::Arrived;
 use super::block::{AROUND, MANY_LIGHTS};
 use super::coats::Coats;
+use super::light::{KnownLights, Viewed};
 use super::passage::{Bend, bend};
 use super::plain_four::{FourSeen, Looking, Showing, viewed};
 use super::shadows::Together;
-use super::surface::{mirror, mirrored_off};
+use super::surface::{Mirror, Sight, facing_normal, mirror, mirrored_off};
 use super::{Inside, MOST_PASSED, Path, Sample, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Departure, FourHits, InteriorId, Query, Scratch, Seen};
+use crate::compile::{Departure, FourHits, Hit, InteriorId, Query, Scratch, Seen};
 use crate::math::Ray;
 use crate::math::lanes::with_widest;
+use crate::texture::{Irid, Look};
 use glam::DVec3;
 
 /// So many surfaces that show others are looked at together; behind those rays are followed one by one, which needs no
@@ -32,6 +36,8 @@ pub(super) struct Waves {
     /// Those that go on from what these meet.
     next: Vec<Onward>,
     shown: Vec<Shown>,
+    /// What a few of these need besides.
+    filters: Vec<Filters>,
     /// What rays are in, those around the camera first.
     insides: Vec<Inside>,
 }
@@ -81,17 +87,75 @@ struct Shown {
     reflectivity: Rgb,
     behind: Sample,
     image: Rgb,
+    /// The number of its filters, if it has any.
+    filters: Option<u32>,
+}
+
+/// What colours light that a surface shows, besides its reflectivity and transmission.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Filters {
+    /// The factor of a thin film on the mirror image, and on what is behind.
+    on_image: Rgb,
+    on_behind: Rgb,
+    /// The exponent of the mirror image.
+    exponent: f32,
+    /// The air before the surface.
+    air: Option<Air>,
+}
+
+impl Filters {
+    const NONE: Filters = Filters {
+        on_image: Rgb::WHITE,
+        on_behind: Rgb::WHITE,
+        exponent: 1.0,
+        air: None,
+    };
 }
 
 impl Shown {
     /// What is seen there, once it is known what it shows.
-    fn sample(&self) -> Sample {
-        let reflected = Rgb::BLACK + self.image * self.reflectivity;
+    fn sample(&self, filters: &[Filters]) -> Sample {
+        let (mut image, mut behind, mut air) = (self.image, self.behind.rgb, None);
+        if let Some(filters) = self.filters.and_then(|number| filters.get(number as usize)) {
+            image *= filters.on_image;
+            if filters.exponent != 1.0 {
+                image = image.map(|c| c.powf(1.0 / filters.exponent));
+            }
+            behind *= filters.on_behind;
+            air = filters.air;
+        }
+        let reflected = Rgb::BLACK + image * self.reflectivity;
         Sample {
-            rgb: self.own + self.factor * self.behind.rgb + reflected,
+            rgb: self.own + self.factor * behind + reflected,
             transmit: self.transmit * self.behind.transmit,
         }
+        .through(air)
     }
+}
+
+/// A point of a surface from which rays go on.
+struct Surfaced {
+    /// The point as it is viewed, with the normal of the top layer.
+    at: Viewed,
+    /// The normal without bumps.
+    flat: DVec3,
+    departure: Departure,
+    /// How far the ray came to it.
+    t: f64,
+    surface: u32,
+}
+
+/// What a surface shows of itself, and how it shows others.
+struct Light<'t> {
+    /// Its own light.
+    own: Rgb,
+    /// The share of light that passes all layers, if that is worth following.
+    passing: Option<Rgb>,
+    mirror: Option<&'t Mirror<'t>>,
+    /// The film on the top layer.
+    film: Option<&'t Irid>,
+    /// The air before it.
+    air: Option<Air>,
 }
 
 impl Waves {
@@ -124,6 +188,10 @@ impl Looking for Few<'_> {
 
     fn inside(&self, lane: usize) -> &[InteriorId] {
         &self.insides[self.rays[lane].inside]
+    }
+
+    fn path(&self, lane: usize, _dir: DVec3) -> Path {
+        self.rays[lane].path(self.insides)
     }
 }
 
@@ -161,20 +229,26 @@ impl Tracer<'_> {
         place: usize,
         (hits, lane): (&FourHits, usize),
         showing: &Showing,
+        scratch: &mut Scratch,
     ) {
+        let onward = self.camera_ray(waves, place, hits.dir(lane));
+        self.show(waves, &onward, (hits, lane), showing, scratch);
+    }
+
+    /// The ray of the camera in this direction, which has met something at a place.
+    fn camera_ray(&self, waves: &mut Waves, place: usize, dir: DVec3) -> Onward {
         if waves.insides.is_empty() {
             waves.insides.push(Inside::from_slice(&self.around_camera));
         }
-        let ray = Ray::new(self.world.camera.location(), hits.dir(lane));
-        let onward = Onward {
+        let ray = Ray::new(self.world.camera.location(), dir);
+        Onward {
             query: Onward::query(ray, None, Seen::Image),
             level: 0,
             passed: 0,
             weight: 1.0,
             inside: 0,
             to: To::Place(place),
-        };
-        self.show(waves, &onward, (hits, lane), showing);
+        }
     }
 
     /// Notes a ray of the camera, which is followed with those that go on from surfaces.
@@ -193,55 +267,104 @@ impl Tracer<'_> {
         });
     }
 
-    /// Notes the rays that go on from a surface that such a ray meets.
+    /// What a ray of the camera in this direction sees at a place, where something is known of its hit; nothing if it is
+    /// noted what goes on from there.
+    pub(super) fn seen_by_camera(
+        &self,
+        waves: &mut Waves,
+        place: usize,
+        (dir, hit, known): (DVec3, Option<Hit>, KnownLights),
+        scratch: &mut Scratch,
+    ) -> Option<Sample> {
+        let onward = self.camera_ray(waves, place, dir);
+        self.seen_by(waves, &onward, (hit, known), scratch)
+    }
+
+    /// Notes the rays that go on from a plain surface that such a ray meets.
     fn show(
         &self,
         waves: &mut Waves,
         met: &Onward,
         (hits, lane): (&FourHits, usize),
         showing: &Showing,
+        scratch: &mut Scratch,
     ) {
         let finish = showing.finish;
         let at = viewed(hits, lane);
+        let surfaced = Surfaced {
+            at,
+            flat: at.normal,
+            departure: hits.departure(lane),
+            t: hits.t[lane],
+            surface: hits.surface[lane],
+        };
+        let mut filter = Rgb::WHITE;
+        let mut image = None;
+        if finish.has_reflection() {
+            let interior = self.world.surfaces[surfaced.surface as usize].interior;
+            let ior = || self.relative_ior(&waves.insides[met.inside], interior);
+            let mut mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
+            mirror.weight *= f64::from(filter.grey());
+            if finish.conserve_energy {
+                filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
+            }
+            image = Some(mirror);
+        }
+        filter *= showing.through;
+        let light = Light {
+            own: showing.own,
+            passing: (!self.is_opaque(0, filter)).then_some(filter),
+            mirror: image.as_ref(),
+            film: None,
+            air: self.air_before(hits, lane, || met.path(&waves.insides), scratch),
+        };
+        self.go_on(waves, met, &surfaced, &light);
+    }
+
+    /// Notes the rays that go on from a surface that such a ray meets: through it and into its mirror image.
+    #[inline(always)]
+    fn go_on(&self, waves: &mut Waves, met: &Onward, from: &Surfaced, light: &Light) {
+        let at = &from.at;
+        let mut filters = Filters {
+            air: light.air,
+            ..Filters::NONE
+        };
         let number = waves.shown.len();
         let mut shown = Shown {
             to: met.to,
-            own: showing.own,
+            own: light.own,
             factor: Rgb::BLACK,
             transmit: 0.0,
             reflectivity: Rgb::BLACK,
             behind: Sample::BLACK,
             image: Rgb::BLACK,
+            filters: None,
         };
-        let departure = Some(hits.departure(lane));
+        let departure = Some(from.departure);
         let onward =
             |dir: DVec3, seen: Seen| Onward::query(Ray::new(at.point, dir), departure, seen);
         let seen_in_mirror = met.query.seen.mirrored();
         let level = met.level + 1;
-        let interior = || self.world.surfaces[hits.surface[lane] as usize].interior;
-        let mut filter = Rgb::WHITE;
-        let mut image = None;
-        if finish.has_reflection() {
-            let ior = || self.relative_ior(&waves.insides[met.inside], interior());
-            let mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
-            let weight = mirror.weight * f64::from(filter.grey());
-            image = Some(Onward {
+        let mut image = light.mirror.map(|mirror| {
+            shown.reflectivity = mirror.reflectivity;
+            filters.exponent = mirror.finish.reflection.exponent;
+            let irid = &mirror.finish.irid;
+            if irid.amount > 0.0 {
+                filters.on_image = self.film(irid, at, mirror.dir);
+            }
+            Onward {
                 query: onward(mirror.dir, seen_in_mirror),
                 level,
                 passed: 0,
-                weight: met.weight * weight,
+                weight: met.weight * mirror.weight,
                 inside: met.inside,
                 to: To::Image(number),
-            });
-            shown.reflectivity = mirror.reflectivity;
-            if finish.conserve_energy {
-                filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
             }
-        }
-        filter *= showing.through;
-        if !self.is_opaque(0, filter) {
-            let before = (&waves.insides[met.inside], hits.t[lane]);
-            let through = self.through(before, interior(), filter, None);
+        });
+        if let Some(filter) = light.passing {
+            let before = (&waves.insides[met.inside], from.t);
+            let interior = self.world.surfaces[from.surface as usize].interior;
+            let through = self.through(before, interior, filter, None);
             shown.factor = through.factor;
             shown.transmit = through.transmit;
             let weight = met.weight * through.weight;
@@ -267,7 +390,10 @@ impl Tracer<'_> {
                     shown.factor = through.thrown_back;
                     shown.transmit = 0.0;
                     image = None;
-                    let dir = mirrored_off(at.view, at.normal, at.normal);
+                    let dir = mirrored_off(at.view, at.normal, from.flat);
+                    if let Some(film) = light.film.filter(|film| film.amount > 0.0) {
+                        filters.on_behind = self.film(film, at, dir);
+                    }
                     waves.next.push(Onward {
                         query: onward(dir, seen_in_mirror),
                         level,
@@ -280,6 +406,10 @@ impl Tracer<'_> {
             }
         }
         waves.next.extend(image);
+        if filters != Filters::NONE {
+            shown.filters = u32::try_from(waves.filters.len()).ok();
+            waves.filters.push(filters);
+        }
         waves.shown.push(shown);
     }
 
@@ -319,8 +449,10 @@ impl Tracer<'_> {
         waves.insides.clear();
         // Those that are shown come behind those that show them.
         while let Some(shown) = waves.shown.pop() {
-            waves.tell(shown.to, shown.sample(), &mut take);
+            let sample = shown.sample(&waves.filters);
+            waves.tell(shown.to, sample, &mut take);
         }
+        waves.filters.clear();
     }
 
     /// Follows these rays of one wave.
@@ -333,9 +465,9 @@ impl Tracer<'_> {
     ) {
         let mut all = std::mem::take(&mut waves.all);
         all.hits.resize(rays.len().div_ceil(4), FourHits::NOTHING);
-        for (rays, hits) in rays.chunks(4).zip(&mut all.hits) {
+        for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
             let queries = rays.iter().map(|onward| &onward.query);
-            self.world.nearest_of_four(queries, hits, scratch);
+            self.world.nearest_of_stream(queries, hits, scratch);
         }
         // Where much is filtered each way is looked at alone.
         self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
@@ -355,12 +487,22 @@ impl Tracer<'_> {
                         let sample = match (seen.sample(lane), showing) {
                             (Some(sample), _) => sample,
                             (None, Some(showing)) => {
-                                self.show(waves, onward, (&all.hits[four], lane), &showing);
+                                self.show(
+                                    waves,
+                                    onward,
+                                    (&all.hits[four], lane),
+                                    &showing,
+                                    scratch,
+                                );
                                 continue;
                             }
                             (None, None) => {
-                                let path = onward.path(&waves.insides);
-                                self.seen_by(path, (&all, 4 * four + lane), scratch)
+                                let hit = all.hits[four].hit(lane);
+                                let known = KnownLights::at(&all, 4 * four + lane);
+                                match self.seen_by(waves, onward, (hit, known), scratch) {
+                                    Some(sample) => sample,
+                                    None => continue,
+                                }
                             }
                         };
                         waves.tell(onward.to, sample, take);
@@ -371,15 +513,59 @@ impl Tracer<'_> {
         waves.all = all;
     }
 
-    /// What a ray sees that has met what these hits say at this number.
+    /// What a ray sees that has met this, where something is known of the lights there; nothing if it is noted what goes
+    /// on from there.
     #[inline(never)]
     fn seen_by(
         &self,
-        path: Path,
-        (all, number): (&Together, usize),
+        waves: &mut Waves,
+        met: &Onward,
+        (hit, known): (Option<Hit>, KnownLights),
         scratch: &mut Scratch,
-    ) -> Sample {
-        let hit = all.hits[number / 4].hit(number % 4);
-        self.trace(path, Some((hit, &all.known(number))), scratch)
+    ) -> Option<Sample> {
+        let path = met.path(&waves.insides);
+        let Some(hit) = hit.filter(|_| self.queues && waves.have_room()) else {
+            return Some(self.trace(path, Some((hit, known)), scratch));
+        };
+        let surface = &self.world.surfaces[hit.surface as usize];
+        let end = End::Surface(hit.t, surface.lights);
+        if let Some(plain) = self.plain(&hit, path.ray.dir, known, scratch) {
+            return Some(plain.through(self.air(&path, end, scratch)));
+        }
+        let looks = self.looks(surface, &hit, path.ray.dir, Sight::Drawn);
+        let [only @ Look { weight: 1.0, .. }] = looks.as_slice() else {
+            return Some(self.trace(path, Some((Some(hit), known)), scratch));
+        };
+        let arrived = (only.texture.layers().len() > 1).then(Arrived::default);
+        let of = (only, &mut None, arrived.as_ref());
+        let (shaded, lit) = self.layers(&path, &hit, of, known, scratch);
+        let air = self.air(&path, end, scratch);
+        if !shaded.passes && shaded.mirrors.is_empty() {
+            let sample = Sample {
+                rgb: shaded.rgb + Rgb::BLACK,
+                transmit: 0.0,
+            };
+            return Some(sample.through(air));
+        }
+        if shaded.mirrors.len() > 1 {
+            let again = met.path(&waves.insides);
+            return Some(self.trace(again, Some((Some(hit), known)), scratch));
+        }
+        let surfaced = Surfaced {
+            at: lit.at,
+            flat: facing_normal(&hit, path.ray.dir),
+            departure: hit.departure,
+            t: hit.t,
+            surface: hit.surface,
+        };
+        let light = Light {
+            own: shaded.rgb,
+            passing: shaded.passes.then_some(shaded.filter),
+            mirror: shaded.mirrors.first(),
+            film: shaded.film,
+            air,
+        };
+        self.go_on(waves, met, &surfaced, &light);
+        None
     }
 }

@@ -4,7 +4,7 @@ use super::light::{Lit, is_nothing};
 use super::{Inside, MOST_PASSED, Tracer, passage};
 use crate::color::Rgb;
 use crate::compile::{Departure, InteriorId, Passed, Query, Scratch, Seen, Way, World};
-use crate::light::Arrival;
+use crate::light::{Arrival, Light};
 use crate::math::Ray;
 
 /// A way from a point to a light, and what is known of it.
@@ -32,6 +32,12 @@ impl Tracer<'_> {
         arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
+        let known = lit.known.way(light);
+        match known {
+            Some(Way::Blocked) => return Rgb::BLACK,
+            Some(Way::Free) if !self.minds_air(light) => return arriving,
+            _ => {}
+        }
         let ray = Ray::new(lit.at.point, arrival.to_light);
         let distance = arrival.distance;
         let mut query = shadow_query(self.world, lit.departure.copied(), ray, distance);
@@ -43,7 +49,6 @@ impl Tracer<'_> {
         if source.is_shadowless() {
             return arriving;
         }
-        let known = lit.known.get(light as usize).and_then(|known| known.way);
         let way = LightWay {
             light,
             query,
@@ -55,6 +60,21 @@ impl Tracer<'_> {
         self.through_way(arriving, &way, scratch)
     }
 
+    /// Whether the media of the atmosphere take something of the light of a source.
+    fn is_dimmed_by_media(&self, source: &Light) -> bool {
+        self.has_media
+            && !self.world.media.is_empty()
+            && source.media_attenuation
+            && source.media_interaction
+    }
+
+    /// Whether the air takes something of the light of this number.
+    fn minds_air(&self, light: u32) -> bool {
+        let source = self.world.lights.get(light);
+        let by_fog = source.media_attenuation && !self.world.fogs.is_empty();
+        by_fog || self.is_dimmed_by_media(source)
+    }
+
     /// What is left of light behind all that lies on its way.
     pub(super) fn through_way(
         &self,
@@ -64,11 +84,8 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (query, light) = (&way.query, way.light);
         let source = self.world.lights.get(light);
-        let by_air = self.has_media
-            && !self.world.media.is_empty()
-            && source.media_attenuation
-            && source.media_interaction;
-        let minds_air = source.media_attenuation && !self.world.fogs.is_empty() || by_air;
+        let by_air = self.is_dimmed_by_media(source);
+        let minds_air = self.minds_air(light);
         match way
             .known
             .unwrap_or_else(|| self.world.way(query, light, scratch))

@@ -10,6 +10,7 @@ fn assert_same(text: &str) {
     let tracer = Tracer::new(&world, 9);
     let long = Tracer {
         takes_plain: false,
+        queues: false,
         ..Tracer::new(&world, 9)
     };
     let (mut scratch, mut single) = (BlockScratch::default(), Scratch::default());
@@ -259,4 +260,28 @@ fn what_takes_no_light_asks_for_none() {
     Tracer::new(&world, 9).block(&(0..16), &(0..16), (16, 16), &mut scratch, |_, _| {});
     let rays = scratch.take_rays();
     assert_eq!((rays.camera, rays.shadow), (256, 0));
+}
+
+#[test]
+fn bumps_layers_films_and_fog_in_mirrors_and_glass() {
+    assert_same(
+        "global_settings { max_trace_level 9 }
+        camera { location <1, 3, -9> look_at 0 angle 50 }
+        light_source { <-8, 9, -9>, 1 } light_source { <6, 1, -5>, 0.5 }
+        fog { distance 60 rgb <0.6, 0.7, 0.9> turbulence 0.3 }
+        plane { y, -2 pigment { checker rgb 1 rgb 0.2 } normal { bumps 0.4 scale 0.2 }
+          finish { reflection { 0.1, 0.6 fresnel exponent 0.7 } conserve_energy } interior { ior 1.4 } }
+        #local R = seed(9);
+        #for (I, 1, 40)
+          sphere { <rand(R), rand(R), rand(R)> * 6 - 3, 0.2 + 0.4 * rand(R)
+            texture { pigment { bozo color_map { [0 rgb 1] [1 rgbf <0.5, 0.8, 1, 0.9>] } }
+              normal { dents 0.5 } finish { specular 0.8 reflection 0.4 irid { 0.3 thickness 0.4 } } }
+            texture { pigment { granite color_map { [0 rgbt 1] [1 rgbt <1, 0.2, 0, 0.2>] } scale 0.3 }
+              #if (mod(I, 3) = 0) finish { reflection 0.2 } #end }
+            interior { ior 1 + 0.8 * mod(I, 2) fade_distance 1 fade_power 2 } }
+          box { 0, <0.4, 0.6, 0.3> rotate 360 * rand(R) translate <rand(R), rand(R), rand(R)> * 6 - 3
+            texture { checker texture { pigment { rgb 0.3 } finish { reflection 0.5 } }
+              texture { pigment { rgbt <1, 1, 1, 0.7> } } scale 0.2 } }
+        #end",
+    );
 }
