@@ -13,6 +13,7 @@ mod outline;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
+use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray, Step, rotation};
 use crate::source::Diagnostic;
 use font::Letter;
@@ -53,6 +54,8 @@ struct Line {
     bounds: Bounds,
     /// Whether the boxes of two letters overlap.
     overlaps: bool,
+    /// Whether it is one letter, which lies in its box as that stands in the font.
+    is_alone: bool,
     /// From the object to the line.
     turn: DMat3,
 }
@@ -144,7 +147,15 @@ impl Line {
         let overlaps = by_start
             .windows(2)
             .any(|pair| pair[1].min.x <= pair[0].max.x);
+        let is_alone = match &letters[..] {
+            [letter] => {
+                let (low, high) = letter.outline.bounds();
+                letter.low.cmple(low).all() && letter.high.cmpge(high).all()
+            }
+            _ => false,
+        };
         Line {
+            is_alone,
             tree: Bvh::build(&boxes),
             letters,
             first_faces,
@@ -161,8 +172,28 @@ impl Line {
         (&self.letters[number], face - self.first_faces[number])
     }
 
-    /// Where a ray is in a letter.
-    fn spans(&self, number: u32, ray: &Ray) -> Spans {
+    /// Visits the letters that a ray may meet beyond `from`, with how far the ray is followed, until nothing is left of
+    /// it. `visit` says how far that is from then on.
+    #[inline(always)]
+    fn each(
+        &self,
+        lanes: Lanes,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        mut visit: impl FnMut(u32, f64) -> f64,
+    ) {
+        if self.is_alone {
+            // The box around the text, in which the ray is, is hardly larger than that of its letter.
+            visit(0, to);
+        } else {
+            self.tree.nearest_in(lanes, ray, (from, to), visit);
+        }
+    }
+
+    /// Where a ray is in a letter between `from` and `to`. An end that lies beyond them stands at `from` or `to`, or
+    /// farther off.
+    #[inline(always)]
+    fn spans(&self, lanes: Lanes, number: u32, ray: &Ray, (from, to): (f64, f64)) -> Spans {
         let letter = &self.letters[number as usize];
         let origin = ray.origin - letter.at;
         let [low, high] = self.depth.map(|depth| depth - origin.z);
@@ -176,6 +207,11 @@ impl Line {
             return Spans::new();
         };
         let mut spans = Spans::new();
+        let stretch = [near.0.max(from), far.0.min(to)];
+        let is_there = near.0 < far.0 && stretch[0] < stretch[1];
+        if !is_there {
+            return spans;
+        }
         let first = self.first_faces[number as usize];
         let mut push = |enter: (f64, u32), leave: (f64, u32)| {
             let enter = if enter.0 > near.0 { enter } else { near };
@@ -185,18 +221,45 @@ impl Line {
                 spans.extend(super::span(on_letter(enter), on_letter(leave)));
             }
         };
-        let (origin, dir) = (origin.truncate(), ray.dir.truncate());
-        if dir == glam::DVec2::ZERO {
-            if letter.outline.contains(origin) {
+        let line = [origin.truncate(), ray.dir.truncate()];
+        if line[1] == glam::DVec2::ZERO {
+            if letter.outline.contains(line[0]) {
                 push(near, far);
             }
             return spans;
         }
-        for pair in letter.outline.crossings(origin, dir).chunks_exact(2) {
-            let on_side = |(t, side): (f64, u32)| (t, CAPS + side);
-            push(on_side(pair[0]), on_side(pair[1]));
+        let found = letter.outline.crossings(lanes, line, stretch);
+        let mut entered = found.starts_inside.then_some((stretch[0], near.1));
+        for (t, side) in found.places {
+            let place = (t, CAPS + side);
+            match entered.take() {
+                Some(enter) => push(enter, place),
+                None => entered = Some(place),
+            }
+        }
+        if let Some(enter) = entered {
+            push(enter, (stretch[1], far.1));
         }
         spans
+    }
+
+    /// Appends the roots of a ray beyond `from`.
+    fn push_roots(&self, ray: &Ray, from: f64, roots: &mut Vec<Root>) {
+        let first = roots.len();
+        let mut all = Spans::new();
+        let to = f64::INFINITY;
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.each(lanes, ray, (from, to), |letter, _| {
+                    all.extend(self.spans(lanes, letter, ray, (from, to)));
+                    to
+                });
+            },
+        );
+        push_union(&mut all, roots);
+        let beyond = roots[first..].iter().position(|root| root.t > from);
+        roots.drain(first..beyond.map_or(roots.len(), |beyond| first + beyond));
     }
 
     fn contains(&self, point: DVec3) -> bool {
@@ -233,15 +296,14 @@ fn push_union(spans: &mut [[Root; 2]], roots: &mut Vec<Root>) {
 
 impl Geometry for Text {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let ray = self.to_line(ray);
-        let mut all = Spans::new();
-        let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
-        self.0.tree.any(&ray, from, to, |letter| {
-            all.extend(self.0.spans(letter, &ray));
-            false
-        });
-        push_union(&mut all, roots);
+        self.0
+            .push_roots(&self.to_line(ray), f64::NEG_INFINITY, roots);
         Start::Outside
+    }
+
+    fn roots_from(&self, ray: &Ray, from: f64, _enough: f64, roots: &mut Vec<Root>) -> bool {
+        self.0.push_roots(&self.to_line(ray), from, roots);
+        false
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
@@ -252,14 +314,19 @@ impl Geometry for Text {
         }
         let ray = self.to_line(ray);
         let mut best: Option<Root> = None;
-        self.0.tree.nearest(&ray, from, to, |letter, end| {
-            let spans = self.0.spans(letter, &ray);
-            let Some(root) = first_visible(spans.as_flattened(), from, end) else {
-                return end;
-            };
-            best = Some(root);
-            root.t
-        });
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.0.each(lanes, &ray, (from, to), |letter, end| {
+                    let spans = self.0.spans(lanes, letter, &ray, (from, end));
+                    let Some(root) = first_visible(spans.as_flattened(), from, end) else {
+                        return end;
+                    };
+                    best = Some(root);
+                    root.t
+                });
+            },
+        );
         best
     }
 
