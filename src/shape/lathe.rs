@@ -79,7 +79,7 @@ impl Geometry for Lathe {
         };
         let on_curve = curve[number].at(x);
         let across = curve[number].tangent(x).perp();
-        let normal = spline::outward(&profile.segments, on_curve, across);
+        let normal = profile.segments.outward(on_curve, across);
         let outward = if place.x > 0.0 {
             flat(point) / place.x
         } else {
@@ -89,7 +89,7 @@ impl Geometry for Lathe {
     }
 
     fn contains(&self, point: DVec3) -> bool {
-        spline::contains(&self.0.segments, in_plane(point))
+        self.0.segments.contains(in_plane(point))
     }
 
     fn bounds(&self) -> Bounds {

@@ -8,9 +8,10 @@
 //! from the surface (`shape/roundings.rs`); no line slips through a corner (`spline`).
 
 use super::axial::Slab;
-use super::spline::{self, Kind, Segment};
-use super::{Crossings, Geometry, Root, Start, first_visible, read};
+use super::spline::{self, Chain, Kind, Segment};
+use super::{Geometry, Root, Start, read};
 use crate::args::{Args, Parse, Word};
+use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
@@ -20,7 +21,7 @@ use std::sync::Arc;
 /// A swept outline. Face 0 is the side, 1 the cap at the lower height, 2 that at the upper one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prism {
-    outline: Arc<Vec<Segment>>,
+    outline: Arc<Chain>,
     sweep: Sweep,
     low: f64,
     high: f64,
@@ -84,7 +85,7 @@ impl Prism {
         }
         let is_open = args.accept(Word::Open)?;
         Ok(Prism {
-            outline: Arc::new(outline.segments),
+            outline: Arc::new(Chain::new(outline.segments)),
             sweep,
             low: height.min(other),
             high: height.max(other),
@@ -92,39 +93,39 @@ impl Prism {
         })
     }
 
-    fn crossings(&self, ray: &Ray) -> Crossings {
-        let mut roots = Crossings::new();
+    /// Visits the spans of the line of a ray inside, in order, until `visit` says to stop.
+    #[inline(always)]
+    fn spans(&self, lanes: Lanes, ray: &Ray, mut visit: impl FnMut([Root; 2]) -> bool) {
         let Some(slab) = Slab::between(ray, self.low, self.high) else {
-            return roots;
+            return;
         };
         let mut places = match self.sweep {
-            Sweep::Linear => self.linear_places(ray),
-            Sweep::Conic => self.conic_places(ray),
+            Sweep::Linear => self.linear_places(lanes, ray),
+            Sweep::Conic => self.conic_places(lanes, ray),
         };
         places.sort_unstable_by(f64::total_cmp);
         for side in places.chunks_exact(2) {
-            roots.extend(
-                slab.clip((side[0], side[1]), self.is_open)
-                    .into_iter()
-                    .flatten(),
-            );
+            let span = slab.clip((side[0], side[1]), self.is_open);
+            if span.is_some_and(&mut visit) {
+                return;
+            }
         }
-        roots
     }
 
     /// Where the line passes through the side of an endless prism.
-    fn linear_places(&self, ray: &Ray) -> SmallVec<[f64; 8]> {
+    #[inline(always)]
+    fn linear_places(&self, lanes: Lanes, ray: &Ray) -> SmallVec<[f64; 8]> {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
         let mut places = SmallVec::new();
         let speed_sq = dir.dot(dir);
         if speed_sq == 0.0 {
-            return always(spline::contains(&self.outline, origin));
+            return always(self.outline.contains(origin));
         }
         // From the place nearest to the axis, so that a far origin costs no digits.
         let ahead = -origin.dot(dir) / speed_sq;
         let near = origin + ahead * dir;
         let line = (dir.perp(), near, 0.0);
-        spline::line_crossings(&self.outline, line, |number, x| {
+        self.outline.line_crossings(lanes, line, |number, x| {
             let point = self.outline[number].at(x);
             places.push(ahead + (point - near).dot(dir) / speed_sq);
         });
@@ -132,7 +133,8 @@ impl Prism {
     }
 
     /// The same for an endless double cone.
-    fn conic_places(&self, ray: &Ray) -> SmallVec<[f64; 8]> {
+    #[inline(always)]
+    fn conic_places(&self, lanes: Lanes, ray: &Ray) -> SmallVec<[f64; 8]> {
         let mut places = SmallVec::new();
         let dir = ray.dir;
         let ahead = -ray.origin.dot(dir) / dir.dot(dir);
@@ -140,10 +142,10 @@ impl Prism {
         let plane = near.cross(dir);
         if plane == DVec3::ZERO {
             // Through the apex.
-            return always(spline::contains(&self.outline, flat(dir) / dir.y));
+            return always(self.outline.contains(flat(dir) / dir.y));
         }
         let line = (flat(plane), DVec2::ZERO, plane.y);
-        spline::line_crossings(&self.outline, line, |number, x| {
+        self.outline.line_crossings(lanes, line, |number, x| {
             let point = self.outline[number].at(x);
             let rate = flat(dir) - dir.y * point;
             let gap = near.y * point - flat(near);
@@ -175,7 +177,7 @@ impl Prism {
             Sweep::Linear => flat(point),
             Sweep::Conic => flat(point) / point.y,
         };
-        spline::contains(&self.outline, across)
+        self.outline.contains(across)
     }
 
     fn side_normal(&self, point: DVec3) -> DVec3 {
@@ -189,7 +191,7 @@ impl Prism {
         };
         let segment = &self.outline[number];
         let on_curve = segment.at(x);
-        let normal = spline::outward(&self.outline, on_curve, segment.tangent(x).perp());
+        let normal = self.outline.outward(on_curve, segment.tangent(x).perp());
         match self.sweep {
             Sweep::Linear => DVec3::new(normal.x, 0.0, normal.y),
             Sweep::Conic => DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum(),
@@ -316,12 +318,31 @@ fn bezier_outline(points: &[DVec2]) -> Result<Outline, Fault> {
 
 impl Geometry for Prism {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.crossings(ray));
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.spans(lanes, ray, |span| {
+                    roots.extend_from_slice(&span);
+                    false
+                });
+            },
+        );
         Start::Outside
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.crossings(ray), from, to)
+        let mut first = None;
+        let is_asked = |root: &Root| root.is_visible && from < root.t && root.t < to;
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.spans(lanes, ray, |span| {
+                    first = span.into_iter().find(is_asked);
+                    first.is_some()
+                });
+            },
+        );
+        first
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

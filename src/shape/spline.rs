@@ -4,18 +4,21 @@
 //! A segment is a cubic in `-1 <= x <= 1`. Where a line crosses a chain of segments is found by the side of the line on
 //! which the points between them lie, each asked once for both of its segments, so that no line slips through a joint.
 
+mod chain;
+
+pub(in crate::shape) use chain::Chain;
+
 use super::read;
 use crate::args::{Args, Parse, Word};
-use crate::math::polynomial::{sign_changes, sign_changes_between};
+use crate::math::polynomial::sign_changes;
 use crate::source::Diagnostic;
 use glam::DVec2;
-use smallvec::SmallVec;
 
 /// Points nearer than this are one: POV-Ray's distance, by which it decides whether an outline is closed.
 const SAME_POINT: f64 = 1e-10;
 
-/// The share of the size of a cubic below which the sign of a Bernstein coefficient may be that of its rounding.
-const BERNSTEIN_SLACK: f64 = 1e-14;
+/// More roundings, of the size of a segment, than the side of a line is off on which one of its points lies.
+const HULL_ROUNDINGS: f64 = 64.0;
 
 /// How a curve follows its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +35,7 @@ pub(super) enum Kind {
 
 /// A cubic curve from one point to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Segment {
+pub(in crate::shape) struct Segment {
     /// By rising power of `x`, with `-1 <= x <= 1`.
     c: [DVec2; 4],
     degree: usize,
@@ -211,6 +214,7 @@ impl Segment {
     }
 
     /// The point at `x`; the ends are those given.
+    #[inline]
     pub(super) fn at(&self, x: f64) -> DVec2 {
         if x == -1.0 {
             return self.start;
@@ -218,10 +222,31 @@ impl Segment {
         if x == 1.0 {
             return self.end;
         }
+        self.on_polynomial(x)
+    }
+
+    #[inline]
+    fn on_polynomial(&self, x: f64) -> DVec2 {
         self.c[0] + x * (self.c[1] + x * (self.c[2] + x * self.c[3]))
     }
 
+    /// Four points the hull of which holds the segment: the coefficients in the Bernstein basis, but for the ends.
+    fn hull(&self) -> [DVec2; 4] {
+        let [c0, c1, c2, c3] = self.c;
+        let (even, odd) = (c0 - c2 / 3.0, c1 / 3.0 - c3);
+        [self.start, even - odd, even + odd, self.end]
+    }
+
+    /// How far the segment, as it is rounded, may reach out of that hull, and by how much a product with one of its
+    /// coordinates may be off.
+    fn hull_slack(&self) -> DVec2 {
+        let size: DVec2 = self.c.iter().map(|c| c.abs()).sum();
+        let gap = |end: DVec2, x: f64| (end - self.on_polynomial(x)).abs();
+        HULL_ROUNDINGS * f64::EPSILON * size + gap(self.start, -1.0) + gap(self.end, 1.0)
+    }
+
     /// The derivative by `x`.
+    #[inline]
     pub(super) fn slope(&self, x: f64) -> DVec2 {
         self.c[1] + x * (2.0 * self.c[2] + x * (3.0 * self.c[3]))
     }
@@ -287,73 +312,11 @@ pub(super) fn nearest(segments: &[Segment], point: DVec2) -> Option<(usize, f64)
     Some(best)
 }
 
-/// Visits the places where closed chains of segments cross the line `normal · (p − from) + offset = 0`.
-pub(super) fn line_crossings(
-    segments: &[Segment],
-    (normal, from, offset): (DVec2, DVec2, f64),
-    mut visit: impl FnMut(usize, f64),
-) {
-    let side = |point: DVec2| normal.dot(point - from) + offset;
-    for (number, segment) in segments.iter().enumerate() {
-        let (starts_negative, ends_negative) = (side(segment.start) < 0.0, side(segment.end) < 0.0);
-        let [c0, c1, c2, c3] = segment.c;
-        let constant = side(c0);
-        let linear = normal.dot(c1);
-        if segment.degree == 1 {
-            if starts_negative != ends_negative {
-                let x = -constant / linear;
-                visit(number, if x.abs() <= 1.0 { x } else { x.signum() });
-            }
-            continue;
-        }
-        let c = [constant, linear, normal.dot(c2), normal.dot(c3)];
-        if starts_negative == ends_negative && has_one_sign(&c) {
-            continue;
-        }
-        for x in sign_changes_between(&c[..=segment.degree], starts_negative, ends_negative) {
-            visit(number, x);
-        }
-    }
-}
-
-/// Tells whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
-/// do.
-fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
-    let slack = BERNSTEIN_SLACK * (c0.abs() + c1.abs() + c2.abs() + c3.abs());
-    let (even, odd) = (c0 + c2, c1 + c3);
-    let (even_inner, odd_inner) = (c0 - c2 / 3.0, c1 / 3.0 - c3);
-    let least = (even - odd.abs()).min(even_inner - odd_inner.abs());
-    let most = (even + odd.abs()).max(even_inner + odd_inner.abs());
-    least > slack || most < -slack
-}
-
-/// Whether closed chains of segments wind around a point an odd number of times.
-pub(super) fn contains(segments: &[Segment], point: DVec2) -> bool {
-    let mut is_inside = false;
-    line_crossings(segments, (DVec2::Y, point, 0.0), |number, x| {
-        is_inside ^= segments[number].at(x).x > point.x;
-    });
-    is_inside
-}
-
-/// The one of a normal and its opposite, at a point of closed chains of segments, that points out.
-pub(super) fn outward(segments: &[Segment], point: DVec2, normal: DVec2) -> DVec2 {
-    let mut ahead: SmallVec<[f64; 8]> = SmallVec::new();
-    line_crossings(segments, (normal.perp(), point, 0.0), |number, x| {
-        ahead.push((segments[number].at(x) - point).dot(normal));
-    });
-    let own = ahead.iter().copied();
-    let own = own
-        .min_by(|a, b| a.abs().total_cmp(&b.abs()))
-        .unwrap_or(0.0);
-    let beyond = ahead.iter().filter(|distance| **distance > own).count();
-    if beyond % 2 == 0 { normal } else { -normal }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::lanes::Lanes;
 
     const POINTS: [DVec2; 4] = [
         DVec2::new(-1.0, 0.0),
@@ -414,18 +377,17 @@ mod tests {
             DVec2::new(-1.0, 1.0),
             DVec2::new(-1.0, -1.0),
         ];
-        let square = Kind::Linear.segments(&corners);
+        let square = Chain::new(Kind::Linear.segments(&corners));
         for angle in 0..100 {
             let (sin, cos) = f64::from(angle).sin_cos();
             let mut count = 0;
-            line_crossings(&square, (DVec2::new(sin, cos), corners[2], 0.0), |_, _| {
-                count += 1;
-            });
+            let line = (DVec2::new(sin, cos), corners[2], 0.0);
+            square.line_crossings(Lanes::widest(), line, |_, _| count += 1);
             assert_eq!(count % 2, 0);
         }
-        assert!(contains(&square, DVec2::new(0.5, -1.0 + 1e-15)));
-        assert!(!contains(&square, DVec2::new(0.5, 1.0 + 1e-15)));
-        let out = outward(&square, DVec2::new(1.0, 0.3), DVec2::NEG_X);
+        assert!(square.contains(DVec2::new(0.5, -1.0 + 1e-15)));
+        assert!(!square.contains(DVec2::new(0.5, 1.0 + 1e-15)));
+        let out = square.outward(DVec2::new(1.0, 0.3), DVec2::NEG_X);
         assert_eq!(out, DVec2::X);
     }
 

@@ -13,7 +13,7 @@ use crate::math::conditioning::power_of_two;
 use crate::math::enclosed::{self, Enclosed, sign_changes};
 use crate::math::polynomial::Places;
 use crate::math::{Bounds, Ray};
-use crate::shape::spline::{self, Segment};
+use crate::shape::spline::{self, Chain, Segment};
 use crate::shape::{Crossing, Crossings, Root};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -26,7 +26,7 @@ const ROUNDINGS: f64 = 16.0;
 #[derive(Debug, PartialEq)]
 pub(super) struct Profile {
     /// The curve, and behind it what closes it.
-    pub(super) segments: Vec<Segment>,
+    pub(super) segments: Chain,
     /// How many of them are the curve.
     pub(super) seen: usize,
     arcs: Vec<Bow>,
@@ -261,7 +261,7 @@ impl Profile {
             max: DVec3::new(reach, high.y + slack, reach),
         };
         Profile {
-            segments,
+            segments: Chain::new(segments),
             seen,
             arcs,
             groups,
