@@ -4,6 +4,7 @@
 //! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which
 //! are not seen.
 
+mod climb;
 mod profile;
 
 use super::spline::{self, Kind};
@@ -11,8 +12,9 @@ use super::{Geometry, Root, Start, first_visible};
 use crate::args::{Args, Parse};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
+use climb::flat;
 use glam::{DVec2, DVec3};
-use profile::{Profile, flat};
+use profile::{Asked, Profile};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -62,12 +64,19 @@ fn in_plane(point: DVec3) -> DVec2 {
 
 impl Geometry for Lathe {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.0.crossings(ray));
+        roots.extend_from_slice(&self.0.crossings(ray, Asked::EVERYWHERE));
         Start::Outside
     }
 
+    fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
+        let to = f64::INFINITY;
+        roots.extend_from_slice(&self.0.crossings(ray, Asked { from, to, enough }));
+        false
+    }
+
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(&self.0.crossings(ray), from, to)
+        let enough = from;
+        first_visible(&self.0.crossings(ray, Asked { from, to, enough }), from, to)
     }
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {

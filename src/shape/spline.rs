@@ -17,6 +17,9 @@ use glam::DVec2;
 /// Points nearer than this are one: POV-Ray's distance, by which it decides whether an outline is closed.
 const SAME_POINT: f64 = 1e-10;
 
+/// More roundings, of the size of a segment, than a point of it is off.
+const ROUNDINGS: f64 = 16.0;
+
 /// More roundings, of the size of a segment, than the side of a line is off on which one of its points lies.
 const HULL_ROUNDINGS: f64 = 64.0;
 
@@ -228,6 +231,18 @@ impl Segment {
     #[inline]
     fn on_polynomial(&self, x: f64) -> DVec2 {
         self.c[0] + x * (self.c[1] + x * (self.c[2] + x * self.c[3]))
+    }
+
+    /// The corners of a box around all points as [`Segment::at`] gives them, roundings included, of a part on which both
+    /// coordinates are monotone.
+    pub(super) fn box_of_part(&self, from: f64, to: f64) -> [DVec2; 2] {
+        let [a, b] = [from, to].map(|x| [self.at(x), self.on_polynomial(x)]);
+        let size: DVec2 = self.c.iter().map(|c| c.abs()).sum();
+        let slack = ROUNDINGS * f64::EPSILON * size;
+        [
+            a[0].min(a[1]).min(b[0]).min(b[1]) - slack,
+            a[0].max(a[1]).max(b[0]).max(b[1]) + slack,
+        ]
     }
 
     /// Four points the hull of which holds the segment: the coefficients in the Bernstein basis, but for the ends.

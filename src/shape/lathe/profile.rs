@@ -9,18 +9,16 @@
 //! Error bound: roots lie within 2 roundings of the problem's size from the surface where the curve is of lines
 //! (`shape/roundings.rs`), and within 4 on other curves (`tests/stability`, item 51).
 
+use super::climb::{Climb, FourAndClimb, FourReaches, Half, SIDES, bisect};
 use crate::math::conditioning::power_of_two;
-use crate::math::enclosed::{self, Enclosed, sign_changes};
+use crate::math::enclosed::{Enclosed, Range as Lengths, sign_changes};
+use crate::math::lanes::{Lanes, four, with_widest};
 use crate::math::polynomial::Places;
 use crate::math::{Bounds, Ray};
 use crate::shape::spline::{self, Chain, Segment};
 use crate::shape::{Crossing, Crossings, Root};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
-use std::ops::Range;
-
-/// More roundings than it takes to find how far a point of the curve lies from a line.
-const ROUNDINGS: f64 = 16.0;
 
 /// The curve, and all that rays need of it.
 #[derive(Debug, PartialEq)]
@@ -30,7 +28,11 @@ pub(super) struct Profile {
     /// How many of them are the curve.
     pub(super) seen: usize,
     arcs: Vec<Bow>,
-    groups: Vec<Group>,
+    /// The reaches of the arcs by four; behind the last it stands again.
+    reaches: Vec<FourReaches>,
+    /// Whether each segment begins where the one before ends, the first where the last does: only then a line crosses the
+    /// whole an even number of times.
+    is_closed: bool,
     /// The middle of the box around the solid.
     middle: f64,
     pub(super) bounds: Bounds,
@@ -44,36 +46,40 @@ struct Bow {
     to: f64,
     /// The points at which it begins and ends.
     ends: [DVec2; 2],
+    /// The least radius and height of its points, and the most.
+    reach: [DVec2; 2],
 }
 
-/// So many arcs that follow one another are passed by together.
-const TOGETHER: usize = 6;
-
-/// Arcs that follow one another.
-#[derive(Clone, Debug, PartialEq)]
-struct Group {
-    arcs: Range<usize>,
-    /// The least radius and height, and the most.
-    ends: [DVec2; 2],
+/// A part of a line on which it may meet an arc.
+#[derive(Clone, Copy)]
+struct Pass {
+    arc: usize,
+    /// Whether the ends of the arc are as far from the axis as the line.
+    is_out: [bool; 2],
+    /// Whether `h` may be positive, and whether it may be negative: both only where one end of the arc is nearer to the
+    /// axis than the line.
+    sides: [bool; 2],
+    /// The lengths along the line between which it lies.
+    from: f64,
+    to: f64,
 }
 
-/// A ray about the axis.
-struct Climb {
-    /// The distance of the line from the axis.
-    aside: f64,
-    /// `h` at the origin of the ray.
-    ahead: f64,
-    /// The height of that origin.
-    height: f64,
-    sine: f64,
-    cosine: f64,
+/// The roots of a line that are asked for: those between `from` and `to`, both excluded, up to the first visible one
+/// beyond `enough`. Others before and behind may come with them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) enough: f64,
 }
 
-/// `F` along an arc, for `h` positive or negative.
-struct Half<'a> {
-    climb: &'a Climb,
-    segment: &'a Segment,
-    side: f64,
+impl Asked {
+    /// All of them.
+    pub(super) const EVERYWHERE: Asked = Asked {
+        from: f64::NEG_INFINITY,
+        to: f64::INFINITY,
+        enough: f64::INFINITY,
+    };
 }
 
 /// Adds the rings and the wall that close a curve whose ends are apart, at the distance to which it comes to the axis.
@@ -105,134 +111,24 @@ fn push_arcs(number: usize, segment: &Segment, arcs: &mut Vec<Bow>) {
     stops.extend(segment.zeros(0));
     stops.sort_unstable_by(f64::total_cmp);
     stops.dedup();
-    arcs.extend(stops.windows(2).map(|pair| Bow {
-        segment: number,
-        from: pair[0],
-        to: pair[1],
-        ends: [segment.at(pair[0]), segment.at(pair[1])],
-    }));
-}
-
-impl Group {
-    /// The arcs from this one on.
-    fn new(arcs: &[Bow], start: usize) -> Self {
-        let end = arcs.len().min(start + TOGETHER);
-        let ends = arcs[start..end].iter().flat_map(|arc| arc.ends);
-        let ends = ends.map(|end| DVec2::new(end.x.abs(), end.y));
-        Group {
-            arcs: start..end,
-            ends: [
-                ends.clone().fold(DVec2::INFINITY, DVec2::min),
-                ends.fold(DVec2::NEG_INFINITY, DVec2::max),
+    for pair in stops.windows(2) {
+        let ends = [segment.at(pair[0]), segment.at(pair[1])];
+        // What lies on the axis has no surface.
+        if ends[0].x == 0.0 && ends[1].x == 0.0 {
+            continue;
+        }
+        let [low, high] = segment.box_of_part(pair[0], pair[1]);
+        let nearest = low.x.max(-high.x).max(0.0);
+        arcs.push(Bow {
+            segment: number,
+            from: pair[0],
+            to: pair[1],
+            ends,
+            reach: [
+                DVec2::new(nearest, low.y),
+                DVec2::new(high.x.max(-low.x), high.y),
             ],
-        }
-    }
-}
-
-impl Climb {
-    fn new(ray: &Ray) -> Self {
-        let (origin, dir) = (flat(ray.origin), flat(ray.dir));
-        let speed = ray.dir.length();
-        let along = if dir == DVec2::ZERO {
-            origin.try_normalize().unwrap_or(DVec2::X)
-        } else {
-            dir / dir.length()
-        };
-        Climb {
-            aside: along.perp_dot(origin).abs(),
-            ahead: along.dot(origin),
-            height: ray.origin.y,
-            sine: ray.dir.y / speed,
-            cosine: dir.length() / speed,
-        }
-    }
-
-    /// How far from the place nearest to the axis the line has the distance `radius` from it; zero if it never has.
-    fn reach(&self, radius: f64) -> f64 {
-        let radius = radius.abs();
-        ((radius - self.aside) * (radius + self.aside))
-            .max(0.0)
-            .sqrt()
-    }
-
-    /// For both sides of `h`, whether the line surely passes an arc with these ends by: by more than any rounding its
-    /// points lie above or below it. `near` and `far` are how far from the place nearest to the axis the line reaches
-    /// their radius.
-    fn passes_by(&self, [a, b]: [DVec2; 2]) -> [bool; 2] {
-        let [near, far] = [a, b].map(|end| self.reach(end.x));
-        let (low, high) = (a.y.min(b.y), a.y.max(b.y));
-        let rise = [low, high].map(|y| self.cosine * (y - self.height));
-        let size = self.cosine * (low.abs().max(high.abs()) + self.height.abs())
-            + self.sine.abs() * (near.max(far) + self.ahead.abs());
-        let care = ROUNDINGS * f64::EPSILON * size;
-        [1.0, -1.0].map(|side| {
-            let way = [near, far].map(|reach| self.sine * (side * reach - self.ahead));
-            rise[0] - way[0].max(way[1]) > care || rise[1] - way[0].min(way[1]) < -care
-        })
-    }
-
-    fn excess(&self, point: DVec2, side: f64) -> f64 {
-        self.cosine * (point.y - self.height)
-            - self.sine * (side * self.reach(point.x) - self.ahead)
-    }
-
-    /// The length along the ray to a point of it.
-    fn length(&self, point: DVec2, side: f64) -> f64 {
-        if self.sine.abs() > self.cosine {
-            (point.y - self.height) / self.sine
-        } else {
-            (side * self.reach(point.x) - self.ahead) / self.cosine
-        }
-    }
-}
-
-impl Enclosed for Half<'_> {
-    fn value(&self, x: f64) -> f64 {
-        self.climb.excess(self.segment.at(x), self.side)
-    }
-
-    fn slope(&self, x: f64) -> f64 {
-        let (point, slope) = (self.segment.at(x), self.segment.slope(x));
-        let outward = slope.x * point.x / self.climb.reach(point.x);
-        self.climb.cosine * slope.y - self.climb.sine * self.side * outward
-    }
-
-    fn values(&self, from: f64, to: f64) -> enclosed::Range {
-        let (a, b) = (self.segment.at(from), self.segment.at(to));
-        let climb = self.climb;
-        let factor = climb.sine * self.side;
-        let rise = enclosed::Range::new(climb.cosine * a.y, climb.cosine * b.y);
-        let way = enclosed::Range::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
-        let rest = climb.sine * climb.ahead - climb.cosine * climb.height;
-        enclosed::Range {
-            low: rise.low - way.high + rest,
-            high: rise.high - way.low + rest,
-        }
-    }
-
-    fn slopes(&self, from: f64, to: f64) -> enclosed::Range {
-        let climb = self.climb;
-        let (a, b) = (self.segment.slope(from), self.segment.slope(to));
-        let rise = enclosed::Range::new(climb.cosine * a.y, climb.cosine * b.y);
-        let factor = climb.sine * self.side;
-        let narrowing = |x: f64| {
-            let radius = self.segment.at(x).x;
-            radius / climb.reach(radius)
-        };
-        let (near, far) = (narrowing(from), narrowing(to));
-        let mut way = enclosed::Range::new(0.0, 0.0);
-        if factor != 0.0 {
-            let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
-            if products.iter().any(|p| p.is_nan()) {
-                return enclosed::Range::new(f64::NEG_INFINITY, f64::INFINITY);
-            }
-            way.low = products.iter().copied().fold(f64::INFINITY, f64::min);
-            way.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        }
-        enclosed::Range {
-            low: rise.low - way.high,
-            high: rise.high - way.low,
-        }
+        });
     }
 }
 
@@ -251,8 +147,10 @@ impl Profile {
         for (number, segment) in segments.iter().enumerate() {
             push_arcs(number, segment, &mut arcs);
         }
-        let starts = (0..arcs.len()).step_by(TOGETHER);
-        let groups = starts.map(|start| Group::new(&arcs, start)).collect();
+        let fours = arcs.chunks(4);
+        let reaches = fours.map(|of| FourReaches::new(|lane| of[lane.min(of.len() - 1)].reach));
+        let next = segments.iter().cycle().skip(1);
+        let is_closed = segments.iter().zip(next).all(|(a, b)| a.end == b.start);
         let rim = high.x.max(-low.x);
         let slack = 8.0 * f64::EPSILON * rim.max(low.y.abs()).max(high.y.abs());
         let reach = rim + slack;
@@ -263,15 +161,24 @@ impl Profile {
         Profile {
             segments: Chain::new(segments),
             seen,
+            reaches: reaches.collect(),
             arcs,
-            groups,
+            is_closed,
             middle: 0.5 * (low.y + high.y),
             bounds,
         }
     }
 
-    /// Where the line of a ray crosses the surface, in order.
-    pub(super) fn crossings(&self, ray: &Ray) -> Crossings {
+    /// Where the line of a ray crosses the surface, in order, as far as is asked for.
+    ///
+    /// Parts of the line are gone through in order, and what lies behind the root that is enough is not solved. Of a part
+    /// that lies before all that is asked for it is enough to know whether the line crosses it an odd number of times.
+    pub(super) fn crossings(&self, ray: &Ray, asked: Asked) -> Crossings {
+        let asked = if self.is_closed {
+            asked
+        } else {
+            Asked::EVERYWHERE
+        };
         // From the place nearest to the middle, with a direction that can be squared.
         let dir_size = power_of_two(ray.dir.abs().max_element());
         let dir = ray.dir / dir_size;
@@ -283,56 +190,162 @@ impl Profile {
         }
         let speed = dir.length();
         let climb = Climb::new(&near);
-        let mut found: SmallVec<[(f64, bool); 8]> = SmallVec::new();
         if climb.aside > self.bounds.max.x {
             return Crossings::new();
         }
-        for group in &self.groups {
-            if group.ends[1].x < climb.aside || climb.passes_by(group.ends) == [true; 2] {
-                continue;
+        let place = |length: f64| (start + length / speed) / dir_size;
+        let is_all = asked.from == f64::NEG_INFINITY;
+        let mut is_inside = false;
+        let mut is_far = false;
+        let mut passes: SmallVec<[(f64, Pass); 12]> = SmallVec::new();
+        let note = |pass: Pass| {
+            let (first, last) = (place(pass.from), place(pass.to));
+            is_far |= !(first.is_finite() && last.is_finite());
+            if last <= asked.from && !is_all {
+                is_inside ^= self.is_crossed_oddly(&pass, &climb);
+            } else if first < asked.to || is_far {
+                passes.push((first, pass));
             }
-            for arc in &self.arcs[group.arcs.clone()] {
-                self.meet(arc, &climb, |length| {
-                    let is_seen = arc.segment < self.seen;
-                    found.push(((start + length / speed) / dir_size, is_seen));
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| self.passes(lanes, &climb, note),
+        );
+        if is_far && !(is_all && asked.enough == f64::INFINITY) {
+            return self.crossings(ray, Asked::EVERYWHERE);
+        }
+        if asked.enough < f64::INFINITY {
+            passes.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        let mut end = asked.to;
+        let mut found: SmallVec<[(f64, usize, bool); 8]> = SmallVec::new();
+        for (first, pass) in &passes {
+            if *first > end {
+                break;
+            }
+            let is_seen = self.arcs[pass.arc].segment < self.seen;
+            self.meet(pass, &climb, |length, side| {
+                let t = place(length);
+                if is_seen && asked.enough < t {
+                    end = end.min(t);
+                }
+                found.push((t, 2 * pass.arc + side, is_seen));
+            });
+        }
+        found.retain(|place| place.0.is_finite());
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut roots = Crossings::new();
+        for (t, _, is_visible) in found {
+            // Before it others may lie that have not been solved.
+            if t > end {
+                break;
+            }
+            let crossing = if is_inside {
+                Crossing::Leave
+            } else {
+                Crossing::Enter
+            };
+            is_inside = !is_inside;
+            if t > asked.from {
+                roots.push(Root {
+                    t,
+                    crossing,
+                    face: 0,
+                    is_visible,
                 });
             }
         }
-        found.retain(|place| place.0.is_finite());
-        found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        let mut roots = Crossings::new();
-        let mut is_inside = false;
-        for (t, is_visible) in found {
-            roots.push(Root {
-                t,
-                crossing: if is_inside {
-                    Crossing::Leave
-                } else {
-                    Crossing::Enter
-                },
-                face: 0,
-                is_visible,
-            });
-            is_inside = !is_inside;
-        }
-        if is_inside {
+        if is_inside && is_all && asked.enough == f64::INFINITY {
             // Only beyond all numbers.
             roots.pop();
         }
         roots
     }
 
-    /// Visits the lengths at which the line meets an arc, at whose ends it is so far from the place nearest to the axis.
-    fn meet(&self, arc: &Bow, climb: &Climb, mut visit: impl FnMut(f64)) {
-        let [starts_out, ends_out] = arc.ends.map(|end| end.x.abs() >= climb.aside);
-        if !(starts_out || ends_out) {
+    /// Visits the parts of a line on which it may meet an arc.
+    #[inline(always)]
+    fn passes(&self, lanes: Lanes, climb: &Climb, mut visit: impl FnMut(Pass)) {
+        for (reaches, first) in self.reaches.iter().zip((0..).step_by(4)) {
+            let found = four(lanes, &FourAndClimb { reaches, climb });
+            let mut met = found.met[0] | found.met[1];
+            let here = self.arcs.len() - first;
+            if here < 4 {
+                met &= (1 << here) - 1;
+            }
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize;
+                met &= met - 1;
+                let sides = [found.met[0] >> lane & 1 == 1, found.met[1] >> lane & 1 == 1];
+                let near_and_far = [found.near[lane], found.far[lane]];
+                self.passes_of(first + lane, climb, (sides, near_and_far), &mut visit);
+            }
+        }
+    }
+
+    /// The same for an arc that may be met where `h` has these signs; `near_and_far` are how far from the place nearest
+    /// to the axis the line reaches the least of its radii, and the most.
+    fn passes_of(
+        &self,
+        number: usize,
+        climb: &Climb,
+        (sides, near_and_far): ([bool; 2], [f64; 2]),
+        visit: &mut impl FnMut(Pass),
+    ) {
+        let arc = &self.arcs[number];
+        let [first, last] = arc.ends;
+        let is_out = [first.x.abs() >= climb.aside, last.x.abs() >= climb.aside];
+        if is_out == [false; 2] {
             return;
         }
-        let passes_by = climb.passes_by(arc.ends);
-        if passes_by == [true; 2] {
-            return;
+        let lengths = |side: usize| climb.lengths(arc.reach, near_and_far, SIDES[side]);
+        let pass = |sides, along: Lengths| Pass {
+            arc: number,
+            is_out,
+            sides,
+            from: along.low,
+            to: along.high,
+        };
+        match sides {
+            [false, false] => {}
+            [true, false] => visit(pass(sides, lengths(0))),
+            [false, true] => visit(pass(sides, lengths(1))),
+            [true, true] if is_out == [true; 2] => {
+                visit(pass([true, false], lengths(0)));
+                visit(pass([false, true], lengths(1)));
+            }
+            [true, true] => {
+                let (one, other) = (lengths(0), lengths(1));
+                let both = Lengths {
+                    low: one.low.min(other.low),
+                    high: one.high.max(other.high),
+                };
+                visit(pass(sides, both));
+            }
         }
+    }
+
+    /// Whether the line meets an arc an odd number of times there.
+    fn is_crossed_oddly(&self, pass: &Pass, climb: &Climb) -> bool {
+        let ends = self.arcs[pass.arc].ends;
+        let is_below = |end: DVec2, side: f64| climb.excess(end, side) < 0.0;
+        match pass.is_out {
+            [true, true] => {
+                let side = if pass.sides[0] { SIDES[0] } else { SIDES[1] };
+                is_below(ends[0], side) != is_below(ends[1], side)
+            }
+            // Both halves have one value where they meet. A half that is passed by keeps its sign.
+            [is_first, _] => {
+                let own = ends[usize::from(!is_first)];
+                is_below(own, SIDES[0]) != is_below(own, SIDES[1])
+            }
+        }
+    }
+
+    /// Visits the lengths at which the line meets an arc, and for which sign of `h`.
+    fn meet(&self, pass: &Pass, climb: &Climb, mut visit: impl FnMut(f64, usize)) {
+        let arc = &self.arcs[pass.arc];
         let segment = &self.segments[arc.segment];
+        let [starts_out, ends_out] = pass.is_out;
         let (mut from, mut to) = (arc.from, arc.to);
         let radius = |x: f64| segment.at(x).x.abs();
         match (starts_out, ends_out) {
@@ -340,11 +353,8 @@ impl Profile {
             (false, true) => from = bisect(&radius, climb.aside, from, to),
             (true, false) => to = bisect(&radius, climb.aside, to, from),
         }
-        if radius(from) == 0.0 && radius(to) == 0.0 {
-            return;
-        }
-        for (side, passes_by) in [1.0, -1.0].into_iter().zip(passes_by) {
-            if passes_by {
+        for (number, side) in SIDES.into_iter().enumerate() {
+            if !pass.sides[number] {
                 continue;
             }
             let half = Half {
@@ -364,51 +374,8 @@ impl Profile {
             let mut places = Places::new();
             sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut places);
             for x in places {
-                visit(climb.length(segment.at(x), side));
+                visit(climb.length(segment.at(x), side), number);
             }
         }
     }
-}
-
-/// Where a monotone radius reaches `level`, from a place below it to one that is not; on the far side of it.
-fn bisect(radius: &impl Fn(f64) -> f64, level: f64, mut below: f64, mut above: f64) -> f64 {
-    let excess = |x: f64| radius(x) - level;
-    let mut ends = [excess(below), excess(above)];
-    let mut is_slow = false;
-    loop {
-        let middle = 0.5 * (below + above);
-        if middle == below || middle == above {
-            return above;
-        }
-        // Where the chord is at the level, and a little farther from the end that is nearer to it, so that both ends close
-        // in; the middle after a step that gained too little.
-        let along = ends[0] / (ends[0] - ends[1]);
-        let beside = 4.0 * f64::EPSILON * below.abs().max(above.abs());
-        let place = below + along * (above - below);
-        let nudge = beside.copysign(above - below);
-        let place = if along < 0.5 {
-            place + nudge
-        } else {
-            place - nudge
-        };
-        let is_between = (below - place) * (place - above) > 0.0;
-        let x = if is_between && !is_slow {
-            place
-        } else {
-            middle
-        };
-        let width = (above - below).abs();
-        let value = excess(x);
-        if value < 0.0 {
-            (below, ends[0]) = (x, value);
-        } else {
-            (above, ends[1]) = (x, value);
-        }
-        is_slow = !is_slow && (above - below).abs() > 0.25 * width;
-    }
-}
-
-/// The part of a point or direction across the axis.
-pub(super) fn flat(v: DVec3) -> DVec2 {
-    DVec2::new(v.x, v.z)
 }

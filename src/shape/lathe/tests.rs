@@ -65,7 +65,11 @@ fn level_and_almost_level_rays_keep_both_sides() {
     let ring = lathe(RING);
     for climb in [0.0, 1e-16, 1e-12, 1e-8, 1e-4] {
         let ray = Ray::new(DVec3::new(-5.0, 0.01, 0.0), DVec3::new(1.0, climb, 0.0));
-        assert_eq!(ring.0.crossings(&ray).len(), 4, "{climb}");
+        assert_eq!(
+            ring.0.crossings(&ray, Asked::EVERYWHERE).len(),
+            4,
+            "{climb}"
+        );
     }
 }
 
@@ -74,7 +78,7 @@ fn upright_and_almost_upright_rays_keep_both_ends() {
     let ring = lathe(RING);
     for lean in [0.0, 1e-16, 1e-12, 1e-8, 1e-4] {
         let ray = Ray::new(DVec3::new(1.5, 5.0, 0.2), DVec3::new(lean, -1.0, 0.0));
-        assert_eq!(ring.0.crossings(&ray).len(), 2, "{lean}");
+        assert_eq!(ring.0.crossings(&ray, Asked::EVERYWHERE).len(), 2, "{lean}");
     }
 }
 
@@ -115,4 +119,43 @@ fn u_turns_from_x_to_z_and_v_follows_the_curve() {
     assert_eq!(cone.uv(DVec3::new(0.0, 0.0, 1.0), 0), Some([0.25, 0.5]));
     let [_, v] = cone.uv(DVec3::new(-0.5, 0.5, 0.0), 0).unwrap();
     assert!((v - 0.75).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_asked_for_is_what_is_there() {
+    let open = "cubic_spline 7, <1,-2>, <0.5,-1>, <1,0>, <0.3,0.4>, <0.9,0.8>, <0.6,1>, <0.5,2>";
+    let gap =
+        "bezier_spline 8, <0,-1>, <1,-1>, <1.5,-0.5>, <1,0>, <1,0.1>, <0.4,0.3>, <2,1>, <0,1>";
+    for text in [RING, open, gap, "3, <0.5,-1>, <1,0>, <0.7,1>"] {
+        let solid = lathe(text);
+        let mut rng = check::Random::new(5);
+        let mut hits = 0;
+        for _ in 0..2000 {
+            let ray = rng.ray_near(&solid.bounds());
+            let mut all = Vec::new();
+            solid.roots(&ray, &mut all);
+            let ends = all.iter().map(|root| root.t);
+            let places: Vec<f64> = ends.chain([f64::NEG_INFINITY, -0.5, 0.0, 1.0]).collect();
+            for &from in &places {
+                for to in [f64::INFINITY, from + 0.7] {
+                    let expected = first_visible(&all, from, to);
+                    assert_eq!(solid.nearest(&ray, from, to), expected, "{text} {ray:?}");
+                    hits += usize::from(expected.is_some());
+                }
+                let mut found = Vec::new();
+                let enough = from + 0.3;
+                solid.roots_from(&ray, from, enough, &mut found);
+                let first = all
+                    .iter()
+                    .position(|root| root.is_visible && root.t > enough);
+                let wanted = &all[..first.map_or(all.len(), |first| first + 1)];
+                for root in wanted.iter().filter(|root| root.t > from) {
+                    assert!(found.contains(root), "{text} {ray:?} {root:?}");
+                }
+                let known = |root: &Root| root.t <= from || all.contains(root);
+                assert!(found.iter().all(known));
+            }
+        }
+        assert!(hits > 1000);
+    }
 }
