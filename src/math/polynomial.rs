@@ -12,6 +12,7 @@
 
 use super::bernstein;
 use smallvec::SmallVec;
+use std::ops::Deref;
 
 /// Places on a line, in order.
 pub(crate) type Places = SmallVec<[f64; 8]>;
@@ -29,8 +30,8 @@ const MAX_STEPS: u32 = 80;
 /// counts as positive: at an end where it is zero it changes only if it is negative just beside.
 pub(crate) fn sign_changes(c: &[f64]) -> Places {
     match *c {
-        [c0, c1, c2] => quadratic(c0, c1, c2),
-        [c0, c1] => within(&[(-c0 / c1, Way::of_slope(c1))]),
+        [c0, c1, c2] => Places::from_slice(&quadratic(c0, c1, c2)),
+        [c0, c1] => Places::from_slice(&within([(-c0 / c1, Way::of_slope(c1))])),
         [] | [_] => Places::new(),
         [c0, c1, c2, c3] => cubic(&[c0, c1, c2, c3]),
         [c0, c1, c2, c3, c4] => quartic(&[c0, c1, c2, c3, c4]),
@@ -39,12 +40,12 @@ pub(crate) fn sign_changes(c: &[f64]) -> Places {
 }
 
 fn cubic(c: &[f64; 4]) -> Places {
-    between_turns(c, quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
+    between_turns(c, &quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
 }
 
 /// The same as [`sign_changes`] for a quartic.
 pub(super) fn quartic(c: &[f64; 5]) -> Places {
-    between_turns(c, cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
+    between_turns(c, &cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
 }
 
 /// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
@@ -86,12 +87,11 @@ pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
 
 /// The changes of a polynomial whose derivative changes its sign at `stops`. The number of coefficients is known, so that
 /// they stay in registers.
-fn between_turns<const N: usize>(c: &[f64; N], mut stops: Places) -> Places {
-    stops.push(1.0);
+fn between_turns<const N: usize>(c: &[f64; N], stops: &[f64]) -> Places {
     let mut places = Places::new();
     let mut low = -1.0;
     let mut is_low_negative = value(c, low) < 0.0;
-    for high in stops {
+    for &high in stops.iter().chain(&[1.0]) {
         let is_high_negative = value(c, high) < 0.0;
         if is_low_negative != is_high_negative {
             places.push(bracketed(c, low, high, is_low_negative));
@@ -147,17 +147,34 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     c.iter().rev().fold((0.0, 0.0), both)
 }
 
-fn quadratic(c0: f64, c1: f64, c2: f64) -> Places {
+#[inline]
+fn quadratic(c0: f64, c1: f64, c2: f64) -> Few {
     let discriminant = c1 * c1 - 4.0 * c0 * c2;
     if discriminant <= 0.0 {
-        return Places::new();
+        return Few::default();
     }
     let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
     let (x, other) = (q / c2, c0 / q);
     let (first, second) = if x < other { (x, other) } else { (other, x) };
     // Infinitely far from the other one if `c2` is zero, on the side that its sign tells.
     let rest = Way::of_slope(c2);
-    within(&[(first, rest.back()), (second, rest)])
+    within([(first, rest.back()), (second, rest)])
+}
+
+/// Two places at the most.
+#[derive(Default)]
+struct Few {
+    places: [f64; 2],
+    len: usize,
+}
+
+impl Deref for Few {
+    type Target = [f64];
+
+    #[inline]
+    fn deref(&self) -> &[f64] {
+        &self.places[..self.len]
+    }
 }
 
 /// The sense in which a polynomial changes sign.
@@ -186,18 +203,20 @@ impl Way {
 
 /// Those that lie in the searched range; not NaN. Since zero counts as positive, a way down begins on a zero, and a way
 /// up ends on one.
-fn within(all: &[(f64, Way)]) -> Places {
-    let mut places = Places::new();
-    for &(x, way) in all {
+#[inline]
+fn within<const N: usize>(all: [(f64, Way); N]) -> Few {
+    let mut few = Few::default();
+    for (x, way) in all {
         let is_at_end = match way {
             Way::Down => x == -1.0,
             Way::Up => x == 1.0,
         };
         if -1.0 < x && x < 1.0 || is_at_end {
-            places.push(x);
+            few.places[few.len] = x;
+            few.len += 1;
         }
     }
-    places
+    few
 }
 
 #[cfg(test)]
