@@ -13,15 +13,16 @@
 //! both shows in the picture.
 
 mod image;
+mod steps;
 mod walk;
 
 use super::{Geometry, Root, Start, read};
 use crate::args::{Args, Parse, Word};
 use crate::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::source::Diagnostic;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use image::{Kind, Reading};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Heights of one unit.
 const HEIGHT: f64 = 65536.0;
@@ -29,6 +30,8 @@ const HEIGHT: f64 = 65536.0;
 const MOST_CELLS: usize = (1 << 31) - 2;
 /// The normals of a smooth height field are kept in so many steps.
 const NORMAL_STEPS: f64 = 32767.0;
+/// Of larger pictures the normals are not kept: those of this many pixels take 48 megabytes.
+const MOST_NORMALS: usize = 1 << 22;
 /// The walls around the solid, which cannot be seen.
 const WALL: u32 = u32::MAX;
 /// The water level, which cannot be seen.
@@ -57,6 +60,18 @@ struct Field {
     low: f64,
     high: f64,
     is_smooth: bool,
+    normals: Normals,
+}
+
+/// The normals at the pixels of a smooth field, square by square, as they are first asked for.
+#[derive(Clone, Debug)]
+struct Normals(Vec<OnceLock<Box<[Vec3]>>>);
+
+impl PartialEq for Normals {
+    /// They follow from the heights.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl HeightField {
@@ -198,6 +213,7 @@ impl Field {
             high: heights.iter().max().map_or(0.0, |high| f64::from(*high)),
             heights,
             is_smooth,
+            normals: Normals(Vec::new()),
         };
         for row in 0..cells[1].div_ceil(square) {
             for column in 0..field.squares_along_x {
@@ -205,6 +221,10 @@ impl Field {
                     .squares
                     .push(field.range(row * square, column * square));
             }
+        }
+        if is_smooth && field.heights.len() <= MOST_NORMALS {
+            let unknown = field.squares.iter().map(|_| OnceLock::new());
+            field.normals = Normals(unknown.collect());
         }
         field
     }
@@ -237,12 +257,12 @@ impl Field {
 
     /// The least and the most height at the corners of a cell.
     #[inline]
-    fn heights_of(&self, x: usize, z: usize) -> [f64; 2] {
+    fn heights_of(&self, x: usize, z: usize) -> [u16; 2] {
         let across = self.cells[0] + 1;
         let at = z * across + x;
-        let corners = [at, at + 1, at + across, at + across + 1].map(|at| self.heights[at]);
-        let [a, b, c, d] = corners;
-        [a.min(b).min(c).min(d), a.max(b).max(c).max(d)].map(f64::from)
+        let [near, far] = [at, at + across].map(|at| &self.heights[at..at + 2]);
+        let (low, high) = (near[0].min(near[1]), near[0].max(near[1]));
+        [low.min(far[0]).min(far[1]), high.max(far[0]).max(far[1])]
     }
 
     /// The cell of a face, and whether it is the triangle away from the origin.
@@ -265,6 +285,28 @@ impl Field {
             let corner = self.height(x, z);
             DVec3::new(corner - right, 1.0, corner - up)
         }
+    }
+
+    /// The mean normals at the corners of a cell: of one row along x, and of the next.
+    fn corner_normals(&self, x: usize, z: usize) -> [[DVec3; 2]; 2] {
+        let (square, bits) = (self.square, self.square.trailing_zeros());
+        let number = (z >> bits) * self.squares_along_x + (x >> bits);
+        let Some(normals) = self.normals.0.get(number) else {
+            return [0, 1].map(|dz| [0, 1].map(|dx| self.pixel_normal(x + dx, z + dz)));
+        };
+        let (first_x, first_z) = (x >> bits << bits, z >> bits << bits);
+        let across = (self.cells[0] - first_x).min(square) + 1;
+        let normals = normals.get_or_init(|| {
+            let rows = first_z..=(first_z + square).min(self.cells[1]);
+            let pixels = rows.flat_map(|z| (0..across).map(move |x| (first_x + x, z)));
+            // Single precision holds them as they are: they are whole, and short.
+            pixels
+                .map(|(x, z)| self.pixel_normal(x, z).as_vec3())
+                .collect()
+        });
+        let at = (z - first_z) * across + x - first_x;
+        let [near, far] = [at, at + across].map(|at| &normals[at..at + 2]);
+        [near, far].map(|row| [row[0].as_dvec3(), row[1].as_dvec3()])
     }
 
     /// The mean normal at a pixel, as coarse as POV-Ray keeps it.
@@ -317,12 +359,10 @@ impl Geometry for HeightField {
             (at.x - x as f64).clamp(0.0, 1.0),
             (at.z - z as f64).clamp(0.0, 1.0),
         );
-        let corner = |dx: usize, dz: usize| {
-            let normal = self.field.pixel_normal(x + dx, z + dz);
-            self.to_world(normal).normalize_or_zero()
-        };
-        let low = (1.0 - u) * corner(0, 0) + u * corner(1, 0);
-        let high = (1.0 - u) * corner(0, 1) + u * corner(1, 1);
+        let [near, far] = self.field.corner_normals(x, z);
+        let corner = |normal: DVec3| self.to_world(normal).normalize_or_zero();
+        let low = (1.0 - u) * corner(near[0]) + u * corner(near[1]);
+        let high = (1.0 - u) * corner(far[0]) + u * corner(far[1]);
         Some((1.0 - v) * low + v * high)
     }
 

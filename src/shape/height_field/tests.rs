@@ -185,3 +185,25 @@ fn ground_as_high_as_the_water_is_seen() {
     let down = Ray::new(DVec3::new(0.2, 2.0, 0.3), DVec3::NEG_Y);
     assert_eq!(drowned.nearest(&down, 0.0, f64::INFINITY), None);
 }
+
+#[test]
+fn kept_normals_are_those_at_the_pixels() {
+    for width in [2, 5, 9, 40] {
+        let mut shape = hills(width, 0.0);
+        let field = Arc::get_mut(&mut shape.field).unwrap();
+        let heights = image::Heights {
+            width,
+            rows: field.heights.clone(),
+        };
+        *field = Field::new(heights, 0.0, true);
+        for z in 0..field.cells[1] {
+            for x in 0..field.cells[0] {
+                for (dz, row) in field.corner_normals(x, z).iter().enumerate() {
+                    for (dx, normal) in row.iter().enumerate() {
+                        assert_eq!(*normal, field.pixel_normal(x + dx, z + dz));
+                    }
+                }
+            }
+        }
+    }
+}

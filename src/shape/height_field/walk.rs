@@ -1,5 +1,6 @@
 //! A ray through the cells of a height field.
 
+use super::steps::Steps;
 use super::{Field, WALL, WATER};
 use crate::math::Ray;
 use crate::shape::{Crossing, Root, Start};
@@ -26,7 +27,32 @@ struct Walk<'a> {
 struct Stretch {
     from: f64,
     to: f64,
-    face: u32,
+    cell: [usize; 2],
+    is_far: bool,
+}
+
+/// The plane of a triangle.
+struct Ground {
+    /// Where its cell begins.
+    corner: [f64; 2],
+    /// Its heights at the corner of the cell that is its own, and at those beside along x and along z.
+    own: f64,
+    right: f64,
+    up: f64,
+    is_far: bool,
+}
+
+impl Ground {
+    #[inline]
+    fn height(&self, point: DVec3) -> f64 {
+        let (u, v) = (point.x - self.corner[0], point.z - self.corner[1]);
+        let Ground { own, right, up, .. } = *self;
+        if self.is_far {
+            own + (1.0 - u) * (up - own) + (1.0 - v) * (right - own)
+        } else {
+            own + u * (right - own) + v * (up - own)
+        }
+    }
 }
 
 impl Field {
@@ -122,22 +148,26 @@ impl Field {
     }
 
     /// The height of the plane of a triangle.
-    #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
     pub(super) fn ground(&self, point: DVec3, face: u32) -> f64 {
         let (x, z, is_far) = self.cell(face);
-        let (u, v) = (point.x - x as f64, point.z - z as f64);
-        let (right, up) = (self.height(x + 1, z), self.height(x, z + 1));
-        if is_far {
-            let corner = self.height(x + 1, z + 1);
-            corner + (1.0 - u) * (up - corner) + (1.0 - v) * (right - corner)
-        } else {
-            let corner = self.height(x, z);
-            corner + u * (right - corner) + v * (up - corner)
+        self.ground_of([x, z], is_far).height(point)
+    }
+
+    #[allow(clippy::cast_precision_loss, reason = "counts of pixels are exact")]
+    fn ground_of(&self, [x, z]: [usize; 2], is_far: bool) -> Ground {
+        let own = usize::from(is_far);
+        Ground {
+            corner: [x as f64, z as f64],
+            own: self.height(x + own, z + own),
+            right: self.height(x + 1, z),
+            up: self.height(x, z + 1),
+            is_far,
         }
     }
 }
 
 impl Walk<'_> {
+    #[inline]
     fn at(&self, t: f64) -> DVec3 {
         if t.is_finite() {
             self.ray.at(t)
@@ -162,6 +192,12 @@ impl Walk<'_> {
         let (x, u) = cell(point.x, self.field.cells[0]);
         let (z, v) = cell(point.z, self.field.cells[1]);
         self.field.face(x, z, u + v > 1.0)
+    }
+
+    /// The height of a place of the ray.
+    #[inline]
+    fn height(&self, t: f64) -> f64 {
+        self.at(t).y
     }
 
     /// The ray is inside from here on, or is not; `on` is the triangle it crosses, if the ground is what it crosses.
@@ -206,7 +242,10 @@ impl Walk<'_> {
         let field = self.field;
         let across = [field.squares_along_x, field.cells[1].div_ceil(field.square)];
         let mut steps = Steps::new(&self.ray, span, field.square, [[0, 0], across]);
+        let mut ahead = self.height(span.0);
         while let Some((x, z, near, far)) = steps.next() {
+            let heights = [ahead, self.height(far)];
+            ahead = heights[1];
             if far < from {
                 self.inside = None;
                 self.above = None;
@@ -216,25 +255,33 @@ impl Walk<'_> {
                 self.is_over = true;
                 return;
             }
-            let heights = field.squares[z * field.squares_along_x + x].map(f64::from);
-            if !self.passes(heights, (near, far)) {
+            let range = field.squares[z * field.squares_along_x + x];
+            if !self.passes(range, heights, near) {
                 self.cells([x, z], (near, far));
             }
         }
     }
 
-    /// Goes past ground between these heights if the ray is above or below all of it; says whether it is.
+    /// Goes past ground between these heights if the ray, which is at other heights from `near` on, is above or below all of
+    /// it; says whether it is.
     #[inline]
-    fn passes(&mut self, [low, high]: [f64; 2], (near, far): (f64, f64)) -> bool {
+    fn passes(&mut self, [low, high]: [u16; 2], [a, b]: [f64; 2], near: f64) -> bool {
         let water = self.field.water;
-        let (a, b) = (self.at(near).y, self.at(far).y);
-        let is_above = a.min(b) > high.max(water) + SLACK;
-        let is_below = a.max(b) < low.max(water) - SLACK;
-        if is_above || is_below {
-            self.change(near, is_below, None);
+        let [low, high] = [low, high].map(|height| {
+            let height = f64::from(height);
+            if height > water { height } else { water }
+        });
+        let (least, most) = if a < b { (a, b) } else { (b, a) };
+        let is_above = least > high + SLACK;
+        let is_below = most < low - SLACK;
+        let is_passed = is_above || is_below;
+        if is_passed {
             self.above = None;
+            if self.inside != Some(is_below) {
+                self.change(near, is_below, None);
+            }
         }
-        is_above || is_below
+        is_passed
     }
 
     /// Follows the ray through the cells of a square.
@@ -245,8 +292,11 @@ impl Walk<'_> {
         let end = [0, 1].map(|axis| (first[axis] + size).min(self.field.cells[axis]));
         let mut steps = Steps::new(&self.ray, span, 1, [first, end]);
         let Ray { origin, dir } = self.ray;
+        let mut ahead = self.height(span.0);
         while let Some((x, z, near, far)) = steps.next() {
-            if self.passes(self.field.heights_of(x, z), (near, far)) {
+            let heights = [ahead, self.height(far)];
+            ahead = heights[1];
+            if self.passes(self.field.heights_of(x, z), heights, near) {
                 if self.is_over {
                     return;
                 }
@@ -269,7 +319,8 @@ impl Walk<'_> {
                 self.pass(Stretch {
                     from: *from,
                     to: *to,
-                    face: self.field.face(x, z, is_far),
+                    cell: [x, z],
+                    is_far,
                 });
                 if self.is_over {
                     return;
@@ -280,16 +331,20 @@ impl Walk<'_> {
 
     /// Passes over one triangle.
     fn pass(&mut self, stretch: Stretch) {
-        let Stretch { from, to, face } = stretch;
+        let Stretch { from, to, .. } = stretch;
+        let [x, z] = stretch.cell;
+        let face = self.field.face(x, z, stretch.is_far);
+        let ground = self.field.ground_of([x, z], stretch.is_far);
+        let [start, end] = [from, to].map(|t| self.at(t));
         let above = match self.above {
             Some(above) => above,
-            None => self.height_above(from, face),
+            None => start.y - ground.height(start),
         };
-        let above_after = self.height_above(to, face);
+        let above_after = end.y - ground.height(end);
         self.above = Some(above_after);
-        let is_inside = self.is_inside(from, above);
         let water = self.field.water;
-        let (wet, wet_after) = (self.at(from).y - water, self.at(to).y - water);
+        let is_inside = above < 0.0 || start.y < water;
+        let (wet, wet_after) = (start.y - water, end.y - water);
         match self.inside {
             None => self.inside = Some(is_inside),
             // The end of the stretch before was rounded to the other side.
@@ -380,102 +435,4 @@ fn slab(origin: f64, dir: f64, low: f64, high: f64) -> (f64, f64) {
 fn cell(at: f64, cells: usize) -> (usize, f64) {
     let cell = (at.max(0.0) as usize).min(cells - 1);
     (cell, at - cell as f64)
-}
-
-/// The steps of a ray through a grid: the cell, and the parameters where the ray enters and leaves it.
-struct Steps {
-    origin: [f64; 2],
-    dir: [f64; 2],
-    size: f64,
-    /// The cell at hand.
-    cell: [usize; 2],
-    first: [usize; 2],
-    end: [usize; 2],
-    near: f64,
-    last: f64,
-    /// Where the ray leaves the cell at hand along each axis.
-    exits: [f64; 2],
-    is_over: bool,
-}
-
-impl Steps {
-    /// Through the cells of `size` from `grid[0]` up to but not including `grid[1]`, counted from the origin.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "cut to the cells there are"
-    )]
-    fn new(ray: &Ray, (near, last): (f64, f64), size: usize, grid: [[usize; 2]; 2]) -> Self {
-        let size = size as f64;
-        let at = if near.is_finite() {
-            ray.at(near)
-        } else {
-            ray.origin
-        };
-        let [first, end] = grid;
-        let at = [at.x, at.z];
-        let dir = [ray.dir.x, ray.dir.z];
-        let cell = [0, 1].map(|axis| {
-            let place = at[axis] / size;
-            // On a border the ray is in the cell it goes to.
-            let cell = if dir[axis] < 0.0 {
-                place.ceil() - 1.0
-            } else {
-                place.floor()
-            };
-            (cell.max(0.0) as usize).clamp(first[axis], end[axis] - 1)
-        });
-        let mut steps = Steps {
-            origin: [ray.origin.x, ray.origin.z],
-            dir,
-            size,
-            cell,
-            first,
-            end,
-            near,
-            last,
-            exits: [0.0; 2],
-            is_over: near > last,
-        };
-        steps.exits = [steps.exit(0), steps.exit(1)];
-        steps
-    }
-
-    /// Where the ray leaves the cell at hand along an axis.
-    #[allow(clippy::cast_precision_loss, reason = "counts of cells are exact")]
-    fn exit(&self, axis: usize) -> f64 {
-        let dir = self.dir[axis];
-        if dir == 0.0 {
-            return f64::INFINITY;
-        }
-        let border = (self.cell[axis] + usize::from(dir > 0.0)) as f64 * self.size;
-        (border - self.origin[axis]) / dir
-    }
-
-    fn next(&mut self) -> Option<(usize, usize, f64, f64)> {
-        if self.is_over {
-            return None;
-        }
-        let exits = self.exits;
-        let leave = exits[0].min(exits[1]);
-        let far = leave.min(self.last).max(self.near);
-        let step = (self.cell[0], self.cell[1], self.near, far);
-        self.is_over = leave >= self.last;
-        for axis in [0, 1] {
-            if exits[axis] > leave {
-                continue;
-            }
-            if self.dir[axis] > 0.0 && self.cell[axis] + 1 < self.end[axis] {
-                self.cell[axis] += 1;
-            } else if self.dir[axis] < 0.0 && self.cell[axis] > self.first[axis] {
-                self.cell[axis] -= 1;
-            } else {
-                self.is_over = true;
-            }
-            self.exits[axis] = self.exit(axis);
-        }
-        self.near = far;
-        Some(step)
-    }
 }
