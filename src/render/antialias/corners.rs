@@ -85,7 +85,7 @@ impl<'s, 'a> Corners<'s, 'a> {
         let (wide, high) = (self.width + 1, self.height + 1);
         let numbers: Vec<usize> = match self.in_order {
             true => (0..wide * high).collect(),
-            false => cells(wide, high).collect(),
+            false => cells(wide, high),
         };
         let place = |&at: &usize| {
             let (x, y) = self.place(at % wide, at / wide);

@@ -17,10 +17,13 @@ use super::Tile;
 use crate::color::Gamma;
 use crate::film::Pixel;
 use crate::math::jitter;
+use crate::math::lanes::{FourWork, Row, fours, with_widest};
+use crate::math::powers::{POWER_ERROR, power};
 use crate::options::{Antialias, Method, RenderOptions};
 use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
 use neighbours::Neighbours;
+use std::ops::{Range, RangeInclusive};
 
 /// Samples traced in one call.
 const BATCH: usize = (BLOCK * BLOCK) as usize;
@@ -40,9 +43,14 @@ pub(super) struct Sampler<'a> {
 #[derive(Clone, Copy, Default)]
 struct Graded {
     pixel: Pixel,
-    /// Red, green, blue and transmit; this last one 0 where the picture keeps no transparency.
+    /// Nearly those of [`Scale::grades`].
     grades: [f64; 4],
 }
+
+/// Estimates from here on may stand for endless grades.
+const ENDLESS: f64 = 1e30;
+/// What two estimates of a grade may be off together, as a share of their sum and at all.
+const GRADE_CARE: [f64; 2] = [2.0 * POWER_ERROR, 1e-90];
 
 /// The scale on which colours are compared: linear light to the power of 1 / `Antialias_Gamma`. A picture without gamma
 /// handling has its values taken for linear light.
@@ -65,22 +73,64 @@ impl Scale {
         }
     }
 
-    fn grade(&self, value: f32) -> f64 {
-        f64::from(self.working.decode(value))
-            .max(0.0)
-            .powf(self.exponent)
+    /// The linear values that are compared: red, green, blue and transmit; this last one 0 where the picture keeps no
+    /// transparency. The background is opaque then, whatever it says.
+    fn values(&self, Pixel { rgb, transmit }: Pixel) -> [f64; 4] {
+        let transmit = if self.has_alpha { transmit } else { 0.0 };
+        let value = |value: f32| f64::from(self.working.decode(value)).max(0.0);
+        [rgb.r, rgb.g, rgb.b, transmit].map(value)
+    }
+
+    /// The grades of a pixel: a power of each value, but nothing for transparency that is not kept.
+    fn grades(&self, pixel: Pixel) -> [f64; 4] {
+        let mut grades = self.values(pixel).map(|value| value.powf(self.exponent));
+        if !self.has_alpha {
+            grades[3] = 0.0;
+        }
+        grades
     }
 
     fn graded(&self, pixel: Pixel) -> Graded {
-        let Pixel { rgb, transmit } = pixel;
-        let transmit = match self.has_alpha {
-            true => self.grade(transmit),
-            // The background is opaque then, whatever it says.
-            false => 0.0,
+        /// Single precision numbers to such a power are in the bounds of estimates, and only endless ones reach [`ENDLESS`].
+        const EXPONENTS: RangeInclusive<f64> = 0.1..=0.75;
+        let grades = if EXPONENTS.contains(&self.exponent) {
+            with_widest(
+                #[inline(always)]
+                |lanes| fours(lanes, Powers(self.values(pixel), self.exponent)),
+            )
+        } else {
+            self.grades(pixel)
         };
-        let [r, g, b] = [rgb.r, rgb.g, rgb.b].map(|value| self.grade(value));
-        let grades = [r, g, b, transmit];
         Graded { pixel, grades }
+    }
+
+    /// Tells whether the grades of two colours differ by a threshold or more.
+    fn differ(&self, a: &Graded, b: &Graded, threshold: f64) -> bool {
+        let (mut size, mut difference) = (0.0, 0.0);
+        for (a, b) in a.grades.into_iter().zip(b.grades) {
+            size += a + b;
+            difference += (a - b).abs();
+        }
+        let [share, more] = GRADE_CARE;
+        if size < ENDLESS && (difference - threshold).abs() > share * size + more {
+            return difference > threshold;
+        }
+        let (a, b) = (self.grades(a.pixel), self.grades(b.pixel));
+        let [r, g, b, transmit] = std::array::from_fn(|i| (a[i] - b[i]).abs());
+        r + g + b + transmit >= threshold
+    }
+}
+
+/// Estimates of powers of four values.
+struct Powers([f64; 4], f64);
+
+impl FourWork for Powers {
+    type Answer = [f64; 4];
+
+    #[inline(always)]
+    fn run<F: Row>(self) -> [f64; 4] {
+        let Powers(values, exponent) = self;
+        power(F::load(&values), exponent).store()
     }
 }
 
@@ -109,8 +159,7 @@ impl<'a> Sampler<'a> {
 
     /// Tells whether two colours are so far apart that the pixel deserves more samples.
     fn differ(&self, a: &Graded, b: &Graded) -> bool {
-        let [r, g, b, transmit] = std::array::from_fn(|i| (a.grades[i] - b.grades[i]).abs());
-        r + g + b + transmit >= self.how.threshold
+        self.scale.differ(a, b, self.how.threshold)
     }
 
     /// Samples at places of which neighbours in the list lie near each other; `in_order` one after the other.
@@ -169,15 +218,96 @@ impl Sum {
     }
 }
 
-/// The points of a grid, numbered row by row, in an order that keeps neighbours together.
-fn cells(width: usize, height: usize) -> impl Iterator<Item = usize> {
-    let mut numbers: Vec<usize> = (0..width * height).collect();
-    numbers.sort_by_key(|&at| cell(at % width, at / width));
-    numbers.into_iter()
+/// The points of a grid, numbered row by row, in the order of [`cell`].
+fn cells(width: usize, height: usize) -> Vec<usize> {
+    let mut numbers = Vec::with_capacity(width * height);
+    for square in tiles((0..width, 0..height), (16, 16)) {
+        for (columns, rows) in tiles(square, (4, 2)) {
+            for row in rows {
+                numbers.extend(columns.clone().map(|column| row * width + column));
+            }
+        }
+    }
+    numbers
 }
 
-/// The key by which points are sorted so that neighbours stay together: in cells of 4 by 2 in squares of 16 by 16, which
+/// Columns and rows.
+type Rectangle = (Range<usize>, Range<usize>);
+
+/// The tiles of this size of a rectangle, row by row, those at its right and lower edges cut off there.
+fn tiles(
+    (columns, rows): Rectangle,
+    (width, height): (usize, usize),
+) -> impl Iterator<Item = Rectangle> {
+    let starts = rows.clone().step_by(height).flat_map(move |top| {
+        columns
+            .clone()
+            .step_by(width)
+            .map(move |left| (left, top, columns.end))
+    });
+    starts.map(move |(left, top, right)| {
+        (
+            left..right.min(left + width),
+            top..rows.end.min(top + height),
+        )
+    })
+}
+
+/// The key of an order of points that keeps neighbours together: in cells of 4 by 2 in squares of 16 by 16, which
 /// packets are made of.
 fn cell(column: usize, row: usize) -> [usize; 4] {
     [row / 16, column / 16, row / 2, column / 4]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Rgb;
+    use crate::math::random::Random;
+    use crate::math::rounding::nearest;
+
+    #[test]
+    fn points_are_in_the_order_of_their_cells() {
+        for (width, height) in [(33, 33), (32, 32), (17, 5), (1, 1), (3, 40)] {
+            let mut sorted: Vec<usize> = (0..width * height).collect();
+            sorted.sort_by_key(|&at| cell(at % width, at / width));
+            assert_eq!(cells(width, height), sorted);
+        }
+    }
+
+    #[test]
+    fn estimates_of_grades_decide_as_the_grades_themselves() {
+        let mut rng = Random::new(5);
+        for exponent in [0.4, 1.0 / 2.5, 0.454, 3.0] {
+            let scale = Scale {
+                working: Gamma::LINEAR,
+                exponent,
+                has_alpha: true,
+            };
+            for round in 0..20_000 {
+                let value = |rng: &mut Random| match round % 16 {
+                    0 => f32::INFINITY,
+                    1 => 0.0,
+                    _ => nearest(rng.share()),
+                };
+                let [a, b] = [(); 2].map(|()| {
+                    let [r, g, b, transmit] = [(); 4].map(|()| value(&mut rng));
+                    Pixel::new(Rgb::new(r, g, b), transmit)
+                });
+                let (x, y) = (scale.grades(a), scale.grades(b));
+                let [r, g, b_, transmit] = std::array::from_fn(|i| (x[i] - y[i]).abs());
+                let difference = r + g + b_ + transmit;
+                let (a, b) = (scale.graded(a), scale.graded(b));
+                for threshold in [
+                    0.3,
+                    difference,
+                    difference.next_up(),
+                    difference.next_down(),
+                ] {
+                    let expected = difference >= threshold;
+                    assert_eq!(scale.differ(&a, &b, threshold), expected, "{difference}");
+                }
+            }
+        }
+    }
 }

@@ -29,18 +29,23 @@ pub(super) struct Neighbours<'s, 'a> {
     centres: Vec<Option<Graded>>,
     /// The means of the grids traced so far.
     grids: Vec<Option<Graded>>,
+    /// Tells for each pixel, as soon as it is known, whether its centre differs from its left neighbour's centre and grid
+    /// and from its upper neighbour's: decisions are made again and again.
+    differs: Vec<[Option<bool>; 4]>,
     /// The pixels whose grids are missing.
     wanted: Vec<usize>,
 }
 
-/// A pixel as far as it is decided.
-#[derive(Clone, Copy)]
-struct Decided {
-    value: Graded,
-    /// Sampled on its grid, or none of the tile's own.
-    is_final: bool,
-    /// The centre stands for a grid that is missing.
-    is_provisional: bool,
+/// What a pixel is made of, as far as it is decided.
+#[derive(Clone, Copy, PartialEq)]
+enum Made {
+    /// Its centre, unless it turns out to differ from a neighbour.
+    Centre,
+    /// Its centre: it is none of the tile's own.
+    Border,
+    Grid,
+    /// A grid that is missing.
+    Nothing,
 }
 
 impl<'s, 'a> Neighbours<'s, 'a> {
@@ -61,6 +66,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
             offsets: offsets(sampler.how.depth),
             centres: vec![None; width * height],
             grids: vec![None; width * height],
+            differs: vec![[None; 4]; width * height],
             wanted: Vec::new(),
         }
     }
@@ -68,59 +74,72 @@ impl<'s, 'a> Neighbours<'s, 'a> {
     /// The tile's own pixels, row by row.
     pub(super) fn pixels(mut self) -> Vec<Pixel> {
         if !self.in_order {
-            let numbers: Vec<usize> = cells(self.width, self.height).collect();
+            let numbers = cells(self.width, self.height);
             self.trace_centres(&numbers[1..]);
         }
         loop {
-            let decided = self.decide();
+            let made = self.decide();
             if self.wanted.is_empty() {
-                let rows = decided.chunks(self.width).skip(1);
-                let own = rows.flat_map(|row| &row[1..]);
-                return own.map(|pixel| pixel.value.pixel).collect();
+                let rows = (1..self.height).map(|row| row * self.width);
+                let own = rows.flat_map(|start| start + 1..start + self.width);
+                return own.map(|at| self.pixel(at, made[at])).collect();
             }
             self.trace_grids();
         }
     }
 
+    fn pixel(&self, at: usize, made: Made) -> Pixel {
+        let values = if made == Made::Grid {
+            &self.grids
+        } else {
+            &self.centres
+        };
+        values[at].unwrap_or_default().pixel
+    }
+
     /// Decides which pixels are sampled again, as far as samples are known; notes which grids are missing.
-    fn decide(&mut self) -> Vec<Decided> {
-        let mut decided = Vec::with_capacity(self.centres.len());
-        decided.push(Decided {
-            value: Graded::default(),
-            is_final: true,
-            is_provisional: false,
-        });
-        for at in 1..self.centres.len() {
-            let (column, row) = (at % self.width, at / self.width);
-            let value = self.centre(at);
-            let is_final = column == 0 || row == 0;
-            decided.push(Decided {
-                value,
-                is_final,
-                is_provisional: false,
-            });
-            if is_final {
-                continue;
-            }
-            let (left, above) = (at - 1, at - self.width);
-            let differs_from = |other: usize| {
-                let other = &decided[other];
-                !other.is_provisional && self.sampler.differ(&other.value, &value)
-            };
-            let (differs_left, differs_above) = (differs_from(left), differs_from(above));
-            for (differs, other) in [(differs_left, left), (differs_above, above)] {
-                if differs {
-                    self.finish(other, &mut decided);
-                    self.finish(at, &mut decided);
+    fn decide(&mut self) -> Vec<Made> {
+        let mut made = vec![Made::Border; self.centres.len()];
+        for row in 0..self.height {
+            for column in 0..self.width {
+                let at = row * self.width + column;
+                if at > 0 && self.centres[at].is_none() {
+                    self.trace_centres(&[at]);
+                }
+                if column == 0 || row == 0 {
+                    continue;
+                }
+                made[at] = Made::Centre;
+                let neighbours = [at - 1, at - self.width];
+                let differ = [0, 1].map(|side| self.differs(at, side, neighbours[side], &made));
+                for (differs, other) in differ.into_iter().zip(neighbours) {
+                    if differs {
+                        self.finish(other, &mut made);
+                        self.finish(at, &mut made);
+                    }
                 }
             }
         }
-        decided
+        made
+    }
+
+    /// Tells whether the centre of a pixel differs from what its neighbour on that side is made of.
+    fn differs(&mut self, at: usize, side: usize, other: usize, made: &[Made]) -> bool {
+        let (values, kind) = match made[other] {
+            Made::Nothing => return false,
+            Made::Grid => (&self.grids, 1),
+            Made::Centre | Made::Border => (&self.centres, 0),
+        };
+        let sampler = self.sampler;
+        *self.differs[at][2 * side + kind].get_or_insert_with(|| {
+            let [a, b] = [values[other], self.centres[at]].map(Option::unwrap_or_default);
+            sampler.differ(&a, &b)
+        })
     }
 
     /// Takes the mean of its grid for a pixel, if it has been traced.
-    fn finish(&mut self, at: usize, decided: &mut [Decided]) {
-        if decided[at].is_final {
+    fn finish(&mut self, at: usize, made: &mut [Made]) {
+        if made[at] != Made::Centre {
             return;
         }
         if self.grids[at].is_none() {
@@ -129,19 +148,10 @@ impl<'s, 'a> Neighbours<'s, 'a> {
                 self.trace_grids();
             }
         }
-        let value = self.grids[at].unwrap_or(decided[at].value);
-        decided[at] = Decided {
-            value,
-            is_final: true,
-            is_provisional: self.grids[at].is_none(),
+        made[at] = match self.grids[at] {
+            Some(_) => Made::Grid,
+            None => Made::Nothing,
         };
-    }
-
-    fn centre(&mut self, at: usize) -> Graded {
-        if self.centres[at].is_none() {
-            self.trace_centres(&[at]);
-        }
-        self.centres[at].unwrap_or_default()
     }
 
     fn trace_centres(&mut self, numbers: &[usize]) {
