@@ -1,13 +1,17 @@
 //! `crackle`: distances to points scattered one in each unit cube (Worley, "A Cellular Texture Basis Function",
 //! SIGGRAPH 1996).
 
+mod metric;
+
 use super::{Pattern, Preparing, Spot, Value};
 use crate::args::{Args, Parse, Word};
 use crate::math::hash::hashed_cell;
 use crate::math::lanes::{Four, FourKernel, four, with_widest};
 use crate::math::mersenne;
 use crate::math::noise::NoiseGenerator;
+use crate::math::powers::{POWER_ERROR, power};
 use glam::DVec3;
+use metric::Metric;
 use std::cell::RefCell;
 
 /// What is taken from coordinates before their cell is looked for.
@@ -27,7 +31,9 @@ struct Crackle {
 
 #[derive(Debug)]
 struct Prepared {
-    crackle: Crackle,
+    form: DVec3,
+    metric: Metric,
+    is_solid: bool,
     noise: NoiseGenerator,
 }
 
@@ -42,8 +48,23 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 
 impl Pattern for Crackle {
     fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+        let Crackle {
+            form,
+            metric,
+            offset,
+            is_solid,
+        } = *self;
+        let metric = if metric == 2.0 {
+            Metric::Squares(offset * offset)
+        } else if metric == 1.0 {
+            Metric::Sizes(offset)
+        } else {
+            Metric::Powers(metric, offset.powf(metric))
+        };
         Box::new(Prepared {
-            crackle: *self,
+            form,
+            metric,
+            is_solid,
             noise: with.noise,
         })
     }
@@ -71,93 +92,19 @@ impl Pattern for Crackle {
 
 impl Value for Prepared {
     fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
-        let Crackle {
-            form,
-            metric,
-            offset,
-            is_solid,
-        } = self.crackle;
-        let metric = if metric == 2.0 {
-            Metric::Squares(offset * offset)
-        } else if metric == 1.0 {
-            Metric::Sizes(offset)
-        } else {
-            Metric::Powers(metric, offset.powf(metric))
-        };
-        if is_solid {
-            return self.noise.noise(nearest_point(point, &metric));
+        let metric = &self.metric;
+        if self.is_solid {
+            return self.noise.noise(nearest_point(point, metric));
         }
-        let [d1, d2, d3] = metric.distances(nearest(point, &metric));
-        (form.x * d1 + form.y * d2 + form.z * d3).clamp(0.0, 1.0)
+        let counted = metric.counted(self.form);
+        let [d1, d2, d3] = metric.distances(nearest(point, metric, counted), counted);
+        (self.form.x * d1 + self.form.y * d2 + self.form.z * d3).clamp(0.0, 1.0)
     }
 }
 
-/// How long a way is, by its parts along the axes, and before a root is taken.
-enum Metric {
-    /// The sum of their squares and of a number.
-    Squares(f64),
-    /// That of their sizes.
-    Sizes(f64),
-    /// That of their sizes to a power.
-    Powers(f64, f64),
-    /// Their sum.
-    Signed,
-}
-
-impl Metric {
-    fn length(&self, d: DVec3) -> f64 {
-        match self {
-            Metric::Squares(lift) => d.length_squared() + lift,
-            Metric::Sizes(lift) => d.x.abs() + d.y.abs() + d.z.abs() + lift,
-            Metric::Powers(exponent, lift) => {
-                let d = d.abs();
-                d.x.powf(*exponent) + d.y.powf(*exponent) + d.z.powf(*exponent) + lift
-            }
-            Metric::Signed => d.x + d.y + d.z,
-        }
-    }
-
-    /// How long a way is at least whose parts have at least these sizes; nothing is known of it where they need not count.
-    fn least(&self, gap: DVec3) -> f64 {
-        match self {
-            Metric::Squares(_) | Metric::Sizes(_) => self.length(gap),
-            Metric::Powers(exponent, _) if *exponent > 0.0 => self.length(gap),
-            Metric::Powers(..) | Metric::Signed => f64::NEG_INFINITY,
-        }
-    }
-
-    /// Whether a way of this length is surely shorter than one across a whole cell.
-    fn is_within_a_cell(&self, length: f64) -> bool {
-        /// More than what is taken from coordinates is missing to 1.
-        const NEARLY_ONE: f64 = 0.99;
-        match self {
-            Metric::Squares(lift) | Metric::Sizes(lift) => length - lift < NEARLY_ONE,
-            Metric::Powers(..) | Metric::Signed => false,
-        }
-    }
-
-    /// A way of this length has no longer part; endless if nothing is known of it.
-    fn longest(&self, length: f64) -> f64 {
-        match self {
-            Metric::Powers(exponent, lift) if *exponent > 0.0 => {
-                (length - lift).powf(1.0 / exponent) * (1.0 + CARE)
-            }
-            _ => f64::INFINITY,
-        }
-    }
-
-    /// The distances for such lengths.
-    fn distances(&self, lengths: [f64; 3]) -> [f64; 3] {
-        match self {
-            Metric::Squares(_) => lengths.map(f64::sqrt),
-            Metric::Sizes(_) | Metric::Signed => lengths,
-            Metric::Powers(exponent, _) => lengths.map(|sum| sum.powf(1.0 / exponent)),
-        }
-    }
-}
-
-/// More than the roundings of a power, as a share.
-const CARE: f64 = 1e-12;
+/// More than an estimate may be above the least lengths that are to be found, as a share of them and at all: one is too
+/// large and another too small.
+const ESTIMATE_CARE: [f64; 2] = [4.0 * POWER_ERROR, 1e-90];
 /// The cells within one step along each axis.
 const CELLS: usize = 27;
 /// For so many cells a thread keeps the points about them: neighbouring places are asked about one after the other.
@@ -197,7 +144,8 @@ impl About {
     }
 
     fn point(&self, number: usize) -> DVec3 {
-        DVec3::from(self.points.map(|coordinates| coordinates[number]))
+        let [x, y, z] = &self.points;
+        DVec3::new(x[number], y[number], z[number])
     }
 
     /// The one about this cell.
@@ -215,7 +163,7 @@ impl About {
     }
 }
 
-/// The three least lengths to points about a cell, four points at a time.
+/// The lengths to points about a cell, four points at a time, and the three least of them. Of powers they are estimates.
 struct Least<'a> {
     about: &'a About,
     point: DVec3,
@@ -223,10 +171,10 @@ struct Least<'a> {
 }
 
 impl FourKernel for Least<'_> {
-    type Answer = [f64; 3];
+    type Answer = ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]);
 
     #[inline(always)]
-    fn run<F: Four>(&self) -> [f64; 3] {
+    fn run<F: Four>(&self) -> Self::Answer {
         let [x, y, z] = self.about.points.each_ref().map(|axis| axis.as_chunks().0);
         let DVec3 {
             x: px,
@@ -234,7 +182,9 @@ impl FourKernel for Least<'_> {
             z: pz,
         } = self.point;
         let (px, py, pz) = (F::all(px), F::all(py), F::all(pz));
-        let mut least = [F::all(f64::INFINITY); 3];
+        let endless = F::all(f64::INFINITY);
+        let mut least = [endless; 3];
+        let mut lengths = [[0.0; 4]; (CELLS + 1) / 4];
         for four in 0..x.len() {
             let dx = F::load(&x[four]).minus(px);
             let dy = F::load(&y[four]).minus(py);
@@ -248,8 +198,17 @@ impl FourKernel for Least<'_> {
                     let sum = dx.times(dx).plus(dy.times(dy)).plus(dz.times(dz));
                     sum.plus(F::all(*lift))
                 }
-                Metric::Powers(..) | Metric::Signed => F::all(f64::INFINITY),
+                Metric::Powers(exponent, lift) => {
+                    let of_x = power(dx.size(), *exponent);
+                    let of_y = power(dy.size(), *exponent);
+                    let of_z = power(dz.size(), *exponent);
+                    let sum = of_x.plus(of_y).plus(of_z).plus(F::all(*lift));
+                    // A point that is nowhere.
+                    F::pick(dx.below(endless), sum, endless)
+                }
+                Metric::Signed => endless,
             };
+            lengths[four] = length.store();
             let second = length.larger(least[0]);
             least[0] = length.smaller(least[0]);
             let third = second.larger(least[1]);
@@ -262,7 +221,7 @@ impl FourKernel for Least<'_> {
             #[inline(always)]
             |lane: usize| [first[lane], second[lane], third[lane]],
         );
-        merged(merged(a, b), merged(c, d))
+        (merged(merged(a, b), merged(c, d)), lengths)
     }
 }
 
@@ -290,50 +249,64 @@ fn insert(found: &mut [f64; 3], length: f64) {
     }
 }
 
-/// The three least lengths from a point to those scattered over the cells about it: all within one step along each axis,
-/// and those of the next layer along one axis.
-fn nearest(point: DVec3, metric: &Metric) -> [f64; 3] {
+/// The three least lengths from a point to those scattered over the cells about it, or the least of them that are counted
+/// and no lesser ones: all within one step along each axis, and those of the next layer along one axis.
+fn nearest(point: DVec3, metric: &Metric, counted: usize) -> [f64; 3] {
     let home = super::cell(point - NUDGE);
-    let mut found = About::with(home, |about| match metric {
-        Metric::Squares(_) | Metric::Sizes(_) => with_widest(
-            #[inline(always)]
-            |lanes| {
-                four(
-                    lanes,
-                    &Least {
-                        about,
-                        point,
-                        metric,
-                    },
-                )
-            },
-        ),
-        Metric::Powers(..) | Metric::Signed => {
-            let mut found = [f64::INFINITY; 3];
-            // No part of a way that counts is longer.
-            let mut longest = f64::INFINITY;
-            for number in (CELLS / 2..CELLS).chain(0..CELLS / 2) {
-                let way = about.point(number) - point;
-                if way.abs().max_element() > longest {
-                    continue;
-                }
-                let before = found[2];
-                insert(&mut found, metric.length(way));
-                if found[2] < before {
-                    longest = metric.longest(found[2]);
-                }
-            }
-            found
+    let mut found = About::with(home, |about| {
+        let least = Least {
+            about,
+            point,
+            metric,
+        };
+        match metric {
+            Metric::Squares(_) | Metric::Sizes(_) => least.in_lanes().0,
+            Metric::Powers(..) if metric.has_estimates() => least.by_estimates(counted),
+            Metric::Powers(..) | Metric::Signed => least.exact(|_| true),
         }
     });
-    if metric.is_within_a_cell(found[2]) {
+    let last = counted - 1;
+    if metric.is_within_a_cell(found[last]) {
         return found;
     }
-    let is_near = |gap, found: &[f64; 3]| metric.least(gap) < found[2];
+    let longest = metric.longest(found[last]);
+    let is_near = |gap: DVec3, found: &[f64; 3]| {
+        gap.max_element() <= longest && metric.least(gap) < found[last]
+    };
     next_layer((home, point), &mut found, is_near, |found, candidate| {
         insert(found, metric.length(candidate - point));
     });
     found
+}
+
+impl Least<'_> {
+    fn in_lanes(&self) -> ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]) {
+        with_widest(
+            #[inline(always)]
+            |lanes| four(lanes, self),
+        )
+    }
+
+    /// The least lengths that are counted, of the points for which estimates do not exclude it.
+    fn by_estimates(&self, counted: usize) -> [f64; 3] {
+        let (least, estimates) = self.in_lanes();
+        let [share, more] = ESTIMATE_CARE;
+        let most = least[counted - 1] * (1.0 + share) + more;
+        self.exact(|number| {
+            let is_excluded = estimates[number / 4][number % 4] > most;
+            !is_excluded
+        })
+    }
+
+    /// The three least lengths to those of the points that may count.
+    fn exact(&self, may_count: impl Fn(usize) -> bool) -> [f64; 3] {
+        let mut found = [f64::INFINITY; 3];
+        for number in (0..CELLS).filter(|&number| may_count(number)) {
+            let way = self.about.point(number) - self.point;
+            insert(&mut found, self.metric.length(way));
+        }
+        found
+    }
 }
 
 /// The nearest of them.
@@ -440,14 +413,17 @@ mod tests {
                 Metric::Squares(0.3),
                 Metric::Sizes(0.2),
                 Metric::Powers(3.0, 0.1),
+                Metric::Powers(1.5, 0.0),
+                Metric::Powers(17.3, 1e3),
                 Metric::Powers(0.5, 0.0),
                 Metric::Powers(-1.0, 0.0),
             ] {
-                assert_eq!(
-                    nearest(point, &metric),
-                    all_lengths(point, &metric),
-                    "{point}"
-                );
+                let all = all_lengths(point, &metric);
+                let least = if metric.has_estimates() { 1 } else { 3 };
+                for counted in least..=3 {
+                    let found = nearest(point, &metric, counted);
+                    assert_eq!(found[..counted], all[..counted], "{point}");
+                }
             }
             let nearest = nearest_point(point, &Metric::Squares(0.0));
             let [least, ..] = all_lengths(point, &Metric::Squares(0.0));
