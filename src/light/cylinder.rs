@@ -3,6 +3,7 @@
 use super::edge;
 use crate::args::Word;
 use crate::math::Ray;
+use crate::math::powers::exact_power;
 use glam::DVec3;
 
 /// A round beam.
@@ -45,11 +46,7 @@ impl Cylinder {
             return 0.0;
         }
         let inwards = 1.0 - aside / self.falloff;
-        let middle = if self.tightness == 0.0 {
-            1.0
-        } else {
-            inwards.powf(self.tightness)
-        };
+        let middle = exact_power(inwards, self.tightness);
         if self.radius > 0.0 && aside > self.radius {
             middle * edge(inwards, 0.0, 1.0 - self.radius / self.falloff)
         } else {

@@ -3,6 +3,7 @@
 use super::edge;
 use crate::args::Word;
 use crate::math::Ray;
+use crate::math::powers::exact_power;
 use glam::DVec3;
 
 /// The half-angles that a spotlight has unless it gives others.
@@ -46,18 +47,14 @@ impl Spotlight {
         if cosine <= 0.0 {
             return 0.0;
         }
-        let middle = if self.tightness == 0.0 {
-            1.0
-        } else {
-            cosine.powf(self.tightness)
-        };
+        let middle = || exact_power(cosine, self.tightness);
         if self.cos_radius <= 0.0 || cosine >= self.cos_radius {
-            middle
+            middle()
         } else if cosine <= self.cos_falloff {
             // A `radius` beyond `falloff` has a sharp edge.
             0.0
         } else {
-            middle * edge(cosine, self.cos_falloff, self.cos_radius)
+            middle() * edge(cosine, self.cos_falloff, self.cos_radius)
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{Args, Parse, Word};
 use crate::math::noise::smooth;
+use crate::math::powers::exact_power;
 use crate::math::rounding::floor;
 use std::f64::consts::TAU;
 
@@ -77,7 +78,7 @@ impl Wave {
             Shape::Triangle => triangle(value),
             Shape::Scallop => cycloidal(0.5 * value).abs(),
             Shape::Cubic => smooth(value),
-            Shape::Poly(exponent) => value.powf(f64::from(exponent)),
+            Shape::Poly(exponent) => exact_power(value, f64::from(exponent)),
         }
     }
 
@@ -116,22 +117,34 @@ impl Wave {
 
 /// What is left after whole multiples of [`WRAP`], with the sign of `value`.
 fn wrapped(value: f64) -> f64 {
-    /// Most values are below this: `%` takes a loop over bits.
-    const FEW: f64 = 16.0 * WRAP;
+    /// Values are seldom above so many multiples: `%` takes a loop over bits.
+    const MOST: f64 = 1024.0 * WRAP;
     let mut left = value.abs();
     if left < WRAP {
         return value;
     }
-    if left.is_nan() || left >= FEW {
+    if left.is_nan() || left >= MOST {
         return value % WRAP;
     }
     // Each of these is exact: nothing is taken from numbers of twice its size.
-    for multiple in [8.0 * WRAP, 4.0 * WRAP, 2.0 * WRAP, WRAP] {
-        if left >= multiple {
-            left -= multiple;
+    if left >= 16.0 * WRAP {
+        for multiple in [512.0, 256.0, 128.0, 64.0, 32.0, 16.0] {
+            left = without(left, multiple * WRAP);
         }
     }
+    for multiple in [8.0, 4.0, 2.0, 1.0] {
+        left = without(left, multiple * WRAP);
+    }
     left.copysign(value)
+}
+
+/// What is left of a number after another, if that is not larger.
+fn without(left: f64, multiple: f64) -> f64 {
+    if left >= multiple {
+        left - multiple
+    } else {
+        left
+    }
 }
 
 /// The sine of a number of turns, exactly odd.
@@ -176,7 +189,7 @@ mod tests {
     #[test]
     fn values_wrap_as_the_remainder_of_the_language_does() {
         for number in -40_000..40_000 {
-            let value = f64::from(number) * 0.001_234_5;
+            let value = f64::from(number) * 0.031_234_5;
             for value in [value, value.next_up(), f64::from(number) * WRAP] {
                 assert_eq!(wrapped(value), value % WRAP, "{value}");
             }
