@@ -14,6 +14,8 @@ pub struct PreparedMedia {
     emission: Rgb,
     scattering: Scattering,
     densities: Vec<PreparedPigment>,
+    /// What it does where it is the same everywhere.
+    even: Option<Effect>,
     /// Whether photons are kept in it.
     pub collects: bool,
     /// How a ray is sampled.
@@ -45,7 +47,7 @@ impl Media {
     #[must_use]
     pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedMedia {
         let densities = self.densities.iter();
-        PreparedMedia {
+        let mut media = PreparedMedia {
             absorption: self.absorption,
             emission: self.emission,
             scattering: self.scattering,
@@ -53,8 +55,14 @@ impl Media {
             densities: densities
                 .map(|density| PreparedPigment::new(&density.0, after, settings))
                 .collect(),
+            even: None,
             sampling: self.sampling,
+        };
+        let is_plain = |density: &PreparedPigment| matches!(density, PreparedPigment::Plain(_));
+        if media.densities.iter().all(is_plain) {
+            media.even = Some(media.effect(DVec3::ZERO));
         }
+        media
     }
 }
 
@@ -68,8 +76,7 @@ impl PreparedMedia {
     /// Whether it is the same everywhere.
     #[must_use]
     pub fn is_even(&self) -> bool {
-        let mut densities = self.densities.iter();
-        densities.all(|density| matches!(density, PreparedPigment::Plain(_)))
+        self.even.is_some()
     }
 
     /// Whether it takes light away anywhere.
@@ -80,7 +87,18 @@ impl PreparedMedia {
     }
 
     /// Adds what it does at a point.
+    #[inline]
     pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
+        let effect = match &self.even {
+            Some(effect) => *effect,
+            None => self.effect(point),
+        };
+        sum.extinction += effect.extinction;
+        sum.emission += effect.emission;
+        sum.scattering += effect.scattering;
+    }
+
+    fn effect(&self, point: DVec3) -> Effect {
         let spot = Spot::at(point);
         let mut density = Rgb::WHITE;
         for factor in &self.densities {
@@ -90,9 +108,11 @@ impl PreparedMedia {
             }
         }
         let scattering = self.scattering.color;
-        sum.extinction += density * (self.absorption + scattering * self.scattering.extinction);
-        sum.emission += density * self.emission;
-        sum.scattering += density * scattering;
+        Effect {
+            extinction: density * (self.absorption + scattering * self.scattering.extinction),
+            emission: density * self.emission,
+            scattering: density * scattering,
+        }
     }
 
     /// How much more light it scatters towards a viewer than into all directions on average; `cosine` is that between the

@@ -311,10 +311,7 @@ impl Tracer<'_> {
         let length = interval.to - interval.from;
         let way = interval.from + at * length;
         let point = stretch.ray.at(way);
-        let mut effect = Effect::NONE;
-        for media in stretch.media {
-            media.add_effect(point, &mut effect);
-        }
+        let effect = effect_of(stretch.media, point);
         let mut given = effect.emission;
         if interval.is_lit && !is_nothing(effect.scattering * length) {
             for beam in stretch.beams {
@@ -378,19 +375,17 @@ impl Tracer<'_> {
         if !media.iter().any(|media| media.takes_light()) {
             return Rgb::WHITE;
         }
+        if !media.iter().any(|media| media.has_density()) {
+            // A single sample, which takes a random number as any other.
+            scratch.media_stream.next_number();
+            return vanishing(effect_of(media, ray.origin).extinction * length);
+        }
         let Some(sampling) = common_sampling(media) else {
             return Rgb::WHITE;
         };
-        let taken = |at: f64| {
-            let mut effect = Effect::NONE;
-            for media in media {
-                media.add_effect(ray.at(at), &mut effect);
-            }
-            effect.extinction
-        };
-        let has_density = media.iter().any(|media| media.has_density());
+        let taken = |at: f64| effect_of(media, ray.at(at)).extinction;
         let is_even = media.iter().all(|media| media.is_even());
-        let intervals = if has_density { sampling.intervals } else { 1 };
+        let intervals = sampling.intervals;
         let each = length / f64::from(intervals);
         // As in `divided`.
         let end = f64::from(intervals) * each;
@@ -408,6 +403,16 @@ impl Tracer<'_> {
         }
         vanishing(swallowed)
     }
+}
+
+/// What media together do at a point.
+#[inline]
+fn effect_of(media: &[&PreparedMedia], point: DVec3) -> Effect {
+    let mut effect = Effect::NONE;
+    for media in media {
+        media.add_effect(point, &mut effect);
+    }
+    effect
 }
 
 /// The even steps of method 3; fewer samples than 2 are taken for 2 (measured with POV-Ray).
@@ -547,6 +552,10 @@ pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
 
 /// What is left of light.
 pub(super) fn vanishing(swallowed: Rgb) -> Rgb {
+    let Rgb { r, g, b } = swallowed;
+    if r == g && g == b {
+        return Rgb::splat((-r).exp());
+    }
     swallowed.map(|c| (-c).exp())
 }
 
