@@ -330,7 +330,7 @@ impl Spread {
     reason = "pictures have fewer than 2^20 columns and rows, and samples are few"
 )]
 fn place_in_pixel(x: f64, y: f64, sample: usize) -> (f64, f64) {
-    let seed = (313.0 * x + 11.0).trunc() as i32 + (311.0 * y + 17.0).trunc() as i32;
+    let seed = (313.0 * x + 11.0) as i32 + (311.0 * y + 17.0) as i32;
     let sample = sample as i32;
     let place = |number: i32| f64::from(2 * (hashed(number) % PLACES) + 1) / 32.0 - 0.5;
     let (dx, dy) = (place(seed + sample), place(seed + sample + 1));

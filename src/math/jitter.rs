@@ -21,7 +21,7 @@ pub fn jitter(x: f64, y: f64) -> (f64, f64) {
         clippy::cast_possible_truncation,
         reason = "pictures have fewer than 2^20 columns and rows"
     )]
-    let whole = |v: f64| v.trunc() as i32;
+    let whole = |v: f64| v as i32;
     let offset = |a: f64, b: f64| {
         let mixed = hashed(hashed(whole(a)) ^ whole(b));
         OFFSETS[(mixed & 255) as usize]
