@@ -1,5 +1,7 @@
 //! Single precision bounds of double precision numbers, and parts of them.
 
+use super::lanes::Four;
+
 /// The largest single precision number that is not above `x`; NaN for NaN.
 #[inline]
 pub(crate) fn f32_below(x: f64) -> f32 {
@@ -64,6 +66,16 @@ pub(crate) fn floor(x: f64) -> f64 {
     } else {
         x
     }
+}
+
+/// [`floor`] of four numbers.
+#[inline(always)]
+pub(crate) fn floor_of<F: Four>(x: F) -> F {
+    let whole = F::all(WHOLE);
+    let away = F::pick(x.below(F::all(0.0)), whole.negated(), whole);
+    let near = x.plus(away).minus(away);
+    let below = F::pick(x.below(near), near.minus(F::all(1.0)), near);
+    F::pick(x.size().below(whole), below, x)
 }
 
 /// What is left of `x` after whole multiples of a whole number `m` up to 1,024: `x.rem_euclid(m)`, but for the sign of
