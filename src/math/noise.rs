@@ -8,7 +8,7 @@ mod lattice;
 mod perlin;
 mod tables;
 
-use super::lanes::{Lanes, four, with_widest};
+use super::lanes::{Four, FourKernel, Row, four, with_widest};
 use glam::DVec3;
 pub use perlin::Perlin;
 
@@ -92,27 +92,51 @@ impl NoiseGenerator {
     pub fn noise(self, point: DVec3) -> f64 {
         with_widest(
             #[inline(always)]
-            |lanes| self.noise_in(lanes, point),
+            |lanes| match self {
+                NoiseGenerator::Perlin(perlin) => self.scaled(perlin.noise(point)),
+                _ => self.scaled(four(lanes, &Scalar(point))),
+            },
         )
     }
 
-    /// [`NoiseGenerator::noise`] for work that is compiled for lanes already.
+    /// The sum of octaves of noise, each through a function. The first has the size 1; each has half the size of the one
+    /// before and twice its frequency.
+    pub(crate) fn octaves(
+        self,
+        point: DVec3,
+        (count, frequency): (u32, f64),
+        each: impl Fn(f64) -> f64,
+    ) -> f64 {
+        let octaves = HalvedOctaves {
+            generator: self,
+            point,
+            count,
+            frequency,
+            each,
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| four(lanes, &octaves),
+        )
+    }
+
+    /// The sums of the lattice as noise from 0 to 1.
     #[inline(always)]
-    pub(crate) fn noise_in(self, lanes: Lanes, point: DVec3) -> f64 {
+    fn scaled(self, sum: f64) -> f64 {
         let noise = match self {
-            NoiseGenerator::Original => lattice_in(lanes, point) + 0.5,
-            NoiseGenerator::RangeCorrected => (lattice_in(lanes, point) + 1.05242) * 0.489_855_82,
-            NoiseGenerator::Perlin(perlin) => 0.5 * (1.59 * perlin.noise(point) + 0.985),
+            NoiseGenerator::Original => sum + 0.5,
+            NoiseGenerator::RangeCorrected => (sum + 1.05242) * 0.489_855_82,
+            NoiseGenerator::Perlin(_) => 0.5 * (1.59 * sum + 0.985),
         };
         noise.clamp(0.0, 1.0)
     }
 
-    /// Noise about a half, as octaves sum it.
+    /// Such noise about a half, as octaves sum it.
     #[inline(always)]
-    fn centred_in(self, lanes: Lanes, point: DVec3) -> f64 {
+    fn centred(self, sum: f64) -> f64 {
         match self {
-            NoiseGenerator::Original => self.noise_in(lanes, point),
-            _ => 2.0 * self.noise_in(lanes, point) - 0.5,
+            NoiseGenerator::Original => self.scaled(sum),
+            _ => 2.0 * self.scaled(sum) - 0.5,
         }
     }
 
@@ -122,19 +146,84 @@ impl NoiseGenerator {
         with_widest(
             #[inline(always)]
             |lanes| {
-                let mut value = self.centred_in(lanes, point).clamp(0.0, 1.0);
-                for (size, frequency) in octaves.above_the_first() {
-                    value += size * self.centred_in(lanes, point * frequency);
+                if let NoiseGenerator::Perlin(perlin) = self {
+                    self.summed(octaves, |frequency| perlin.noise(point * frequency))
+                } else {
+                    four(lanes, &Turbulence(self, point, octaves))
                 }
-                value
             },
         )
     }
+
+    /// The octaves of a lattice whose sums are given by frequency.
+    #[inline(always)]
+    fn summed(self, octaves: &Octaves, at: impl Fn(f64) -> f64) -> f64 {
+        let mut value = self.centred(at(1.0)).clamp(0.0, 1.0);
+        for (size, frequency) in octaves.above_the_first() {
+            value += size * self.centred(at(frequency));
+        }
+        value
+    }
 }
 
-#[inline(always)]
-fn lattice_in(lanes: Lanes, point: DVec3) -> f64 {
-    four(lanes, &lattice::Scalar(point))
+/// A sum of the lattice.
+struct Scalar(DVec3);
+
+impl FourKernel for Scalar {
+    type Answer = f64;
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> f64 {
+        lattice::scalar(lattice::spread::<F>(self.0))
+    }
+}
+
+/// The work of [`NoiseGenerator::octaves`].
+struct HalvedOctaves<T> {
+    generator: NoiseGenerator,
+    point: DVec3,
+    count: u32,
+    frequency: f64,
+    each: T,
+}
+
+impl<T: Fn(f64) -> f64> FourKernel for HalvedOctaves<T> {
+    type Answer = f64;
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> f64 {
+        let point = lattice::spread::<F>(self.point);
+        let (mut size, mut frequency) = (1.0, self.frequency);
+        let mut sum = 0.0;
+        for _ in 0..self.count {
+            let noise = match self.generator {
+                NoiseGenerator::Perlin(perlin) => perlin.noise(self.point * frequency),
+                _ => lattice::scalar(lattice::at_frequency(point, frequency)),
+            };
+            sum += size * (self.each)(self.generator.scaled(noise));
+            size *= 0.5;
+            frequency *= 2.0;
+        }
+        sum
+    }
+}
+
+/// Octaves of noise.
+struct Turbulence<'a>(NoiseGenerator, DVec3, &'a Octaves);
+
+impl FourKernel for Turbulence<'_> {
+    type Answer = f64;
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> f64 {
+        let Turbulence(generator, point, octaves) = self;
+        let point = lattice::spread::<F>(*point);
+        generator.summed(
+            octaves,
+            #[inline(always)]
+            |frequency| lattice::scalar(lattice::at_frequency(point, frequency)),
+        )
+    }
 }
 
 /// Noise in three components, each about -0.5 to 0.5; the same for all generators.
@@ -142,7 +231,7 @@ fn lattice_in(lanes: Lanes, point: DVec3) -> f64 {
 pub fn vector_noise(point: DVec3) -> DVec3 {
     with_widest(
         #[inline(always)]
-        |lanes| four(lanes, &lattice::Vector(point)),
+        |lanes| four(lanes, &Vector(point)),
     )
 }
 
@@ -151,8 +240,45 @@ pub fn vector_noise(point: DVec3) -> DVec3 {
 pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
     with_widest(
         #[inline(always)]
-        |lanes| four(lanes, &lattice::Octaves(point, octaves.above_the_first())),
+        |lanes| four(lanes, &VectorTurbulence(point, octaves)),
     )
+}
+
+/// The vector of a lattice.
+struct Vector(DVec3);
+
+impl FourKernel for Vector {
+    type Answer = DVec3;
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> DVec3 {
+        of_lanes(lattice::vector(lattice::spread::<F>(self.0)))
+    }
+}
+
+/// Octaves of vectors.
+struct VectorTurbulence<'a>(DVec3, &'a Octaves);
+
+impl FourKernel for VectorTurbulence<'_> {
+    type Answer = DVec3;
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> DVec3 {
+        let VectorTurbulence(point, octaves) = self;
+        let point = lattice::spread::<F>(*point);
+        let mut sum = lattice::vector(point);
+        for (size, frequency) in octaves.above_the_first() {
+            let octave = lattice::vector(lattice::at_frequency(point, frequency));
+            sum = sum.plus(F::all(size).times(octave));
+        }
+        of_lanes(sum)
+    }
+}
+
+#[inline(always)]
+fn of_lanes<F: Four>(lanes: F) -> DVec3 {
+    let [x, y, z, _] = lanes.store();
+    DVec3::new(x, y, z)
 }
 
 /// `3t² - 2t³`, which leaves 0 and reaches 1 without a slope.

@@ -3,7 +3,6 @@
 use super::Pattern;
 use super::formula::NoiseFormula;
 use crate::args::{Args, Parse};
-use crate::math::lanes::{Lanes, with_widest};
 use crate::math::noise::{NoiseGenerator, vector_noise};
 use glam::DVec3;
 
@@ -15,28 +14,11 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
-    with_widest(
-        #[inline(always)]
-        |lanes| {
-            let (mut frequency, mut size) = (1.0, 1.0);
-            let mut sum = 0.0;
-            for _ in 0..OCTAVES {
-                sum += size * cut(lanes, generator, point * frequency);
-                frequency *= 2.0;
-                size *= 0.5;
-            }
-            sum / 2.0
-        },
-    )
-}
-
-#[inline(always)]
-fn cut(lanes: Lanes, generator: NoiseGenerator, point: DVec3) -> f64 {
-    let noise = generator.noise_in(lanes, point);
-    match generator {
+    let sum = generator.octaves(point, (OCTAVES, 1.0), |noise| match generator {
         NoiseGenerator::Original => noise,
         _ => (2.0 * noise - 0.5).clamp(0.0, 1.0),
-    }
+    });
+    sum / 2.0
 }
 
 fn tilt(_generator: NoiseGenerator, point: DVec3) -> DVec3 {

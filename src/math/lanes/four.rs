@@ -40,6 +40,8 @@ pub(crate) trait Four: Copy {
     fn split(self) -> [Self; 2];
     /// `2^n` for whole numbers `n` from -1022 to 1023.
     fn power_of_two(self) -> Self;
+    /// The whole parts toward zero of numbers below 2^31 in size.
+    fn truncated(self) -> (Self, [i32; 4]);
 }
 
 /// A double with these bits and those of a whole number below 2^52 is 2^52 more than that number.
@@ -59,6 +61,11 @@ fn split_one(x: f64) -> [f64; 2] {
 
 fn power_of_two_one(n: f64) -> f64 {
     f64::from_bits((n + (WHOLES + BIAS)).to_bits() << 52)
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "the whole part is wanted")]
+fn truncated_one(x: f64) -> i32 {
+    x as i32
 }
 
 /// Four numbers that may all be different.
@@ -221,6 +228,11 @@ impl Four for [f64; 4] {
     fn power_of_two(self) -> Self {
         self.map(power_of_two_one)
     }
+    #[inline(always)]
+    fn truncated(self) -> (Self, [i32; 4]) {
+        let whole = self.map(truncated_one);
+        (whole.map(f64::from), whole)
+    }
 }
 
 impl Row for [f64; 4] {
@@ -320,6 +332,11 @@ impl Four for f64 {
     #[inline(always)]
     fn power_of_two(self) -> Self {
         power_of_two_one(self)
+    }
+    #[inline(always)]
+    fn truncated(self) -> (Self, [i32; 4]) {
+        let whole = truncated_one(self);
+        (f64::from(whole), [whole; 4])
     }
 }
 
@@ -448,6 +465,16 @@ mod wide {
             let biased = self.plus(Self::all(WHOLES + BIAS));
             // SAFETY: as in the others.
             unsafe { _mm256_castsi256_pd(_mm256_slli_epi64::<52>(_mm256_castpd_si256(biased))) }
+        }
+        #[inline(always)]
+        fn truncated(self) -> (Self, [i32; 4]) {
+            let mut to = [0; 4];
+            // SAFETY: as in the others, and an array of four integers is what is written.
+            unsafe {
+                let whole = _mm256_cvttpd_epi32(self);
+                _mm_storeu_si128(to.as_mut_ptr().cast(), whole);
+                (_mm256_cvtepi32_pd(whole), to)
+            }
         }
     }
 

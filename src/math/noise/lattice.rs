@@ -3,10 +3,9 @@
 //! Corners of a cell are worked on four at a time, and the three components of vectors together; the sums are POV-Ray's,
 //! in its order.
 
-use super::smooth;
 use super::tables::{RANDOM, RANDOMS};
 use crate::math::hash::{SIZE, TABLE, wrapped};
-use crate::math::lanes::{Four, FourKernel, Row};
+use crate::math::lanes::{Four, Row};
 use glam::DVec3;
 
 /// What is missing to 1 where a negative coordinate is taken to the cell below, as in POV-Ray.
@@ -15,11 +14,13 @@ const EPSILON: f64 = 1e-10;
 const ORIGIN: i32 = 10_000;
 /// Cells so far out have no numbers of 32 bits.
 const FAR: f64 = 1e9;
+/// The lane of a point that holds a half.
+const HALF: u32 = 0b0001;
 /// A hash chooses among so many entries of the random table.
 const CHOICES: usize = 256;
 /// How far behind the choice for a component of a vector the one for the next lies.
 const COMPONENT: usize = 4;
-/// The entries of the random table for the three components of a vector, side by side.
+/// Half of the entries of the random table for the three components of a vector, side by side.
 static VECTORS: [[f64; 4]; RANDOMS - 2 * COMPONENT] = vectors();
 
 const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
@@ -27,9 +28,9 @@ const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
     let mut i = 0;
     while i < table.len() {
         table[i] = [
-            RANDOM[i],
-            RANDOM[i + COMPONENT],
-            RANDOM[i + 2 * COMPONENT],
+            0.5 * RANDOM[i],
+            0.5 * RANDOM[i + COMPONENT],
+            0.5 * RANDOM[i + 2 * COMPONENT],
             0.0,
         ];
         i += 1;
@@ -37,89 +38,107 @@ const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
     table
 }
 
-/// A point in a cell of the lattice. The bits of the number of a corner are x, y, z.
-struct Place {
-    /// Where the coefficients of the corners begin.
-    first: [usize; 8],
-    /// How far the point lies above the low corner.
-    above: DVec3,
-    /// By axis, the weights of the low and of the high corners.
-    weights: [[f64; 2]; 3],
+/// A point as the lattice takes it, in front of its coordinates a half: what the constant of a corner is multiplied by.
+#[inline(always)]
+pub(super) fn spread<F: Four>(point: DVec3) -> F {
+    F::load(&[0.5, point.x, point.y, point.z])
 }
 
-impl Place {
+/// Such a point at another frequency.
+#[inline(always)]
+pub(super) fn at_frequency<F: Four>(point: F, frequency: f64) -> F {
+    point.times(F::pick(F::mask(HALF), F::all(1.0), F::all(frequency)))
+}
+
+/// A point in a cell of the lattice. The bits of the number of a corner are x, y, z.
+struct Place<F> {
+    /// Where the coefficients of the corners begin.
+    first: [usize; 8],
+    /// How far the point lies above the low corner, behind a half.
+    low: F,
+    /// The same above the high corner.
+    high: F,
+    /// The weights of the four low corners along z, then of the high ones.
+    weights: [F; 2],
+}
+
+impl<F: Four> Place<F> {
     #[inline(always)]
-    fn new(point: DVec3) -> Self {
-        let ((x, fx), (y, fy), (z, fz)) = (cell(point.x), cell(point.y), cell(point.z));
-        let (low, high) = (entry(x), entry(x + 1));
-        let rows = [low ^ y, high ^ y, low ^ (y + 1), high ^ (y + 1)].map(entry);
-        let mut first = [0; 8];
-        for (corner, row) in rows.into_iter().enumerate() {
-            first[corner] = entry(row ^ z) % CHOICES;
-            first[corner + 4] = entry(row ^ (z + 1)) % CHOICES;
-        }
-        let weights = [fx, fy, fz].map(|above| {
-            let high = smooth(above);
-            [1.0 - high, high]
-        });
+    fn new(point: F) -> Self {
+        let ([_, x, y, z], low) = cells(point);
+        let of_high = smooth(low);
+        let [_, x0, y0, z0] = F::all(1.0).minus(of_high).store();
+        let [_, x1, y1, z1] = of_high.store();
+        let flat = F::load(&[x0, x1, x0, x1]).times(F::load(&[y0, y0, y1, y1]));
         Place {
-            first,
-            above: DVec3::new(fx, fy, fz),
-            weights,
+            first: choices([x, y, z]),
+            low,
+            high: low.minus(F::load(&[0.0, 1.0, 1.0, 1.0])),
+            weights: [flat.times(F::all(z0)), flat.times(F::all(z1))],
         }
     }
 
-    /// The weights of the four low corners along z, but for that of z.
+    /// The terms of the linear function of a corner.
     #[inline(always)]
-    fn flat_weights(&self) -> [f64; 4] {
-        let [[x0, x1], [y0, y1], _] = self.weights;
-        [x0 * y0, x1 * y0, x0 * y1, x1 * y1]
-    }
-
-    /// The terms of the linear function of a corner; `ends` are the constant and the place above the low and the high
-    /// corner.
-    #[inline(always)]
-    fn products<F: Four, const CORNER: u32>(&self, [low, high]: [F; 2]) -> F {
-        let first = self.first[CORNER as usize];
-        let coefficients = RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]);
-        // By lane: the constant, x, y, z.
+    fn products<const CORNER: u32>(&self) -> F {
         let is_high = F::mask(const { CORNER << 1 });
-        F::load(coefficients).times(F::pick(is_high, high, low))
+        let place = F::pick(is_high, self.high, self.low);
+        coefficients::<F>(self.first[CORNER as usize]).times(place)
     }
+}
 
-    /// What a corner adds to a vector; `ends` are the place above the low and the high corner.
-    #[inline(always)]
-    fn vector<F: Four, const CORNER: usize>(&self, ends: &[[F; 3]; 2]) -> F {
-        let [dx, dy, dz] = const { [CORNER & 1, CORNER >> 1 & 1, CORNER >> 2] };
-        let first = self.first[CORNER];
-        let coefficients = VECTORS[first..].first_chunk().unwrap_or(&[[0.0; 4]; 4]);
-        let [constant, of_x, of_y, of_z] = coefficients;
-        let linear = F::load(constant)
-            .times(F::all(0.5))
-            .plus(F::load(of_x).times(ends[dx][0]))
-            .plus(F::load(of_y).times(ends[dy][1]))
-            .plus(F::load(of_z).times(ends[dz][2]));
-        let weight = self.weights[0][dx] * self.weights[1][dy] * self.weights[2][dz];
-        F::all(weight).times(linear)
+/// Where the coefficients of the corners of a cell begin.
+#[inline(always)]
+fn choices([x, y, z]: [usize; 3]) -> [usize; 8] {
+    let (near, far) = (entry(x), entry(x + 1));
+    let rows = [
+        entry(near ^ y),
+        entry(far ^ y),
+        entry(near ^ (y + 1)),
+        entry(far ^ (y + 1)),
+    ];
+    let mut first = [0; 8];
+    for corner in 0..4 {
+        first[corner] = entry(rows[corner] ^ z) % CHOICES;
+        first[corner + 4] = entry(rows[corner] ^ (z + 1)) % CHOICES;
     }
+    first
+}
+
+/// [`super::smooth`] in lanes.
+#[inline(always)]
+fn smooth<F: Four>(t: F) -> F {
+    t.times(t).times(F::all(3.0).minus(F::all(2.0).times(t)))
+}
+
+/// The coefficients of a corner: the constant, x, y, z.
+#[inline(always)]
+fn coefficients<F: Four>(first: usize) -> F {
+    F::load(RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]))
 }
 
 /// An entry of the hash table; what goes in is below twice its size.
 #[inline(always)]
 fn entry(number: usize) -> usize {
-    usize::from(TABLE[number % (2 * SIZE)])
+    usize::from(TABLE[number % (2 * SIZE)]) % SIZE
 }
 
-/// The cell of a coordinate, wrapped, and how far the coordinate lies above it.
+/// The cells of coordinates, wrapped, and how far the coordinates lie above them.
+// Arrays are not mapped here: where that is not inlined it costs as much as the noise.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation, reason = "the whole part is wanted")]
-fn cell(t: f64) -> (usize, f64) {
-    let shifted = if t >= 0.0 { t } else { t - (1.0 - EPSILON) };
-    if shifted.abs() < FAR {
-        let whole = shifted as i32;
-        (wrapped(i64::from(whole + ORIGIN)), t - f64::from(whole))
+fn cells<F: Four>(point: F) -> ([usize; 4], F) {
+    let below = point.minus(F::all(1.0 - EPSILON));
+    let shifted = F::pick(point.below(F::all(0.0)), below, point);
+    if F::bits(shifted.size().below(F::all(FAR))) == 0b1111 {
+        let (whole, cells) = shifted.truncated();
+        let mut moved = [0; 4];
+        for (moved, cell) in moved.iter_mut().zip(cells) {
+            *moved = wrapped(i64::from(cell.wrapping_add(ORIGIN)));
+        }
+        (moved, point.minus(whole))
     } else {
-        far_cell(t, shifted)
+        let far = far_cells(point.store(), shifted.store());
+        (far.0, F::load(&far.1))
     }
 }
 
@@ -128,113 +147,112 @@ fn cell(t: f64) -> (usize, f64) {
     clippy::cast_possible_truncation,
     reason = "the cast saturates; so far out there is no pattern left"
 )]
-fn far_cell(t: f64, shifted: f64) -> (usize, f64) {
-    let whole = shifted.trunc();
-    let cell = (whole as i64).saturating_add(i64::from(ORIGIN));
-    (wrapped(cell), t - whole)
+fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
+    let whole = shifted.map(f64::trunc);
+    let cells = whole.map(|whole| wrapped((whole as i64).saturating_add(i64::from(ORIGIN))));
+    (cells, std::array::from_fn(|i| point[i] - whole[i]))
 }
 
 /// The sum over the corners of the cell of a point.
-pub(super) struct Scalar(pub(super) DVec3);
-
-impl FourKernel for Scalar {
-    type Answer = f64;
-
-    #[inline(always)]
-    fn run<F: Row>(&self) -> f64 {
-        let place = Place::new(self.0);
-        let DVec3 { x, y, z } = place.above;
-        let ends = [
-            F::load(&[0.5, x, y, z]),
-            F::load(&[0.5, x - 1.0, y - 1.0, z - 1.0]),
-        ];
-        let near = F::turned([
-            place.products::<F, 0b000>(ends),
-            place.products::<F, 0b001>(ends),
-            place.products::<F, 0b010>(ends),
-            place.products::<F, 0b011>(ends),
-        ]);
-        let far = F::turned([
-            place.products::<F, 0b100>(ends),
-            place.products::<F, 0b101>(ends),
-            place.products::<F, 0b110>(ends),
-            place.products::<F, 0b111>(ends),
-        ]);
-        let flat = F::load(&place.flat_weights());
-        let mut sum = 0.0;
-        for ([a, b, c, d], weight) in [near, far].into_iter().zip(place.weights[2]) {
-            let linear = a.plus(b).plus(c).plus(d);
-            let terms = flat.times(F::all(weight)).times(linear).store();
-            for term in terms {
-                sum += term;
-            }
-        }
-        sum
-    }
-}
-
-/// The same sum for the three components of a vector.
-pub(super) struct Vector(pub(super) DVec3);
-
-impl Vector {
-    /// Each corner is a neighbour of the one before.
-    #[inline(always)]
-    fn sum<F: Four>(&self) -> F {
-        let place = Place::new(self.0);
-        let DVec3 { x, y, z } = place.above;
-        let low = [F::all(x), F::all(y), F::all(z)];
-        let high = [F::all(x - 1.0), F::all(y - 1.0), F::all(z - 1.0)];
-        let ends = &[low, high];
-        F::all(0.0)
-            .plus(place.vector::<F, 0b000>(ends))
-            .plus(place.vector::<F, 0b001>(ends))
-            .plus(place.vector::<F, 0b011>(ends))
-            .plus(place.vector::<F, 0b010>(ends))
-            .plus(place.vector::<F, 0b110>(ends))
-            .plus(place.vector::<F, 0b111>(ends))
-            .plus(place.vector::<F, 0b101>(ends))
-            .plus(place.vector::<F, 0b100>(ends))
-    }
-}
-
-impl FourKernel for Vector {
-    type Answer = DVec3;
-
-    #[inline(always)]
-    fn run<F: Four>(&self) -> DVec3 {
-        vector(self.sum::<F>())
-    }
-}
-
-/// The sum of such vectors at several frequencies: those above the first with their sizes.
-pub(super) struct Octaves<I>(pub(super) DVec3, pub(super) I);
-
-impl<I: Iterator<Item = (f64, f64)> + Clone> FourKernel for Octaves<I> {
-    type Answer = DVec3;
-
-    #[inline(always)]
-    fn run<F: Four>(&self) -> DVec3 {
-        let Octaves(point, above_the_first) = self;
-        let mut sum: F = Vector(*point).sum();
-        for (size, frequency) in above_the_first.clone() {
-            let octave = Vector(*point * frequency).sum();
-            sum = sum.plus(F::all(size).times(octave));
-        }
-        vector(sum)
-    }
+#[inline(always)]
+pub(super) fn scalar<F: Row>(point: F) -> f64 {
+    let place = Place::new(point);
+    let near = F::turned([
+        place.products::<0b000>(),
+        place.products::<0b001>(),
+        place.products::<0b010>(),
+        place.products::<0b011>(),
+    ]);
+    let far = F::turned([
+        place.products::<0b100>(),
+        place.products::<0b101>(),
+        place.products::<0b110>(),
+        place.products::<0b111>(),
+    ]);
+    let [low, high] = place.weights;
+    added(added(0.0, low.times(linear(near))), high.times(linear(far)))
 }
 
 #[inline(always)]
-fn vector<F: Four>(lanes: F) -> DVec3 {
-    let [x, y, z, _] = lanes.store();
-    DVec3::new(x, y, z)
+fn linear<F: Four>([constant, x, y, z]: [F; 4]) -> F {
+    constant.plus(x).plus(y).plus(z)
+}
+
+/// A sum with four more terms, one after the other.
+#[inline(always)]
+fn added<F: Four>(sum: f64, terms: F) -> f64 {
+    let [a, b, c, d] = terms.store();
+    sum + a + b + c + d
+}
+
+/// The same sum for the three components of a vector. Each corner is a neighbour of the one before.
+#[inline(always)]
+pub(super) fn vector<F: Four>(point: F) -> F {
+    let place = Place::new(point);
+    let corners = Corners {
+        first: place.first,
+        ends: [doubled(place.low), doubled(place.high)],
+        weights: [place.weights[0].store(), place.weights[1].store()],
+    };
+    F::all(0.0)
+        .plus(corners.vector::<0b000>())
+        .plus(corners.vector::<0b001>())
+        .plus(corners.vector::<0b011>())
+        .plus(corners.vector::<0b010>())
+        .plus(corners.vector::<0b110>())
+        .plus(corners.vector::<0b111>())
+        .plus(corners.vector::<0b101>())
+        .plus(corners.vector::<0b100>())
+}
+
+/// The corners of the cell of a point, for the components of a vector side by side.
+struct Corners<F> {
+    first: [usize; 8],
+    /// Twice how far the point lies above the low corner and above the high one.
+    ends: [[F; 3]; 2],
+    weights: [[f64; 4]; 2],
+}
+
+impl<F: Four> Corners<F> {
+    /// What a corner adds to a vector. The coefficients are halves of those of POV-Ray and the place is doubled, both
+    /// without rounding: of the constant a half is needed.
+    #[inline(always)]
+    fn vector<const CORNER: usize>(&self) -> F {
+        let [dx, dy, dz] = const { [CORNER & 1, CORNER >> 1 & 1, CORNER >> 2] };
+        let first = self.first[CORNER];
+        let coefficients = VECTORS[first..].first_chunk().unwrap_or(&[[0.0; 4]; 4]);
+        let [constant, of_x, of_y, of_z] = coefficients;
+        let linear = F::load(constant)
+            .plus(F::load(of_x).times(self.ends[dx][0]))
+            .plus(F::load(of_y).times(self.ends[dy][1]))
+            .plus(F::load(of_z).times(self.ends[dz][2]));
+        F::all(self.weights[dz][CORNER % 4]).times(linear)
+    }
+}
+
+/// Twice the coordinates of a place, each in all lanes.
+#[inline(always)]
+fn doubled<F: Four>(place: F) -> [F; 3] {
+    let [_, x, y, z] = place.plus(place).store();
+    [F::all(x), F::all(y), F::all(z)]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::lanes::{Lanes, four};
+    use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
+
+    struct Both(DVec3);
+
+    impl FourKernel for Both {
+        type Answer = (f64, [f64; 4]);
+        #[inline(always)]
+        fn run<F: Row>(&self) -> (f64, [f64; 4]) {
+            let point = spread::<F>(self.0);
+            (scalar(point), vector(point).store())
+        }
+    }
 
     #[test]
     fn all_lanes_give_the_same_bits() {
@@ -242,10 +260,11 @@ mod tests {
         let (narrow, widest) = (Lanes::NARROW, Lanes::widest());
         for round in 0..10_000 {
             let point = rng.vector(if round % 8 == 0 { 1e12 } else { 50.0 });
-            let scalar = |lanes| four(lanes, &Scalar(point)).to_bits();
-            let vector = |lanes| four(lanes, &Vector(point)).to_array().map(f64::to_bits);
-            assert_eq!(scalar(narrow), scalar(widest), "{point}");
-            assert_eq!(vector(narrow), vector(widest), "{point}");
+            let bits = |lanes| {
+                let (scalar, vector) = four(lanes, &Both(point));
+                (scalar.to_bits(), vector.map(f64::to_bits))
+            };
+            assert_eq!(bits(narrow), bits(widest), "{point}");
         }
     }
 }

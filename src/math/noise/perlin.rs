@@ -3,6 +3,7 @@
 
 use super::smooth;
 use crate::math::hash::{bits, next};
+use crate::math::rounding::floor;
 use glam::DVec3;
 use std::sync::LazyLock;
 
@@ -63,15 +64,21 @@ impl Perlin {
     }
 
     /// The noise at a point, about -0.7 to 0.7.
+    #[inline(never)]
     pub(super) fn noise(&self, point: DVec3) -> f64 {
-        let [x, y, z] = (point + SHIFT).to_array().map(Axis::new);
-        let at_corner = |dx: usize, dy: usize, dz: usize| {
-            let row = usize::from(self.permutation[x.cell[dx]]) + y.cell[dy];
-            let column = usize::from(self.permutation[row]) + z.cell[dz];
-            let gradient = self.gradients[column];
-            x.above[dx] * gradient.x + y.above[dy] * gradient.y + z.above[dz] * gradient.z
+        let point = point + SHIFT;
+        let (x, y, z) = (Axis::new(point.x), Axis::new(point.y), Axis::new(point.z));
+        let [low, high] = x.cell.map(|cell| usize::from(self.permutation[cell]));
+        let along_x = |dy: usize, dz: usize| {
+            let at_corner = |first: usize, above: f64| {
+                let row = first + y.cell[dy];
+                let column = usize::from(self.permutation[row]) + z.cell[dz];
+                let gradient = self.gradients[column];
+                above * gradient.x + y.above[dy] * gradient.y + z.above[dz] * gradient.z
+            };
+            let [at_low, at_high] = x.above;
+            mix(x.weight, at_corner(low, at_low), at_corner(high, at_high))
         };
-        let along_x = |dy, dz| mix(x.weight, at_corner(0, dy, dz), at_corner(1, dy, dz));
         let along_y = |dz| mix(y.weight, along_x(0, dz), along_x(1, dz));
         mix(z.weight, along_y(0), along_y(1))
     }
@@ -92,9 +99,16 @@ impl Axis {
         clippy::cast_sign_loss,
         reason = "the value is cut to 0..2048"
     )]
+    #[inline(always)]
     fn new(t: f64) -> Self {
-        let floor = t.floor();
-        let cell = (floor.rem_euclid(COUNT as f64) as usize).min(COUNT - 1);
+        /// Whole numbers up to here are integers too.
+        const NEAR: f64 = 1e15;
+        let floor = floor(t);
+        let cell = if floor.abs() < NEAR {
+            (floor as i64).rem_euclid(COUNT as i64) as usize
+        } else {
+            (floor.rem_euclid(COUNT as f64) as usize).min(COUNT - 1)
+        };
         let above = t - floor;
         Axis {
             cell: [cell, (cell + 1) % COUNT],
