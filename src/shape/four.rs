@@ -1,6 +1,7 @@
 //! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
 
 use super::Shape;
+use super::four_search::{FourAsked, FourFound};
 use crate::math::Ray;
 use crate::math::chord::MARGIN;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
@@ -84,6 +85,18 @@ pub(crate) struct FourNearest<F: Four> {
     pub(crate) met: u32,
     /// Which rays must be asked for singly.
     pub(crate) unknown: u32,
+}
+
+impl<F: Four> FourNearest<F> {
+    #[inline(always)]
+    fn load(found: &FourFound) -> Self {
+        FourNearest {
+            t: F::load(&found.t),
+            leaves: 0,
+            met: found.met,
+            unknown: found.unknown,
+        }
+    }
 }
 
 impl<F: Four> FourRoots<F> {
@@ -206,6 +219,7 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
             Shape::Plane(_) => true,
             _ => false,
         }
@@ -227,6 +241,12 @@ impl Shape {
             }
             Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
             Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
+            Shape::Superellipsoid(_) => FourNearest::load(&self.search_of_four(&FourAsked::new(
+                rays,
+                (from, far),
+                left,
+                there,
+            ))),
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }
     }
@@ -238,6 +258,11 @@ impl Shape {
         match self {
             Shape::Sphere(sphere) => sphere.four_left_behind(rays),
             Shape::Torus(torus) => torus.four_left_behind(rays),
+            Shape::Superellipsoid(superellipsoid) => {
+                let none = F::all(0.0);
+                let rays = FourAsked::new(rays, (none, none), [0, 0], 0b1111);
+                F::mask(superellipsoid.four_left_behind(&rays))
+            }
             Shape::Plane(plane) => plane.four_left_behind(rays),
             _ => F::mask(0),
         }
@@ -246,7 +271,11 @@ impl Shape {
     /// Whether [`Shape::four_left_behind`] knows anything.
     #[inline(always)]
     pub(crate) fn tells_left_behind(&self) -> bool {
-        matches!(self, Shape::Sphere(_) | Shape::Torus(_) | Shape::Plane(_))
+        match self {
+            Shape::Sphere(_) | Shape::Torus(_) | Shape::Plane(_) => true,
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
+            _ => false,
+        }
     }
 
     /// The roots of four rays; all unknown for a shape that is not asked for four.

@@ -18,6 +18,7 @@ mod cuboid;
 mod cylinder;
 mod disc;
 mod four;
+mod four_search;
 mod height_field;
 mod isosurface;
 mod julia_fractal;

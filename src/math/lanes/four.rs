@@ -24,6 +24,8 @@ pub(crate) trait Four: Copy {
     fn larger(self, other: Self) -> Self;
     fn size(self) -> Self;
     fn negated(self) -> Self;
+    /// Negated where the other is negative, or minus zero.
+    fn turned_by(self, other: Self) -> Self;
     /// False where one is not a number, as the other comparisons.
     fn below(self, other: Self) -> Self::Mask;
     fn not_above(self, other: Self) -> Self::Mask;
@@ -188,6 +190,10 @@ impl Four for [f64; 4] {
         self.map(|x| -x)
     }
     #[inline(always)]
+    fn turned_by(self, other: Self) -> Self {
+        std::array::from_fn(|i| self[i].turned_by(other[i]))
+    }
+    #[inline(always)]
     fn below(self, other: Self) -> [bool; 4] {
         std::array::from_fn(|i| self[i] < other[i])
     }
@@ -292,6 +298,10 @@ impl Four for f64 {
     #[inline(always)]
     fn negated(self) -> Self {
         -self
+    }
+    #[inline(always)]
+    fn turned_by(self, other: Self) -> Self {
+        f64::from_bits(self.to_bits() ^ other.to_bits() & (-0.0_f64).to_bits())
     }
     #[inline(always)]
     fn below(self, other: Self) -> bool {
@@ -419,6 +429,11 @@ mod wide {
         fn negated(self) -> Self {
             // SAFETY: as in the others.
             unsafe { _mm256_xor_pd(_mm256_set1_pd(-0.0), self) }
+        }
+        #[inline(always)]
+        fn turned_by(self, other: Self) -> Self {
+            // SAFETY: as in the others.
+            unsafe { _mm256_xor_pd(self, _mm256_and_pd(_mm256_set1_pd(-0.0), other)) }
         }
         #[inline(always)]
         fn pick(mask: __m256d, first: Self, second: Self) -> Self {

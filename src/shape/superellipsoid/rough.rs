@@ -3,35 +3,37 @@
 //! A claim that there is no root keeps [`SLACK`] away from zero; what is closer is asked of the exact size. A root ends
 //! with a step of Newton's iteration from the exact size, so that its error is that of the exact size, too.
 
-use super::{Along, Superellipsoid};
+use super::super::four::FourRays;
+use super::exact::Along;
+use super::norms::{TINY, norm, norm_and_shares, shares};
+use super::{Crossings, Sought, Superellipsoid, alternating, root};
 use crate::math::Ray;
 use crate::math::enclosed::{Enclosed, Range, exact_change, sign_changes};
+use crate::math::lanes::three::{dot, plus, scaled, sizes};
 use crate::math::lanes::{Four, FourWork, Row, fours, with_widest};
 use crate::math::polynomial::Places;
-use crate::math::powers::{POWER_ERROR, power};
+use crate::math::powers::POWER_ERROR;
 use glam::DVec3;
 
 /// Above the error of a rough size and of a rough slope, as shares, for powers within [`POWERS`].
-const SLACK: f64 = 100.0 * POWER_ERROR;
+pub(super) const SLACK: f64 = 100.0 * POWER_ERROR;
 /// Powers for which the errors are known: beyond, one of the terms is all that counts, or the size has no bound.
 const POWERS: std::ops::Range<f64> = 1.0 / 16.0..256.0;
 /// A step of Newton's iteration that is shorter, as a share, ends the rough part.
-const LAST_ROUGH_STEP: f64 = 1e-7;
+pub(super) const LAST_ROUGH_STEP: f64 = 1e-7;
 /// And the exact part: the slope is right to as many digits as the step before has left of the place.
 const LAST_STEP: f64 = 1e-9;
 /// With more steps the roots are so close that exact numbers are needed.
-const MAX_STEPS: u32 = 24;
+pub(super) const MAX_STEPS: u32 = 24;
 /// More exact steps than a rough root is away.
 const MAX_EXACT_STEPS: u32 = 4;
 /// Pieces that are halved more often are searched in exact numbers.
 const MAX_HALVINGS: u32 = 24;
-/// Keeps a quotient finite.
-const TINY: f64 = 1e-290;
 
 /// The size along a ray.
 pub(super) struct Rough<'s> {
-    shape: &'s Superellipsoid,
-    ray: Ray,
+    pub(super) shape: &'s Superellipsoid,
+    pub(super) ray: Ray,
 }
 
 /// Where a convex size falls below 1.
@@ -44,21 +46,38 @@ pub(super) enum Estimate {
     Unclear,
 }
 
+impl Superellipsoid {
+    /// Whether its powers are neither too large nor too small for ten digits.
+    pub(super) fn has_rough(&self) -> bool {
+        POWERS.contains(&self.across) && POWERS.contains(&self.along)
+    }
+
+    /// By how much the size exceeds 1 at places of rays, and its slopes along them.
+    #[inline(always)]
+    pub(super) fn rough_at<F: Four>(&self, rays: &FourRays<F>, t: F) -> (F, F) {
+        let p = plus(rays.origin, scaled(rays.dir, t));
+        let [x, y, z] = sizes(p);
+        let (ring, [of_x, of_y]) = norm_and_shares(x, y, self.across);
+        let (size, [of_ring, of_z]) = norm_and_shares(ring, z, self.along);
+        let gradient = [of_ring.times(of_x), of_ring.times(of_y), of_z];
+        let growth = [
+            rays.dir[0].turned_by(p[0]),
+            rays.dir[1].turned_by(p[1]),
+            rays.dir[2].turned_by(p[2]),
+        ];
+        (size.minus(F::all(1.0)), dot(gradient, growth))
+    }
+}
+
 impl<'s> Rough<'s> {
     /// `None` for powers that are too large or too small for this.
     pub(super) fn new(shape: &'s Superellipsoid, ray: &Ray) -> Option<Self> {
-        let is_fit = POWERS.contains(&shape.across) && POWERS.contains(&shape.along);
-        is_fit.then_some(Rough { shape, ray: *ray })
+        shape.has_rough().then_some(Rough { shape, ray: *ray })
     }
 
     /// By how much the size exceeds 1, and its slope along the ray.
     pub(super) fn at(&self, t: f64) -> (f64, f64) {
-        let p = self.ray.at(t);
-        let Superellipsoid { across, along } = *self.shape;
-        let (ring, [of_x, of_y]) = norm_and_shares(p.x.abs(), p.y.abs(), across);
-        let (size, [of_ring, of_z]) = norm_and_shares(ring, p.z.abs(), along);
-        let gradient = DVec3::new(of_ring * of_x, of_ring * of_y, of_z);
-        (size - 1.0, gradient.dot(p.signum() * self.ray.dir))
+        self.shape.rough_at(&FourRays::of(&self.ray), t)
     }
 
     /// Where a convex size falls below 1 on the way from one end to the other.
@@ -141,6 +160,7 @@ impl<'s> Rough<'s> {
 pub(super) struct Pieces<'s> {
     rough: Rough<'s>,
     exact: &'s Along<'s>,
+    sought: Sought,
 }
 
 /// What is known of the size on a piece.
@@ -153,12 +173,43 @@ struct Bounded {
 }
 
 impl<'s> Pieces<'s> {
-    pub(super) fn new(rough: Rough<'s>, exact: &'s Along<'s>) -> Self {
-        Pieces { rough, exact }
+    pub(super) fn new(rough: Rough<'s>, exact: &'s Along<'s>, sought: Sought) -> Self {
+        Pieces {
+            rough,
+            exact,
+            sought,
+        }
+    }
+
+    /// Appends the roots that are sought between places among which no coordinate changes its sign; outside at the first
+    /// place and the last.
+    pub(super) fn all_roots(&self, stops: &[f64], roots: &mut Crossings) {
+        let count = stops.len() - 1;
+        let is_above = self.rough.is_above(stops);
+        let is_empty = |piece: usize| is_above >> piece & 1 == 1;
+        // On which side the next piece starts, if that is known.
+        let mut side = Some(false);
+        for piece in 0..count {
+            let [from, to] = [stops[piece], stops[piece + 1]];
+            if is_empty(piece) {
+                side = Some(false);
+                continue;
+            }
+            if self.sought.is_before(to) {
+                side = None;
+                continue;
+            }
+            let starts_inside = side.unwrap_or_else(|| self.is_inside(from));
+            let ends_inside = piece + 1 < count && !is_empty(piece + 1) && self.is_inside(to);
+            if self.roots([(from, starts_inside), (to, ends_inside)], roots) {
+                return;
+            }
+            side = Some(ends_inside);
+        }
     }
 
     /// Tells whether the size is below 1 there.
-    pub(super) fn is_inside(&self, t: f64) -> bool {
+    fn is_inside(&self, t: f64) -> bool {
         self.is_below(self.rough.at(t).0, t)
     }
 
@@ -171,38 +222,70 @@ impl<'s> Pieces<'s> {
         }
     }
 
-    /// As [`sign_changes`] of the exact size.
-    pub(super) fn sign_changes(&self, from: (f64, bool), to: (f64, bool), places: &mut Places) {
-        self.search([from, to], MAX_HALVINGS, places);
+    /// As [`sign_changes`] of the exact size, up to the first root behind which none is sought. Says whether that is found.
+    fn roots(&self, ends: [(f64, bool); 2], roots: &mut Crossings) -> bool {
+        let [from, to] = ends.map(|(t, _)| t);
+        if self.is_monotone(from, to) {
+            return ends[0].1 != ends[1].1 && self.push_root(ends, roots);
+        }
+        self.search(ends, MAX_HALVINGS, roots)
     }
 
-    fn search(&self, ends: [(f64, bool); 2], depth: u32, places: &mut Places) {
+    /// Whether all coordinates go the same way without their signs. Beside the axis, where a slope may be no number.
+    fn is_monotone(&self, from: f64, to: f64) -> bool {
+        let Ray { dir, .. } = self.rough.ray;
+        let growth = self.rough.ray.at(0.5 * (from + to)).signum() * dir;
+        let (least, _) = self.exact.reach(from, to);
+        let is_one_way = growth.min_element() >= 0.0 || growth.max_element() <= 0.0;
+        is_one_way && least.x.max(least.y) > 1e10 * TINY
+    }
+
+    /// The one root of a monotone piece with a change. Says whether none is sought behind it.
+    fn push_root(
+        &self,
+        [(from, starts_inside), (to, _)]: [(f64, bool); 2],
+        roots: &mut Crossings,
+    ) -> bool {
+        let t = self.rough.root(self.exact, [from, to], starts_inside);
+        roots.push(root(t, starts_inside));
+        self.sought.is_enough(t)
+    }
+
+    fn search(&self, ends: [(f64, bool); 2], depth: u32, roots: &mut Crossings) -> bool {
         let [(from, starts_inside), (to, ends_inside)] = ends;
+        if self.sought.is_before(to) {
+            return false;
+        }
         let is_change = starts_inside != ends_inside;
         let middle = 0.5 * (from + to);
+        if !is_change && !starts_inside {
+            let quarter = 0.5 * (middle - from);
+            let stops = [from, from + quarter, middle, middle + quarter, to];
+            if self.rough.is_above(&stops) == 0b1111 {
+                return false;
+            }
+        }
         let bounded = self.bounded(from, to, middle);
         if !is_change && (bounded.values.low > SLACK || bounded.values.high < -SLACK) {
-            return;
+            return false;
         }
         let Range { low, high } = bounded.slopes;
         if low >= 0.0 || high <= 0.0 {
-            if is_change {
-                let root = self.rough.root(self.exact, [from, to], starts_inside);
-                places.push(root);
-            }
-            return;
+            return is_change && self.push_root(ends, roots);
         }
         let change = 0.5 * (to - from) * high.max(-low);
         if !is_change && bounded.value.abs() > change + SLACK {
-            return;
+            return false;
         }
         if depth == 0 {
-            sign_changes(self.exact, ends[0], ends[1], places);
-            return;
+            let mut places = Places::new();
+            sign_changes(self.exact, ends[0], ends[1], &mut places);
+            roots.extend(alternating(&places, starts_inside));
+            return places.iter().any(|t| self.sought.is_enough(*t));
         }
         let half = (middle, self.is_below(bounded.value, middle));
-        self.search([ends[0], half], depth - 1, places);
-        self.search([half, ends[1]], depth - 1, places);
+        self.search([ends[0], half], depth - 1, roots)
+            || self.search([half, ends[1]], depth - 1, roots)
     }
 
     /// Bounds with the slack of slopes in them.
@@ -280,61 +363,4 @@ impl FourWork for Corners<'_> {
         );
         [sizes, of_plane, of_size]
     }
-}
-
-/// `(part / whole)^(p − 1)` for the least part and the most whole and the other way round, of two parts.
-#[inline(always)]
-fn shares<F: Four>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
-    let part = F::load(&[a[0], a[1], b[0], b[1]]);
-    let whole = F::load(&[whole[1], whole[0], whole[1], whole[0]]);
-    let ratio = part.over(whole.larger(F::all(TINY)));
-    let ratio = F::pick(F::all(0.0).below(whole), ratio, F::all(1.0)).smaller(F::all(1.0));
-    if p == 2.0 {
-        return ratio.store();
-    }
-    power(ratio, p - 1.0).store()
-}
-
-/// `(a^p + b^p)^(1/p)` of numbers that are not negative.
-#[inline(always)]
-fn norm<F: Four>(a: F, b: F, p: f64) -> F {
-    if p == 1.0 {
-        return a.plus(b);
-    }
-    if p == 2.0 {
-        return a.times(a).plus(b.times(b)).root();
-    }
-    let (small, large) = (a.smaller(b), a.larger(b));
-    let rest = power(small.over(large.larger(F::all(TINY))), p);
-    large.times(power(F::all(1.0).plus(rest), 1.0 / p))
-}
-
-/// The same and its derivatives by both numbers.
-fn norm_and_shares(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
-    if p == 1.0 {
-        return (a + b, [1.0, 1.0]);
-    }
-    if p == 2.0 {
-        let norm = (a * a + b * b).sqrt();
-        let over = 1.0 / norm.max(TINY);
-        return (norm, [a * over, b * over]);
-    }
-    let (small, large) = (a.min(b), a.max(b));
-    let ratio = small / large.max(TINY);
-    let rest = power(ratio, p);
-    let growth = power(1.0 + rest, 1.0 / p);
-    let of_large = growth / (1.0 + rest);
-    let of_small = if ratio > TINY {
-        rest / ratio * of_large
-    } else if p > 1.0 {
-        0.0
-    } else {
-        f64::INFINITY
-    };
-    let shares = if a < b {
-        [of_small, of_large]
-    } else {
-        [of_large, of_small]
-    };
-    (large * growth, shares)
 }
