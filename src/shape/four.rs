@@ -220,6 +220,7 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Torus(torus) => torus.has_four(),
             Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
+            Shape::JuliaFractal(fractal) => fractal.has_four(),
             Shape::Plane(_) => true,
             _ => false,
         }
@@ -241,12 +242,9 @@ impl Shape {
             }
             Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
             Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
-            Shape::Superellipsoid(_) => FourNearest::load(&self.search_of_four(&FourAsked::new(
-                rays,
-                (from, far),
-                left,
-                there,
-            ))),
+            Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => FourNearest::load(
+                &self.search_of_four(&FourAsked::new(rays, (from, far), left, there)),
+            ),
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }
     }

@@ -3,8 +3,10 @@
 
 use super::Shape;
 use super::four::FourRays;
+use crate::math::Ray;
 use crate::math::lanes::Four;
 use crate::math::lanes::three::{load, store};
+use glam::DVec3;
 
 /// Four rays that look for the first root of a shape.
 pub(crate) struct FourAsked {
@@ -53,6 +55,12 @@ impl FourAsked {
             dir: load(&self.dir),
         }
     }
+
+    /// One of the rays.
+    pub(super) fn ray(&self, lane: usize) -> Ray {
+        let one_of = |of: &[[f64; 4]; 3]| DVec3::new(of[0][lane], of[1][lane], of[2][lane]);
+        Ray::new(one_of(&self.origin), one_of(&self.dir))
+    }
 }
 
 impl Shape {
@@ -61,6 +69,7 @@ impl Shape {
     pub(super) fn search_of_four(&self, asked: &FourAsked) -> FourFound {
         match self {
             Shape::Superellipsoid(superellipsoid) => superellipsoid.nearest_of_four(asked),
+            Shape::JuliaFractal(fractal) => fractal.nearest_of_four(asked),
             _ => FourFound {
                 unknown: asked.there,
                 ..FourFound::default()
@@ -72,16 +81,20 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Ray;
+    use crate::args::text::TextArgs;
     use crate::math::random::Random;
-    use crate::shape::{Crossing, Geometry, Superellipsoid};
-    use glam::DVec3;
+    use crate::shape::{Crossing, Geometry, JuliaFractal, Superellipsoid};
 
     #[test]
     fn four_rays_find_what_each_finds() {
+        let fractal =
+            |text: &str| Shape::JuliaFractal(JuliaFractal::read(&mut TextArgs::new(text)).unwrap());
         let shapes = [
             Shape::Superellipsoid(Superellipsoid::new(0.3, 0.25)),
             Shape::Superellipsoid(Superellipsoid::new(2.0, 1.0)),
+            fractal("<-0.083, 0, -0.83, -0.025> max_iteration 8 precision 15"),
+            fractal("<-0.2, 0.1, 0.6, 0.1> cube max_iteration 6"),
+            fractal("<-0.745, 0, 0.113, 0.05> hypercomplex max_iteration 7"),
         ];
         let mut rng = Random::new(77);
         for shape in &shapes {

@@ -19,6 +19,7 @@
 //! difference shows what an intersection would; here it stays a difference.
 
 mod complex;
+mod four;
 mod places;
 
 use super::{Crossing, Geometry, Root, Start, first_visible, read};

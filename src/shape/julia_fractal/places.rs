@@ -38,6 +38,11 @@ impl Places {
         scales: [0.0; TOGETHER],
     };
 
+    /// Which places are inside, one bit each.
+    pub(super) fn inside(&self) -> u32 {
+        self.staying
+    }
+
     pub(super) fn is_inside(&self, number: usize) -> bool {
         self.staying >> number & 1 == 1
     }
@@ -100,7 +105,7 @@ impl Fractal {
     }
 
     /// How far a ray may go from a place.
-    fn step(&self, places: &Places, number: usize) -> f64 {
+    pub(super) fn step(&self, places: &Places, number: usize) -> f64 {
         let (norm, told) = (places.norms[number], places.told[number]);
         match self.rule {
             _ if places.is_inside(number) => self.least,
@@ -168,9 +173,12 @@ impl<'f> Ahead<'f> {
 }
 
 /// Four numbers that are iterated.
-trait Orbit<F: Four>: Copy {
+pub(super) trait Orbit<F: Four>: Copy {
     const DEGREE: f64;
-    fn start(work: &Iterating, first: usize) -> Self;
+    /// How much farther than the ball, in squares, an orbit may stay.
+    const BEYOND: f64;
+    /// From the real and imaginary parts, along rays on which they change by `along` as two complex numbers.
+    fn start(fractal: &Fractal, z: [F; 4], along: [[F; 2]; 2]) -> Self;
     fn norm(&self) -> F;
     /// Notes the square of the distance from the origin.
     fn passes(&mut self, norm: F);
@@ -192,42 +200,65 @@ impl Iterating<'_> {
     }
 
     #[inline(always)]
-    fn iterate<F: Four, O: Orbit<F>>(&self, exit: f64) -> Places {
+    fn iterate<F: Four, O: Orbit<F>>(&self) -> Places {
+        let orbit = |first: usize| {
+            let [i, k] = self.along;
+            let z = [0, 1, 2, 3].map(|axis| self.four(axis, first));
+            let along = [[i.re, i.im], [k.re, k.im]].map(|z| z.map(F::all));
+            O::start(self.fractal, z, along)
+        };
+        self.fractal.iterate([orbit(0), orbit(4)], 0xff)
+    }
+}
+
+impl Fractal {
+    /// Follows the orbits of some of four or eight places, marked by a bit each.
+    #[inline(always)]
+    pub(super) fn iterate<F: Four, O: Orbit<F>, const FOURS: usize>(
+        &self,
+        mut orbits: [O; FOURS],
+        marked: u32,
+    ) -> Places {
+        let ball = self.radius * self.radius;
+        let exit = F::all(ball + O::BEYOND);
         let mut places = Places {
-            staying: (1 << TOGETHER) - 1,
+            staying: marked,
             ..Places::NOTHING
         };
-        let mut halves = [O::start(self, 0), O::start(self, 4)];
         let mut scale = 1.0;
         let mut number = 0;
-        while number < self.fractal.max_iteration {
+        while number < self.max_iteration {
             scale /= O::DEGREE;
-            let mut half = 0;
-            while half < 2 {
-                let orbit = &mut halves[half];
+            let mut part = 0;
+            while part < FOURS {
+                let orbit = &mut orbits[part];
                 let norm = orbit.norm();
                 orbit.passes(norm);
-                let staying = F::bits(norm.not_above(F::all(exit)));
-                let leaving = places.staying >> (4 * half) & 0b1111 & !staying;
+                let staying = F::bits(norm.not_above(exit));
+                let leaving = places.staying >> (4 * part) & 0b1111 & !staying;
                 if leaving != 0 {
-                    places.staying &= !(leaving << (4 * half));
+                    places.staying &= !(leaving << (4 * part));
                     let (norms, told) = (norm.store(), orbit.told().store());
                     let mut lane = 0;
                     while lane < 4 {
                         if leaving >> lane & 1 == 1 {
-                            places.norms[4 * half + lane] = norms[lane];
-                            places.told[4 * half + lane] = told[lane];
-                            places.scales[4 * half + lane] = scale;
+                            places.norms[4 * part + lane] = norms[lane];
+                            places.told[4 * part + lane] = told[lane];
+                            places.scales[4 * part + lane] = scale;
                         }
                         lane += 1;
                     }
                 }
-                half += 1;
+                part += 1;
             }
             if places.staying == 0 {
                 break;
             }
-            halves = [halves[0].next(), halves[1].next()];
+            let mut part = 0;
+            while part < FOURS {
+                orbits[part] = orbits[part].next();
+                part += 1;
+            }
             number += 1;
         }
         places
@@ -239,18 +270,17 @@ impl FourKernel for Iterating<'_> {
 
     #[inline(always)]
     fn run<F: Row>(&self) -> Places {
-        let ball = self.fractal.radius * self.fractal.radius;
         match self.fractal.rule {
-            Rule::QuaternionSquare => self.iterate::<F, Quaternion<F, 2>>(ball + TOLERANCE),
-            Rule::QuaternionCube => self.iterate::<F, Quaternion<F, 3>>(ball + TOLERANCE),
-            Rule::Hypercomplex(_) => self.iterate::<F, Pair<F>>(ball),
+            Rule::QuaternionSquare => self.iterate::<F, Quaternion<F, 2>>(),
+            Rule::QuaternionCube => self.iterate::<F, Quaternion<F, 3>>(),
+            Rule::Hypercomplex(_) => self.iterate::<F, Pair<F>>(),
         }
     }
 }
 
 /// Quaternions whose square or cube is taken.
 #[derive(Clone, Copy)]
-struct Quaternion<F, const DEGREE: u8> {
+pub(super) struct Quaternion<F, const DEGREE: u8> {
     z: [F; 4],
     c: [F; 4],
     /// The product of the squares of all distances from the origin.
@@ -259,17 +289,13 @@ struct Quaternion<F, const DEGREE: u8> {
 
 impl<F: Four, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     const DEGREE: f64 = DEGREE as f64;
+    const BEYOND: f64 = TOLERANCE;
 
     #[inline(always)]
-    fn start(work: &Iterating, first: usize) -> Self {
-        let c = work.fractal.c;
+    fn start(fractal: &Fractal, z: [F; 4], _: [[F; 2]; 2]) -> Self {
+        let c = fractal.c;
         Quaternion {
-            z: [
-                work.four(0, first),
-                work.four(1, first),
-                work.four(2, first),
-                work.four(3, first),
-            ],
+            z,
             c: [F::all(c.x), F::all(c.y), F::all(c.z), F::all(c.w)],
             passed: F::all(1.0),
         }
@@ -318,7 +344,7 @@ impl<F: Four, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
 
 /// Hypercomplex numbers, as two complex ones, whose squares are taken.
 #[derive(Clone, Copy)]
-struct Pair<F> {
+pub(super) struct Pair<F> {
     z: [[F; 2]; 2],
     c: [[F; 2]; 2],
     /// How they change along the ray.
@@ -327,21 +353,15 @@ struct Pair<F> {
 
 impl<F: Four> Orbit<F> for Pair<F> {
     const DEGREE: f64 = 1.0;
+    const BEYOND: f64 = 0.0;
 
     #[inline(always)]
-    fn start(work: &Iterating, first: usize) -> Self {
-        let [x, y, z, w]: [F; 4] = [
-            work.four(0, first),
-            work.four(1, first),
-            work.four(2, first),
-            work.four(3, first),
-        ];
-        let [a, b] = split(work.fractal.c);
-        let [i, k] = work.along;
+    fn start(fractal: &Fractal, [x, y, z, w]: [F; 4], along: [[F; 2]; 2]) -> Self {
+        let [a, b] = split(fractal.c);
         Pair {
             z: [[x.minus(w), y.plus(z)], [x.plus(w), y.minus(z)]],
             c: [[F::all(a.re), F::all(a.im)], [F::all(b.re), F::all(b.im)]],
-            along: [[F::all(i.re), F::all(i.im)], [F::all(k.re), F::all(k.im)]],
+            along,
         }
     }
 
