@@ -343,6 +343,21 @@ impl Bvh {
         )
     }
 
+    /// All items in the order in which [`Bvh::any`] visits those that a ray may meet, whichever these are.
+    #[must_use]
+    pub fn order(&self) -> Vec<u32> {
+        let mut order = Vec::new();
+        self.search(
+            |_| (1 << WIDTH) - 1,
+            |block| (1 << block.count()) - 1,
+            |item| {
+                order.push(item);
+                false
+            },
+        );
+        order
+    }
+
     /// Visits the items whose boxes hold a point, in no order, until `visit` says to stop. Says whether it did.
     /// Boxes are compared in single precision: some that only nearly hold the point are visited as well.
     pub fn around(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {

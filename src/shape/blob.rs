@@ -10,12 +10,15 @@
 //! Where the threshold is negative the solid is everything outside the surface (checked with POV-Ray).
 
 mod component;
+mod reach;
 
 use self::component::{Component, Part, Parts};
+use self::reach::Reach;
 use super::{Crossing, Crossings, Geometry, Root, Share, Shares, Skin, Start};
 use super::{first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
+use crate::math::lanes::with_widest;
 use crate::math::quartic::quartic_changes_between;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
@@ -31,8 +34,10 @@ const TREE_FROM: usize = 8;
 /// A sum of bounds on fields is right to more than this, as a share of the threshold.
 const LOW: f64 = 1.0 - 1e-9;
 
-/// The numbers of the parts that cover a stretch.
-type Here = SmallVec<[u32; 16]>;
+/// Some of the parts, one bit each.
+type Bits = SmallVec<[u64; 2]>;
+/// Bits of one number of them.
+const WORD: usize = 64;
 
 /// A surface of equal field. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +51,9 @@ struct Field {
     threshold: f64,
     bounds: Bounds,
     tree: Option<Bvh>,
+    /// The balls around components that are not too many, in the order in which they are visited.
+    reach: Option<Reach>,
+    order: Vec<u32>,
 }
 
 impl PartialEq for Field {
@@ -97,12 +105,20 @@ impl Blob {
         // Only what adds can lift the field above a threshold that it is not above anyway.
         let bounds = reach(if threshold < 0.0 { -1.0 } else { 1.0 });
         let tree = (components.len() >= TREE_FROM).then(|| Bvh::build(&boxes));
+        let order = match &tree {
+            Some(tree) => tree.order(),
+            None => (0..).zip(&components).map(|(number, _)| number).collect(),
+        };
+        let visited = order.iter().map(|&number| &components[number as usize]);
+        let reach = Reach::new(visited);
         Blob(Arc::new(Field {
             components,
             skins,
             threshold,
             bounds,
             tree,
+            reach,
+            order,
         }))
     }
 }
@@ -110,6 +126,14 @@ impl Blob {
 impl Field {
     /// Gathers the parts of components that the line of a ray passes.
     fn gather(&self, ray: &Ray, parts: &mut Parts) {
+        if let Some(reach) = &self.reach {
+            let mut met = with_widest(|lanes| reach.met(lanes, ray));
+            while let Some(&number) = self.order.get(met.trailing_zeros() as usize) {
+                met &= met - 1;
+                self.components[number as usize].parts(ray, parts);
+            }
+            return;
+        }
         match &self.tree {
             None => {
                 for component in &self.components {
@@ -131,25 +155,29 @@ impl Field {
         let mut roots = Crossings::new();
         let mut parts = Parts::new();
         self.gather(ray, &mut parts);
+        // Summed in another order than those of a stretch.
+        if parts.iter().map(Part::most).sum::<f64>() < LOW * LOW * self.threshold {
+            return roots;
+        }
         let ends = Ends::new(&parts);
         let mut at = 0;
-        let (mut here, mut next) = (Covering::default(), Covering::default());
+        let (mut here, mut next) = (Covering::none_of(&parts), Covering::none_of(&parts));
         let (mut low, mut starts_inside) = (f64::NEG_INFINITY, self.is_inside(0.0));
         while let Some(joint) = ends.place(at) {
             if low >= to || roots.last().is_some_and(|root| root.t > enough) {
                 break;
             }
-            next.numbers.clone_from(&here.numbers);
-            at = ends.cross(at, &mut next.numbers);
-            next.most = next.parts(&parts).map(Part::most).sum();
+            next.covers.copy_from_slice(&here.covers);
+            at = ends.cross(at, &mut next.covers);
+            next.bound(&parts);
             // None is looked at that ends before the ray begins.
             if joint > from || ends.place(at).is_some_and(|end| end > from) {
                 let ends_inside = self.is_inside_at(&parts, (&here, &next), joint);
-                let is_empty = here.numbers.is_empty() || joint <= from;
+                let is_empty = here.is_empty() || joint <= from;
                 let is_outside = !starts_inside && !ends_inside && self.is_too_low(here.most);
                 if !is_empty && !is_outside {
                     let sides = (starts_inside, ends_inside);
-                    self.solve(here.parts(&parts), (low, joint), sides, &mut roots);
+                    self.solve((&parts, &here), (low, joint), sides, &mut roots);
                 }
                 starts_inside = ends_inside;
             }
@@ -162,15 +190,19 @@ impl Field {
     /// The side at the joint of two stretches.
     fn is_inside_at(
         &self,
-        parts: &Parts,
+        parts: &[Part],
         (before, behind): (&Covering, &Covering),
         joint: f64,
     ) -> bool {
-        if before.numbers.is_empty() || behind.numbers.is_empty() {
+        if before.is_empty() || behind.is_empty() {
             return self.is_inside(0.0);
         }
-        !self.is_too_low(before.most)
-            && self.is_inside(before.parts(parts).map(|part| part.field(joint)).sum())
+        if self.is_too_low(before.most) {
+            return false;
+        }
+        let mut field = 0.0;
+        before.each(parts, |part| field += part.field(joint));
+        self.is_inside(field)
     }
 
     /// Tells whether a field that is nowhere above this is nowhere above the threshold, by more than rounding.
@@ -178,9 +210,9 @@ impl Field {
         most < LOW * self.threshold
     }
 
-    fn solve<'p>(
+    fn solve(
         &self,
-        parts: impl Iterator<Item = &'p Part>,
+        (parts, here): (&[Part], &Covering),
         (low, high): (f64, f64),
         (starts_inside, ends_inside): (bool, bool),
         roots: &mut Crossings,
@@ -188,9 +220,7 @@ impl Field {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         // How much the field lacks.
         let mut quartic = [self.threshold, 0.0, 0.0, 0.0, 0.0];
-        for part in parts {
-            part.take_from(&mut quartic, middle, half);
-        }
+        here.each(parts, |part| part.take_from(&mut quartic, middle, half));
         let mut is_inside = starts_inside;
         for place in quartic_changes_between(&quartic, starts_inside, ends_inside) {
             roots.push(Root {
@@ -226,17 +256,40 @@ impl Field {
 }
 
 /// The parts that cover a stretch.
-#[derive(Default)]
 struct Covering {
-    /// Their numbers, in order.
-    numbers: Here,
+    covers: Bits,
     /// Nowhere the field is above this.
     most: f64,
 }
 
 impl Covering {
-    fn parts<'p>(&'p self, parts: &'p Parts) -> impl Iterator<Item = &'p Part> {
-        self.numbers.iter().map(|&number| &parts[number as usize])
+    fn none_of(parts: &[Part]) -> Self {
+        Covering {
+            covers: Bits::from_elem(0, parts.len().div_ceil(WORD)),
+            most: 0.0,
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.covers.iter().all(|word| *word == 0)
+    }
+
+    fn bound(&mut self, parts: &[Part]) {
+        let mut most = 0.0;
+        self.each(parts, |part| most += part.most());
+        self.most = most;
+    }
+
+    /// In the order of their numbers.
+    #[inline(always)]
+    fn each(&self, parts: &[Part], mut visit: impl FnMut(&Part)) {
+        for (&word, first) in self.covers.iter().zip((0..).step_by(WORD)) {
+            let mut left = word;
+            while left != 0 {
+                visit(&parts[first + left.trailing_zeros() as usize]);
+                left &= left - 1;
+            }
+        }
     }
 }
 
@@ -244,10 +297,11 @@ impl Covering {
 struct Ends(SmallVec<[(f64, u32); 24]>);
 
 impl Ends {
-    fn new(parts: &Parts) -> Self {
-        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::new();
+    fn new(parts: &[Part]) -> Self {
+        let mut ends: SmallVec<[(f64, u32); 24]> = SmallVec::with_capacity(2 * parts.len());
         for (part, number) in parts.iter().zip(0..) {
-            ends.extend_from_slice(&[(part.from, number), (part.to, number)]);
+            ends.push((part.from, number));
+            ends.push((part.to, number));
         }
         ends.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         Ends(ends)
@@ -258,19 +312,14 @@ impl Ends {
     }
 
     /// Goes past all ends at one place: what begins there covers what follows, and what ends there does not.
-    fn cross(&self, mut at: usize, covering: &mut Here) -> usize {
+    fn cross(&self, mut at: usize, covers: &mut [u64]) -> usize {
         let Some(joint) = self.place(at) else {
             return at;
         };
         while let Some(&(place, number)) = self.0.get(at)
             && place == joint
         {
-            match covering.binary_search(&number) {
-                Ok(index) => {
-                    covering.remove(index);
-                }
-                Err(index) => covering.insert(index, number),
-            }
+            covers[number as usize / WORD] ^= 1 << (number as usize % WORD);
             at += 1;
         }
         at

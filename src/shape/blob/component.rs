@@ -21,6 +21,8 @@ pub(super) struct Component {
     /// The height of the other end; zero for a sphere.
     length: f64,
     bounds: Bounds,
+    /// Centre and radius of a ball around it.
+    ball: (DVec3, f64),
 }
 
 /// A stretch of a ray on which `d = |origin + t · dir|`.
@@ -146,6 +148,10 @@ impl Component {
             rows.y_axis.length(),
             rows.z_axis.length(),
         );
+        // No matrix stretches by more than the mean, in products, of its largest column and row in sums of sizes.
+        let sums = |m: DMat3| m.abs() * DVec3::ONE;
+        let stretch =
+            (sums(rows).max_element() * sums(blob_from_unit.matrix3).max_element()).sqrt();
         let ends = [DVec3::ZERO, length * DVec3::Y].map(|end| blob_from_unit.transform_point3(end));
         let slack = 8.0 * f64::EPSILON * (ends[0].abs().max(ends[1].abs()) + reach);
         let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
@@ -157,7 +163,15 @@ impl Component {
             unit_from_blob,
             length,
             bounds: if is_empty { Bounds::EMPTY } else { bounds },
+            ball: (
+                ends[0].midpoint(ends[1]),
+                0.5 * ends[0].distance(ends[1]) + stretch,
+            ),
         }
+    }
+
+    pub(super) fn ball(&self) -> (DVec3, f64) {
+        self.ball
     }
 
     pub(super) fn bounds(&self) -> Bounds {
