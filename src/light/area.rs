@@ -4,9 +4,11 @@
 //! each lamp by itself. A part of the grid is divided where its corners differ, or down to the depth of `adaptive`;
 //! the default of 100 divides everything, which counts the inner lamps of odd grids more than once.
 
+use super::part::first_lamps;
 use crate::args::{Args, Parse, Word};
 use crate::source::{Diagnostic, Span};
 use glam::{DAffine3, DVec3};
+use std::sync::OnceLock;
 
 /// The `adaptive` of lights that give none.
 const ALL_LAMPS: u32 = 100;
@@ -36,6 +38,8 @@ pub struct Area {
     pub is_full: bool,
     /// Where a word that only round areas can have stands.
     at_circular: Option<Span>,
+    /// The lamps that are asked about for each point, once they are known.
+    first: OnceLock<Vec<[u32; 2]>>,
 }
 
 /// The two sides of a grid of lamps.
@@ -61,7 +65,15 @@ impl Area {
             is_oriented: false,
             is_full: false,
             at_circular: None,
+            first: OnceLock::new(),
         }
+    }
+
+    /// The lamps that are asked about for each point, whatever comes from them, in this order.
+    #[must_use]
+    pub fn first_lamps(&self) -> &[[u32; 2]] {
+        self.first
+            .get_or_init(|| first_lamps(self.sizes, self.adaptive))
     }
 
     /// Takes `word` and its value into the area of a light if it is one of this element, and says whether it was.

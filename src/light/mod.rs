@@ -7,12 +7,14 @@
 mod area;
 mod cylinder;
 mod fade;
+mod part;
 mod photons;
 mod spotlight;
 
 pub use area::{Area, Axes};
 pub use cylinder::Cylinder;
 pub use fade::Fade;
+pub use part::Part;
 pub use photons::{ObjectPhotons, PhotonRole, Photons};
 pub use spotlight::Spotlight;
 

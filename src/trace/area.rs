@@ -5,8 +5,12 @@ use super::light::{Coat, Lit, Shining, is_nothing};
 use super::way::{LightWay, shadow_query};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, Scratch};
-use crate::light::{Area, Arrival, Axes, Light};
+use crate::light::{Area, Arrival, Axes, Light, Part};
 use crate::math::Ray;
+use crate::math::lanes::three::{
+    Three, dot, largest, load, minus, over, plus, same, scaled, store,
+};
+use crate::math::lanes::{FourKernel, Lanes, Row, four, with_widest};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -26,6 +30,37 @@ pub(super) struct Lamps<'a> {
     arriving: Rgb,
     /// The point, four times, if several lamps can be asked about at once.
     hits: Option<FourHits>,
+}
+
+/// Points four ways to lamps that stand so far from the middle of a light.
+struct Aiming<'a> {
+    centre: DVec3,
+    point: DVec3,
+    /// Of the surface that the ways go out from; zero where there is none.
+    normal: DVec3,
+    offset: &'a [[f64; 4]; 3],
+}
+
+impl FourKernel for Aiming<'_> {
+    /// The ways, and the largest of their lengths and of the coordinates of where they end.
+    type Answer = (FourWays, [f64; 4]);
+
+    #[inline(always)]
+    fn run<F: Row>(&self) -> (FourWays, [f64; 4]) {
+        let centre: Three<F> = plus(same(self.centre), load(self.offset));
+        let offset = minus(centre, same(self.point));
+        let distance = dot(offset, offset).root();
+        let to_light = over(offset, distance);
+        let end = plus(same(self.point), scaled(to_light, distance));
+        let cosine = dot(same(self.normal), to_light);
+        let ways = FourWays {
+            to_light: store(to_light),
+            distance: distance.store(),
+            goes_out: F::bits(F::all(0.0).below(cosine)),
+            ..FourWays::NOTHING
+        };
+        (ways, largest(end).larger(distance).store())
+    }
 }
 
 /// The indices of lamps that are to be asked about.
@@ -88,50 +123,25 @@ impl<'a> Lamps<'a> {
     }
 }
 
-/// A part of a grid: the first and last indices along both sides.
-#[derive(Clone, Copy)]
-struct Part {
-    u: [u32; 2],
-    v: [u32; 2],
-}
-
-impl Part {
-    /// Its quarters, which share their edges where the number of lamps is odd.
-    fn quarters(self) -> [Part; 4] {
-        let halves = |[low, high]: [u32; 2]| {
-            let sum = low + high;
-            [[low, sum / 2], [sum.div_ceil(2), high]]
-        };
-        let (u, v) = (halves(self.u), halves(self.v));
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| Part { u: u[i], v: v[j] })
-    }
-
-    fn corners(self) -> [[u32; 2]; 4] {
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| [self.u[i], self.v[j]])
-    }
-
-    fn can_be_divided(self) -> bool {
-        self.u[1] - self.u[0] > 1 || self.v[1] - self.v[0] > 1
-    }
-}
-
 impl Tracer<'_> {
     /// What is left of light after the shadows of all lamps.
     pub(super) fn through_area(&self, lamps: &mut Lamps, scratch: &mut Scratch) -> Rgb {
         let [columns, rows] = lamps.area.sizes;
         scratch.lamps.clear();
         scratch.lamps.resize(columns as usize * rows as usize, None);
-        let all = Part {
-            u: [0, columns - 1],
-            v: [0, rows - 1],
-        };
         lamps.hits = self.hits_for(lamps);
         if lamps.hits.is_some() {
-            let mut wanted = Wanted::new();
-            want_all(lamps, all, 0, &mut wanted, scratch);
-            self.ask(lamps, &wanted, scratch);
+            let first = lamps.area.first_lamps();
+            self.ask(lamps, first, scratch);
+            let mut known = first.iter().map(|&lamp| scratch.lamps[lamps.index(lamp)]);
+            if let Some(Some(light)) = known.next()
+                && known.all(|other| other == Some(light))
+                && is_its_own_mean(light)
+            {
+                return light;
+            }
         }
-        self.part_of_area(lamps, all, 0, scratch)
+        self.part_of_area(lamps, Part::all(lamps.area.sizes), 0, scratch)
     }
 
     /// The point, four times, if its ways to several lamps can be asked about at once. With jitter lamps stand elsewhere
@@ -161,20 +171,18 @@ impl Tracer<'_> {
         }
         let mut ways = std::mem::take(&mut scratch.to_lamps);
         ways.clear();
-        let departure = lamps.lit.departure.copied();
-        for four in wanted.chunks(4) {
-            let mut way = FourWays::NOTHING;
-            for lane in 0..4 {
-                let [u, v] = four[lane.min(four.len() - 1)];
-                let arrival =
-                    lamps.arrival(lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
-                let ray = Ray::new(lamps.lit.at.point, arrival.to_light);
-                let query = shadow_query(self.world, departure, ray, arrival.distance);
-                way.aim(lane, arrival.to_light, arrival.distance, query.far);
-                let goes_out = departure.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
-                way.goes_out |= u32::from(goes_out) << lane;
-            }
-            ways.push(way);
+        if lamps.light.is_parallel {
+            let four = |four: &[[u32; 2]]| self.parallel_ways(lamps, four);
+            ways.extend(wanted.chunks(4).map(four));
+        } else {
+            with_widest(
+                #[inline(always)]
+                |lanes| {
+                    for four in wanted.chunks(4) {
+                        ways.push(self.four_ways(lanes, lamps, four));
+                    }
+                },
+            );
         }
         let to_lamps = (&mut ways[..], wanted.len());
         self.world.ways_from(hits, to_lamps, scratch);
@@ -192,6 +200,43 @@ impl Tracer<'_> {
                 Some(self.through_way(lamps.arriving, &way, scratch));
         }
         scratch.to_lamps = ways;
+    }
+
+    /// The ways to up to four lamps that are near.
+    #[inline(always)]
+    fn four_ways(&self, lanes: Lanes, lamps: &Lamps, wanted: &[[u32; 2]]) -> FourWays {
+        let mut offset = [[0.0; 4]; 3];
+        for lane in 0..4 {
+            let [u, v] = wanted[lane.min(wanted.len() - 1)];
+            let lamp = lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v));
+            (offset[0][lane], offset[1][lane], offset[2][lane]) = lamp.into();
+        }
+        let normal = lamps.lit.departure.map_or(DVec3::ZERO, |left| left.normal);
+        let aiming = Aiming {
+            centre: lamps.light.centre,
+            point: lamps.lit.at.point,
+            normal,
+            offset: &offset,
+        };
+        let (mut ways, size) = four(lanes, &aiming);
+        ways.far = self.world.reach_of_four(&ways.distance, &size);
+        ways
+    }
+
+    /// The ways to up to four lamps that are infinitely far.
+    fn parallel_ways(&self, lamps: &Lamps, wanted: &[[u32; 2]]) -> FourWays {
+        let departure = lamps.lit.departure.copied();
+        let mut way = FourWays::NOTHING;
+        for lane in 0..4 {
+            let [u, v] = wanted[lane.min(wanted.len() - 1)];
+            let arrival = lamps.arrival(lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
+            let ray = Ray::new(lamps.lit.at.point, arrival.to_light);
+            let query = shadow_query(self.world, departure, ray, arrival.distance);
+            way.aim(lane, arrival.to_light, arrival.distance, query.far);
+            let goes_out = departure.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
+            way.goes_out |= u32::from(goes_out) << lane;
+        }
+        way
     }
 
     fn part_of_area(&self, lamps: &Lamps, part: Part, level: u32, scratch: &mut Scratch) -> Rgb {
@@ -286,40 +331,12 @@ fn want(lamps: &Lamps, part: Part, wanted: &mut Wanted, scratch: &mut Scratch) {
     }
 }
 
-/// The same for all parts down to the depth to which they are divided whatever comes from their corners.
-fn want_all(lamps: &Lamps, part: Part, level: u32, wanted: &mut Wanted, scratch: &mut Scratch) {
-    want(lamps, part, wanted, scratch);
-    if part.can_be_divided() && level < lamps.area.adaptive {
-        for quarter in part.quarters() {
-            want_all(lamps, quarter, level + 1, wanted, scratch);
-        }
-    }
+/// Whether the mean of four of it is the same to the bit: it is for numbers that neither overflow nor vanish, four times
+/// which a float holds, and three times which it holds within half a rounding of that.
+fn is_its_own_mean(light: Rgb) -> bool {
+    (light + light + light + light) * 0.25_f64 == light
 }
 
 fn differ(a: Rgb, b: Rgb) -> bool {
     (a.r - b.r).abs() + (a.g - b.g).abs() + (a.b - b.b).abs() > DIFFERENCE
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Part;
-
-    #[test]
-    fn quarters_of_odd_grids_share_their_middle() {
-        let quarters = Part {
-            u: [0, 2],
-            v: [0, 4],
-        }
-        .quarters();
-        assert_eq!((quarters[0].u, quarters[0].v), ([0, 1], [0, 2]));
-        assert_eq!((quarters[3].u, quarters[3].v), ([1, 2], [2, 4]));
-        let even = Part {
-            u: [0, 3],
-            v: [0, 0],
-        };
-        assert_eq!(
-            even.quarters().map(|part| part.u),
-            [[0, 1], [2, 3], [0, 1], [2, 3]]
-        );
-    }
 }
