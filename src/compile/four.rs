@@ -384,10 +384,12 @@ impl Passing<'_> {
     #[inline(always)]
     fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>) -> FourSpans<F> {
         let leaf = &self.leaves[(self.program.first + number) as usize];
-        match &leaf.object_from_world {
-            None => leaf.shape.four(rays),
-            Some(matrix) => leaf.shape.four(&rays.to_object(matrix)),
-        }
+        // One place to inline all shapes, not one for each case.
+        let rays = match &leaf.object_from_world {
+            None => *rays,
+            Some(matrix) => rays.to_object(matrix),
+        };
+        leaf.shape.four(&rays)
     }
 
     /// Finds the operands of a large combination whose boxes some of the rays meet where something may be shown, and
