@@ -209,7 +209,7 @@ impl Shape {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
             Shape::Cuboid(_) => true,
             Shape::Cylinder(cylinder) => cylinder.has_four(),
-            Shape::Plane(_) => true,
+            Shape::Plane(_) | Shape::Quadric(_) => true,
             _ => false,
         }
     }
@@ -302,6 +302,7 @@ impl Shape {
             Shape::Cuboid(cuboid) => cuboid.four(rays),
             Shape::Cylinder(cylinder) => cylinder.four(rays),
             Shape::Plane(plane) => plane.four(rays),
+            Shape::Quadric(quadric) => quadric.four(rays),
             _ => {
                 let nothing = F::all(0.0);
                 FourSpans::new((nothing, nothing), F::mask(0), F::mask(0))

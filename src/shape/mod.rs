@@ -38,6 +38,7 @@ mod poly;
 mod polygon;
 mod prism;
 mod quadric;
+mod quadric_of_four;
 mod read;
 #[cfg(test)]
 mod roundings;

@@ -21,25 +21,25 @@ use glam::{DMat3, DVec3};
 const LONGEST: f64 = 1e5;
 
 /// Squares of directions that need no scaling, which would change no digits.
-const EVEN_SQUARES: std::ops::Range<f64> =
+pub(super) const EVEN_SQUARES: std::ops::Range<f64> =
     f64::from_bits((1023 - 60) << 52)..f64::from_bits((1023 + 60) << 52);
 
 /// Roots are close to each other if the discriminant is less than this share of the square it comes from.
-const CLOSE: f64 = 1.0 / 1024.0;
+pub(super) const CLOSE: f64 = 1.0 / 1024.0;
 
 /// A root needs no better place where the value is within so many roundings of its terms: no more than it is known to.
-const NEAR_ENOUGH: f64 = 2.0;
+pub(super) const NEAR_ENOUGH: f64 = 2.0;
 
 /// A surface of second order. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
     /// Half of the matrix of second derivatives.
-    matrix: Box<DMat3>,
+    pub(super) matrix: Box<DMat3>,
     /// The factors of x, y and z.
-    linear: DVec3,
-    constant: f64,
+    pub(super) linear: DVec3,
+    pub(super) constant: f64,
     /// Where the gradient is zero, if there is such a place; rays are moved near to it.
-    middle: DVec3,
+    pub(super) middle: DVec3,
 }
 
 impl Quadric {

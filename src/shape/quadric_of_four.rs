@@ -1,0 +1,229 @@
+//! Four rays and a quadric at once, by the steps of [`super::quadric`] in the same order. What takes more steps there is
+//! left to single rays: directions that are scaled first, a quadratic without its square, roots close to each other.
+//!
+//! A span is told for the part of the line ahead of the start of the ray: of a quadric that a line enters and leaves for
+//! good at both ends, as the two nappes of a cone, only one stretch may lie there.
+
+use super::four::{FourRays, FourSpans, Three, dot, minus, plus, same, scaled};
+use super::quadric::{CLOSE, EVEN_SQUARES, NEAR_ENOUGH, Quadric};
+use crate::math::lanes::Four;
+
+/// What holds at four points.
+#[derive(Clone, Copy)]
+struct At<F> {
+    value: F,
+    half_gradient: Three<F>,
+    /// No more than the sum of the sizes of the terms of the value.
+    size: F,
+}
+
+impl Quadric {
+    /// Where four rays are inside, ahead of their starts.
+    #[inline(always)]
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+        let (zero, endless) = (F::all(0.0), F::all(f64::INFINITY));
+        let dir_sq = dot(rays.dir, rays.dir);
+        let is_even = F::both(
+            F::all(EVEN_SQUARES.start).not_above(dir_sq),
+            dir_sq.below(F::all(EVEN_SQUARES.end)),
+        );
+        let ahead = dot(minus(same(self.middle), rays.origin), rays.dir).over(dir_sq);
+        let a = dot(rays.dir, self.turned_of_four(rays.dir));
+        let near = self.at_four(plus(rays.origin, scaled(rays.dir, ahead)));
+        let (b, c) = (dot(near.half_gradient, rays.dir), near.value);
+        let (b_sq, a_c) = (b.times(b), a.times(c));
+        let discriminant = b_sq.minus(a_c);
+        // Little cancels.
+        let is_clear = F::all(0.5)
+            .times(b_sq.size().larger(a_c.size()))
+            .not_above(discriminant.size());
+        let is_apart = F::all(CLOSE)
+            .times(b)
+            .times(b)
+            .not_above(discriminant.size());
+        let is_known = F::both(
+            F::both(is_even, zero.below(a.size())),
+            F::both(
+                F::both(is_clear, is_apart),
+                discriminant.size().below(endless),
+            ),
+        );
+        let is_met = zero.below(discriminant);
+        let is_open = a.below(zero);
+        if F::bits(is_met) == 0 {
+            return FourSpans {
+                enter: endless.negated(),
+                leave: endless,
+                is_met: is_open,
+                unknown: 0b1111 & !F::bits(is_known),
+            };
+        }
+        let root = discriminant.root();
+        // Zero has a sign, too.
+        let is_negative = F::either(b.below(zero), F::all(1.0).over(b).below(zero));
+        let q = b.plus(F::pick(is_negative, root.negated(), root)).negated();
+        let (t, other) = (q.over(a), c.over(q));
+        let places = [t.smaller(other).plus(ahead), t.larger(other).plus(ahead)];
+        let mut refined = places;
+        for t in &mut refined {
+            *t = self.refined_of_four(rays, *t);
+        }
+        let is_ordered = refined[0].not_above(refined[1]);
+        let first = F::pick(is_ordered, refined[0], places[0]);
+        let second = F::pick(is_ordered, refined[1], places[1]);
+        let is_finite = F::both(first.size().below(endless), second.size().below(endless));
+        let is_span = F::both(is_finite, first.below(second));
+        // Of two stretches of an open one the first must be over.
+        let is_ahead = F::both(is_open, zero.below(first));
+        let doubts = F::bits(is_met) & (!F::bits(is_span) | F::bits(is_ahead));
+        let is_outer = F::both(is_met, is_open);
+        FourSpans {
+            enter: F::pick(is_outer, second, F::pick(is_met, first, endless.negated())),
+            leave: F::pick(is_outer, endless, F::pick(is_met, second, endless)),
+            is_met: F::either(is_met, is_open),
+            unknown: 0b1111 & (!F::bits(is_known) | doubts),
+        }
+    }
+
+    /// Four of [`Quadric::refined`].
+    #[inline(always)]
+    fn refined_of_four<F: Four>(&self, rays: &FourRays<F>, mut t: F) -> F {
+        let mut at = self.at_four(plus(rays.origin, scaled(rays.dir, t)));
+        let mut goes_on = F::mask(0b1111);
+        for _ in 0..2 {
+            let enough = F::all(NEAR_ENOUGH * f64::EPSILON).times(at.size);
+            goes_on = F::both(goes_on, enough.below(at.value.size()));
+            if F::bits(goes_on) == 0 {
+                break;
+            }
+            let slope = dot(at.half_gradient, rays.dir);
+            let next = t.minus(F::all(0.5).times(at.value).over(slope));
+            let there = self.at_four(plus(rays.origin, scaled(rays.dir, next)));
+            goes_on = F::both(goes_on, there.value.size().below(at.value.size()));
+            t = F::pick(goes_on, next, t);
+            at = At {
+                value: F::pick(goes_on, there.value, at.value),
+                half_gradient: [
+                    F::pick(goes_on, there.half_gradient[0], at.half_gradient[0]),
+                    F::pick(goes_on, there.half_gradient[1], at.half_gradient[1]),
+                    F::pick(goes_on, there.half_gradient[2], at.half_gradient[2]),
+                ],
+                size: F::pick(goes_on, there.size, at.size),
+            };
+        }
+        t
+    }
+
+    #[inline(always)]
+    fn at_four<F: Four>(&self, p: Three<F>) -> At<F> {
+        let turned = self.turned_of_four(p);
+        let (square, linear) = (dot(p, turned), dot(same(self.linear), p));
+        let constant = F::all(self.constant);
+        At {
+            value: square.plus(linear).plus(constant),
+            half_gradient: plus(turned, same(0.5 * self.linear)),
+            size: square.size().plus(linear.size()).plus(constant.size()),
+        }
+    }
+
+    #[inline(always)]
+    fn turned_of_four<F: Four>(&self, v: Three<F>) -> Three<F> {
+        let matrix = &*self.matrix;
+        let [x, y, z] = [
+            scaled(same(matrix.x_axis), v[0]),
+            scaled(same(matrix.y_axis), v[1]),
+            scaled(same(matrix.z_axis), v[2]),
+        ];
+        plus(plus(x, y), z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::lanes::{FourKernel, Lanes, four};
+    use crate::math::random::Random;
+    use crate::math::{Bounds, Ray};
+    use crate::shape::{Crossing, Geometry, Root, Start};
+    use glam::DVec3;
+
+    /// Asks where four rays are inside of a quadric.
+    struct Asked<'a> {
+        quadric: &'a Quadric,
+        rays: [Ray; 4],
+    }
+
+    impl FourKernel for Asked<'_> {
+        type Answer = [Option<(bool, f64, f64)>; 4];
+
+        fn run<F: Four>(&self) -> Self::Answer {
+            let spans = self.quadric.four(&FourRays::<F>::of_each(&self.rays));
+            let (enter, leave) = (spans.enter.store(), spans.leave.store());
+            let met = F::bits(spans.is_met);
+            [0, 1, 2, 3].map(|lane| {
+                let is_known = spans.unknown >> lane & 1 == 0;
+                is_known.then(|| match met >> lane & 1 {
+                    0 => (false, 0.0, 0.0),
+                    _ => (true, enter[lane], leave[lane]),
+                })
+            })
+        }
+    }
+
+    /// What a single ray says of the span ahead.
+    fn alone(quadric: &Quadric, ray: &Ray) -> (bool, f64, f64) {
+        let mut roots: Vec<Root> = Vec::new();
+        let mut is_inside = quadric.roots(ray, &mut roots) == Start::Inside;
+        let mut span = (is_inside, f64::NEG_INFINITY, f64::INFINITY);
+        for root in &roots {
+            let is_old = root.t <= 0.0 && roots.len() > 1 && root.crossing == Crossing::Leave;
+            match root.crossing {
+                Crossing::Enter => span = (true, root.t, f64::INFINITY),
+                _ if is_old && roots[0].crossing == Crossing::Leave => span.0 = false,
+                _ => span.2 = root.t,
+            }
+            is_inside = root.crossing == Crossing::Enter;
+        }
+        assert_eq!(is_inside, span.0 && span.2 == f64::INFINITY);
+        if span.0 { span } else { (false, 0.0, 0.0) }
+    }
+
+    #[test]
+    fn four_rays_find_what_each_finds() {
+        let mut rng = Random::new(61);
+        let bounds = Bounds::new(DVec3::NEG_ONE, DVec3::ONE);
+        let (mut known, mut met, mut open) = (0, 0, 0);
+        for round in 0..20_000 {
+            let sign = |rng: &mut Random| (3.0 * rng.share()).floor() - 1.0;
+            let squares = DVec3::new(1.0, sign(&mut rng), sign(&mut rng));
+            let [mixed, linear, stretch] = match round % 3 {
+                0 => [DVec3::ZERO, DVec3::ZERO, DVec3::ONE],
+                1 => [DVec3::ZERO, rng.vector(1.0), rng.vector(1.0)],
+                _ => [rng.vector(0.5), rng.vector(1.0), rng.vector(3.0)],
+            };
+            let constant = sign(&mut rng) * 0.25;
+            let quadric = Quadric::new(squares * stretch, mixed, linear, constant);
+            let mut rays = [(); 4].map(|()| rng.ray_near(&bounds));
+            if round % 5 == 0 {
+                // Through the middle, along an axis, with zeros of either sign.
+                rays[1] = Ray::new(DVec3::new(-0.0, 0.0, -4.0), DVec3::new(0.0, -0.0, 1.0));
+                rays[2] = Ray::new(DVec3::new(0.0, 3.0, -0.0), DVec3::new(-0.0, -1.0, 0.0));
+            }
+            let quadric = &quadric;
+            let asked = Asked { quadric, rays };
+            let (wide, narrow) = (four(Lanes::widest(), &asked), four(Lanes::NARROW, &asked));
+            assert_eq!(wide, narrow);
+            for (ray, found) in rays.iter().zip(wide) {
+                let Some(found) = found else { continue };
+                assert_eq!(found, alone(quadric, ray), "{quadric:?} {ray:?}");
+                known += 1;
+                met += usize::from(found.0);
+                open += usize::from(found.0 && found.2 == f64::INFINITY);
+            }
+        }
+        assert!(
+            known > 40_000 && met > 20_000 && open > 5_000,
+            "{known} {met} {open}"
+        );
+    }
+}
