@@ -157,6 +157,11 @@ impl Program {
         }
     }
 
+    /// The numbers of its leaves.
+    pub(super) fn leaves(&self) -> Range<u32> {
+        self.first..self.first + self.len()
+    }
+
     /// How many leaves it has.
     pub(super) fn len(&self) -> u32 {
         u32::try_from(self.operands.len()).unwrap_or(u32::MAX)
@@ -317,11 +322,9 @@ impl Program {
             return true;
         }
         let mut inner = sweep.inner.take().unwrap_or_default();
-        for Gate { operands, bound } in &self.gates {
-            let span = (0.0, f64::INFINITY);
-            let hit = bound.nearest(leaves, ray, span, None, &mut inner, |_| true);
-            if hit.is_none() && !bound.contains(leaves, ray.origin) {
-                self.mark(operands, &mut sweep.unseen);
+        for gate in &self.gates {
+            if !gate.is_met(leaves, ray, &mut inner) {
+                self.mark(&gate.operands, &mut sweep.unseen);
             }
         }
         sweep.inner = Some(inner);
@@ -344,6 +347,19 @@ impl Program {
                 self.mark(operands, &mut sweep.missed);
             }
         }
+    }
+
+    /// Whether the surface of an operand is shown to a ray that misses none of what bounds it.
+    #[inline(always)]
+    pub(super) fn shows(
+        &self,
+        operand: u32,
+        leaves: &[Leaf],
+        ray: &Ray,
+        sweep: &mut Sweep,
+    ) -> bool {
+        let mut gates = self.gates.iter();
+        gates.all(|gate| !gate.operands.contains(&operand) || gate.is_met(leaves, ray, sweep))
     }
 
     fn mark(&self, operands: &Range<u32>, marked: &mut Vec<bool>) {
@@ -481,6 +497,15 @@ impl Program {
         }
         self.count_from_below(&mut counts);
         self.node_in(0, &counts)
+    }
+}
+
+impl Gate {
+    /// Whether a ray meets the bounding object or starts inside of it.
+    fn is_met(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
+        let span = (0.0, f64::INFINITY);
+        let hit = self.bound.nearest(leaves, ray, span, None, sweep, |_| true);
+        hit.is_some() || self.bound.contains(leaves, ray.origin)
     }
 }
 

@@ -116,12 +116,11 @@ struct Narrowing<'a>(Passing<'a>);
 impl Program {
     /// In which way four rays can be asked about it at once.
     pub(super) fn way_of_four(&self, leaves: &[Leaf]) -> Way {
-        let own = &leaves[self.first as usize..][..self.operands.len()];
         let asked = self.order.others.len();
-        if !self.gates.is_empty()
-            || asked > MOST_OPERANDS
-            || !own.iter().all(|leaf| leaf.shape.has_four())
-        {
+        // What few rays come near need not be known to four.
+        let mut always_asked = self.order.required.iter().chain(&self.order.others);
+        let has_four = |&number: &u32| leaves[(self.first + number) as usize].shape.has_four();
+        if asked > MOST_OPERANDS || !always_asked.all(has_four) {
             return Way::Singly;
         }
         match self.nodes.as_slice() {
@@ -462,7 +461,13 @@ impl World {
                 clippy::cast_sign_loss,
                 reason = "a small whole number"
             )]
-            let leaf = program.first + found.operand[lane] as u32;
+            let operand = found.operand[lane] as u32;
+            let leaf = program.first + operand;
+            let ray = query(start + lane).ray;
+            if !program.shows(operand, &self.model.leaves, &ray, &mut scratch.sweep) {
+                found.unknown |= 1 << lane;
+                continue;
+            }
             // A surface on which the ray may start is for the search that looks behind it.
             if may_be_left(from[lane], found.t[lane]) {
                 found.unknown |= 1 << lane;
@@ -493,7 +498,6 @@ impl World {
                 );
                 continue;
             }
-            let ray = query(start + lane).ray;
             match found_leaf.root_at(&ray, found.t[lane], &mut scratch.roots) {
                 Some(root) => take(
                     lot,

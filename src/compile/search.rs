@@ -176,6 +176,9 @@ impl World {
         far: f64,
         scratch: &mut Scratch,
     ) -> Option<Found> {
+        if self.is_hidden(item.item, query.seen) {
+            return None;
+        }
         let mut wants = Seeing { world: self, query };
         self.model.find(item.item, search, far, scratch, &mut wants)
     }

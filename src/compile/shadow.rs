@@ -201,6 +201,9 @@ impl World {
         way: &mut Way,
         scratch: &mut Scratch,
     ) -> bool {
+        if self.is_hidden(item.item, query.seen) {
+            return false;
+        }
         let mut wants = Blocking {
             world: self,
             query,

@@ -461,10 +461,22 @@ impl World {
         scratch: &mut Scratch,
         mut take: impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
-        if !self.suits_four(item.item, seen) {
+        if self.is_hidden(item.item, seen) {
+            return 0;
+        }
+        if !self.model.suits_four(item.item) {
             return rays;
         }
         let mut left = 0;
+        let mut unsure = 0;
+        // What is behind a surface that does not count only a single ray finds.
+        let mut take = |lot: &mut Lot, ray: usize, found: Found| {
+            if self.counts_at_once(&found, seen) {
+                take(lot, ray, found);
+            } else {
+                unsure |= 1 << (ray - first);
+            }
+        };
         for half in [0, 4] {
             let some = rays >> half & 0b1111;
             if some == 0 {
@@ -491,6 +503,6 @@ impl World {
             };
             left |= unknown << half;
         }
-        left
+        left | unsure
     }
 }

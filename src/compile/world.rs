@@ -176,12 +176,31 @@ impl World {
         &self.model.finder
     }
 
-    /// Whether four rays can be asked about an item at once: they see all surfaces alike, and its form is a simple one.
+    /// Whether a surface that was found counts at once: such rays see it, and if they go to a light it ends them.
     #[inline(always)]
-    pub(super) fn suits_four(&self, item: Item, seen: Seen) -> bool {
-        let sees_all =
-            !self.overview.hides_some && (seen != Seen::Shadow || self.overview.is_opaque);
-        sees_all && self.model.suits_four(item)
+    pub(super) fn counts_at_once(&self, found: &Found, seen: Seen) -> bool {
+        let ends = seen != Seen::Shadow
+            || self.overview.is_opaque
+            || self.overview.opaque[found.surface as usize];
+        ends && self.is_seen(found, seen)
+    }
+
+    /// Whether such rays see nothing of an item; what is not known is false.
+    #[inline(always)]
+    pub(super) fn is_hidden(&self, item: Item, seen: Seen) -> bool {
+        self.overview.hides_some && self.is_all_hidden(item, seen)
+    }
+
+    #[inline(never)]
+    fn is_all_hidden(&self, item: Item, seen: Seen) -> bool {
+        let leaves = match item {
+            Item::Leaf(leaf) => leaf..leaf + 1,
+            Item::Program(number) => self.model.programs[number as usize].leaves(),
+            Item::Instance(_) => return false,
+        };
+        let leaves = &self.model.leaves[leaves.start as usize..leaves.end as usize];
+        let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(seen);
+        !leaves.iter().any(is_seen)
     }
 
     /// Whether there is neither fog nor a rainbow.
