@@ -68,7 +68,7 @@ impl Program {
         });
         self.prepare(leaves, bounds, boxed);
         // Trees depend on where things are.
-        let is_anywhere = self.order.many.is_none() && self.order.boxed.is_none();
+        let is_anywhere = self.order.boxed.is_none();
         *last = is_anywhere.then(|| {
             now.ready = self.clone();
             now

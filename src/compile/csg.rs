@@ -111,7 +111,9 @@ pub(super) struct Sweep {
     state: State,
     before: Vec<u32>,
     kept: Vec<bool>,
-    /// Which operands are missed, since the boxes around them are.
+    /// Operands whose boxes are met.
+    near: Vec<u32>,
+    /// Which operands are missed, since the boxes around parts that they belong to are; empty if none is.
     missed: Vec<bool>,
     /// Which of them do not show, since the ray misses what bounds them.
     unseen: Vec<bool>,
@@ -184,9 +186,7 @@ impl Program {
             departure,
         };
         let to = self.collect(passing, span, sweep)?;
-        sweep
-            .events
-            .sort_by(|a, b| a.root.t.total_cmp(&b.root.t).then(a.leaf.cmp(&b.leaf)));
+        sort(&mut sweep.events);
         let mut at = 0;
         while at < sweep.events.len() {
             let t = sweep.events[at].root.t;
@@ -198,7 +198,15 @@ impl Program {
                 end += 1;
             }
             if end == at + 1 {
-                self.step(at, sweep);
+                let event = sweep.events[at];
+                let is_hidden = self.operands[event.leaf as usize].is_hidden;
+                if t > from && event.root.is_visible && !is_hidden {
+                    self.step(at, sweep);
+                } else {
+                    self.toggle(&event, &mut sweep.state);
+                    at = end;
+                    continue;
+                }
             } else {
                 self.step_together(at, end, sweep);
             }
@@ -228,7 +236,6 @@ impl Program {
         if !self.try_gates(passing.leaves, passing.ray, sweep) {
             return None;
         }
-        self.try_boxes(passing.ray, (from, to), sweep);
         let (mut from, mut to) = (from, to);
         for &number in &self.order.required {
             let start = self.ask(number, passing, (from, to), sweep);
@@ -243,25 +250,20 @@ impl Program {
                 return None;
             }
         }
-        for &number in &self.order.others {
+        self.try_boxes(passing.ray, (from, to), sweep);
+        let near = std::mem::take(&mut sweep.near);
+        for &number in self.order.others.iter().chain(&near) {
             // What is missed has no roots, and the ray is as it is at rest.
             if sweep.missed.get(number as usize) != Some(&true) {
                 self.ask(number, passing, (from, to), sweep);
             }
         }
-        if let Some(many) = &self.order.many {
-            // Where the ray is in no box, it is outside.
-            many.tree.any(passing.ray, from, to, |place| {
-                let number = many.bounded[place as usize];
-                self.ask(number, passing, (from, to), sweep);
-                false
-            });
-        }
+        sweep.near = near;
         Some(to)
     }
 
-    /// Adds the roots of a leaf, unless none of them lies from `from` to `to`, and its state before them. Gives where the
-    /// line starts.
+    /// Adds the roots of a leaf that lie from `from` to `to`, and its state before them. Gives where the line starts. All
+    /// roots on the line are left in `sweep.roots`.
     fn ask(
         &self,
         number: u32,
@@ -270,53 +272,52 @@ impl Program {
         sweep: &mut Sweep,
     ) -> Start {
         let leaf = self.first + number;
-        sweep.roots.clear();
         let own = &passing.leaves[leaf as usize];
-        let start = if sweep.missed.get(number as usize) == Some(&true) {
-            Start::Outside
-        } else if from >= 0.0 && to < f64::INFINITY && own.holds(passing.ray, to) {
+        let Sweep {
+            roots,
+            events,
+            state,
+            unseen,
+            ..
+        } = sweep;
+        roots.clear();
+        let start = if from >= 0.0 && to < f64::INFINITY && own.holds(passing.ray, to) {
             Start::Inside
         } else {
-            own.roots(passing.ray, &mut sweep.roots)
+            own.roots(passing.ray, roots)
         };
-        let is_over = sweep.roots.last().is_some_and(|last| last.t < from);
-        let is_in = if is_over {
-            sides(&sweep.roots, start).1
-        } else {
-            start == Start::Inside
-        };
+        let mut over = 0;
+        while over < roots.len() && roots[over].t < from {
+            over += 1;
+        }
+        let (_, is_in) = sides(&roots[..over], start);
         if is_in {
             let operand = &self.operands[number as usize];
             let is_in = !operand.is_inverse;
-            sweep.state.set(number, is_in);
-            self.climb(operand.parent, is_in, &mut sweep.state);
+            state.set(number, is_in);
+            self.climb(operand.parent, is_in, state);
         }
-        if is_over || sweep.roots.first().is_none_or(|first| first.t > to) {
+        if roots.get(over).is_none_or(|next| next.t > to) {
             return start;
         }
         if let Some(left) = passing.departure.filter(|departure| departure.leaf == leaf) {
-            hide_departure(
-                &mut sweep.roots,
-                left,
-                &passing.leaves[leaf as usize],
-                passing.ray.dir,
-            );
+            hide_departure(roots, left, own, passing.ray.dir);
         }
-        if sweep.unseen.get(number as usize) == Some(&true) {
-            sweep
-                .roots
-                .iter_mut()
-                .for_each(|root| root.is_visible = false);
+        let is_unseen = unseen.get(number as usize) == Some(&true);
+        for &root in &roots[over..] {
+            if root.t > to {
+                break;
+            }
+            let is_visible = root.is_visible && !is_unseen;
+            let root = Root { is_visible, ..root };
+            events.push(Event { root, leaf: number });
         }
-        let event = |&root: &Root| Event { root, leaf: number };
-        sweep.events.extend(sweep.roots.iter().map(event));
         start
     }
 
     /// Notes which operands do not show because the ray misses what bounds them; the others are cut by them all the same
     /// (measured with POV-Ray). Says whether any are left.
     fn try_gates(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
-        sweep.missed.clear();
         sweep.unseen.clear();
         if self.gates.is_empty() {
             return true;
@@ -331,18 +332,24 @@ impl Program {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Notes which operands the ray misses since it misses the boxes around parts: outside of its box nothing of a part
-    /// shows, and the ray is not inside of it, whatever it is made of.
+    /// Finds the operands whose boxes the ray meets; where it is in none it is outside. Notes which others it misses since
+    /// it misses the boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of it,
+    /// whatever it is made of.
     fn try_boxes(&self, ray: &Ray, (from, to): (f64, f64), sweep: &mut Sweep) {
+        sweep.near.clear();
+        sweep.missed.clear();
         let Some(boxed) = &self.order.boxed else {
             return;
         };
         let mut met = 0u64;
-        boxed.tree.any(ray, from, to, |part| {
-            met |= 1 << part;
+        boxed.tree.any(ray, from, to, |place| {
+            match boxed.bounded.get(place as usize) {
+                Some(&number) => sweep.near.push(number),
+                None => met |= 1 << (place as usize - boxed.bounded.len()),
+            }
             false
         });
-        for (part, operands) in boxed.operands.iter().enumerate() {
+        for (part, operands) in boxed.parts.iter().enumerate() {
             if met >> part & 1 == 0 {
                 self.mark(operands, &mut sweep.missed);
             }
@@ -497,6 +504,26 @@ impl Program {
         }
         self.count_from_below(&mut counts);
         self.node_in(0, &counts)
+    }
+}
+
+/// Puts roots in order; those of one leaf at the same place stay as they are. Most rays meet few.
+fn sort(events: &mut [Event]) {
+    const FEW: usize = 16;
+    if events.len() > FEW {
+        events.sort_by(|a, b| a.root.t.total_cmp(&b.root.t).then(a.leaf.cmp(&b.leaf)));
+        return;
+    }
+    let comes_before =
+        |a: &Event, b: &Event| a.root.t < b.root.t || a.root.t == b.root.t && a.leaf < b.leaf;
+    for end in 1..events.len() {
+        let event = events[end];
+        let mut at = end;
+        while at > 0 && comes_before(&event, &events[at - 1]) {
+            events[at] = events[at - 1];
+            at -= 1;
+        }
+        events[at] = event;
     }
 }
 

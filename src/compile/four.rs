@@ -396,7 +396,8 @@ impl Passing<'_> {
     #[inline(always)]
     fn gather(&mut self, lanes: Lanes, others: &mut Numbers) -> Option<()> {
         let order = &self.program.order;
-        let Some(many) = &order.many else {
+        let boxed = order.boxed.as_ref();
+        let Some(boxed) = boxed.filter(|boxed| !boxed.bounded.is_empty()) else {
             return Some(());
         };
         let ([low, high], left) = four(lanes, &Narrowing(*self));
@@ -406,14 +407,15 @@ impl Passing<'_> {
             _ => MOST_OPERANDS - order.required.len(),
         };
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
-            let is_full = many.tree.any_in(
+            let is_full = boxed.tree.any_in(
                 lanes,
                 &self.rays.ray(lane),
                 (low[lane], high[lane]),
                 #[inline(always)]
                 |place| {
-                    let number = many.bounded[place as usize];
-                    if !others.contains(&number) {
+                    if let Some(&number) = boxed.bounded.get(place as usize)
+                        && !others.contains(&number)
+                    {
                         others.push(number);
                     }
                     others.len() > room
@@ -578,7 +580,7 @@ mod tests {
                 };
                 assert_eq!(together(&wide), alone, "{program:?}");
                 assert_eq!(together(&narrow), alone, "{program:?}");
-                let is_cut = usize::from(program.order.many.is_some());
+                let is_cut = usize::from(program.order.boxed.is_some());
                 known[usize::from(way == Way::Tree)][is_cut] += usize::from(alone.is_some());
             }
         }

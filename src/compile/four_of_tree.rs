@@ -14,7 +14,7 @@ struct Part<F> {
     ends: (F, F),
 }
 
-/// Which rays are inside of something, and which outside.
+/// Which rays are certainly inside of something, and which outside.
 struct Sides<F: Four> {
     inside: F::Mask,
     outside: F::Mask,
@@ -110,8 +110,8 @@ impl FourKernel for Tree<'_> {
                 let is_within = F::both(held.low.not_above(t), t.not_above(held.high));
                 let is_next = F::both(F::both(from.below(t), is_within), t.below(best));
                 if F::bits(is_next) & passing.there != 0 {
-                    let is_shown = self.is_shown((parts, place), t, &apart);
-                    best = F::pick(F::both(is_next, is_shown), t, best);
+                    let is_covered = self.is_covered((parts, place), t, &apart);
+                    best = F::pick(is_next, F::pick(is_covered, best, t), best);
                 }
             }
         }
@@ -132,8 +132,8 @@ impl Tree<'_> {
     fn apart<F: Four>(&self, parts: &[Part<F>]) -> [[u32; 2]; MOST_NODES] {
         let order = &self.0.program.order;
         let mut apart = [[0; 2]; MOST_NODES];
-        if let Some(many) = &order.many {
-            for (apart, resting) in apart.iter_mut().zip(&many.resting) {
+        if let Some(boxed) = &order.boxed {
+            for (apart, resting) in apart.iter_mut().zip(&boxed.resting) {
                 *apart = *resting;
             }
             for part in &parts[order.required.len() + order.others.len()..] {
@@ -144,10 +144,10 @@ impl Tree<'_> {
         apart
     }
 
-    /// Which rays are shown the surface of the operand in a place at `t`: all nodes above let it through. Where another
-    /// operand ends there too it counts as shown, so that it is not passed over.
+    /// To which rays some node above does not let the surface of the operand in a place at `t` through. Of an operand that
+    /// ends there too neither side is certain: what it may cover counts as shown, so that it is not passed over.
     #[inline(always)]
-    fn is_shown<F: Four>(
+    fn is_covered<F: Four>(
         &self,
         (parts, place): (&[Part<F>], usize),
         t: F,
@@ -165,23 +165,21 @@ impl Tree<'_> {
                 }
             }
         }
-        let mut is_tied = F::mask(0);
         for (other, part) in parts.iter().enumerate() {
             if other == place {
                 continue;
             }
             let operand = &program.operands[part.number as usize];
             let (enter, leave) = part.ends;
-            is_tied = F::either(is_tied, F::either(enter.equals(t), leave.equals(t)));
             let side = Sides {
                 inside: F::both(enter.below(t), t.below(leave)),
-                outside: F::either(t.not_above(enter), leave.not_above(t)),
+                outside: F::either(t.below(enter), leave.below(t)),
             };
             let combine = program.nodes[operand.parent as usize].combine;
             let parent = operand.parent as usize % MOST_NODES;
             sides[parent].add(combine, side.exchanged(operand.is_inverse));
         }
-        let mut is_shown = F::mask(0b1111);
+        let mut is_covered = F::mask(0);
         let mut above = program.operands[parts[place].number as usize].parent;
         for (at, node) in nodes.rev() {
             let own = sides[at];
@@ -194,12 +192,12 @@ impl Tree<'_> {
                 continue;
             }
             above = node.parent;
-            is_shown = match node.combine {
-                Combine::Union => is_shown,
-                Combine::Merge => F::both(is_shown, own.outside),
-                Combine::Intersection => F::both(is_shown, own.inside),
+            is_covered = match node.combine {
+                Combine::Union => is_covered,
+                Combine::Merge => F::either(is_covered, own.inside),
+                Combine::Intersection => F::either(is_covered, own.outside),
             };
         }
-        F::either(is_shown, is_tied)
+        is_covered
     }
 }

@@ -16,11 +16,11 @@ use std::ops::Range;
 
 /// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
 const TREE_FROM: usize = 9;
-/// The same where rays are always asked one by one, and no operand narrows the stretch in which to look.
+/// The same where some operand can only be asked by one ray at a time, and none narrows the stretch in which to look.
 const TREE_OF_LONE_RAYS_FROM: usize = 4;
 
 /// So many parts have boxes that are tried.
-const MOST_BOXED: usize = 64;
+const MOST_PARTS: usize = 64;
 
 /// In which order a program asks its operands for roots.
 #[derive(Clone, Debug, Default)]
@@ -29,26 +29,19 @@ pub(super) struct Order {
     pub(super) required: SmallVec<[u32; 4]>,
     /// All others, except those in the tree.
     pub(super) others: SmallVec<[u32; 4]>,
-    /// The bounded operands of a large combination.
-    pub(super) many: Option<Box<Many>>,
-    /// Parts with boxes of their own, which spare their operands.
+    /// What is found by its box, if anything is.
     pub(super) boxed: Option<Box<Boxed>>,
 }
 
-/// Parts that have boxes of their own, at most [`MOST_BOXED`].
+/// Operands and parts of a combination in a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Boxed {
+    /// By position in `bounded`, with the parts behind them.
     pub(super) tree: Bvh,
-    /// The operands of each.
-    pub(super) operands: Vec<Range<u32>>,
-}
-
-/// So many operands that they are found by a tree.
-#[derive(Clone, Debug)]
-pub(super) struct Many {
-    /// By position in `bounded`.
-    pub(super) tree: Bvh,
+    /// The bounded operands of a large combination.
     pub(super) bounded: Vec<u32>,
+    /// The operands of each part that has a box of its own, which spares them; at most [`MOST_PARTS`].
+    pub(super) parts: Vec<Range<u32>>,
     /// For each node how many of these there are, those that are not inverse and those that are.
     pub(super) resting: Vec<[u32; 2]>,
 }
@@ -66,27 +59,41 @@ impl Program {
         self.drop_lone_root();
         self.nodes.shrink_to_fit();
         self.rest = self.state_outside_all();
-        self.order = self.order(leaves, bounds);
-        self.order.boxed = self.boxed(boxed).map(Box::new);
+        let (order, bounded) = self.order(leaves, bounds);
+        self.order = order;
+        self.order.boxed = self.boxed(bounded, bounds, boxed).map(Box::new);
     }
 
-    /// The parts whose boxes tell more than the box around all does: those without which something may be shown.
-    fn boxed(&self, mut parts: Vec<(Range<u32>, Bounds)>) -> Option<Boxed> {
-        let Order { required, many, .. } = &self.order;
+    /// What is found by its box: operands that are `bounded`, and of the parts those whose boxes tell more than the box
+    /// around all does, since something may be shown without them.
+    fn boxed(
+        &self,
+        bounded: Vec<u32>,
+        bounds: &[Bounds],
+        mut parts: Vec<(Range<u32>, Bounds)>,
+    ) -> Option<Boxed> {
         let mut is_in_tree = vec![false; self.operands.len()];
-        for &number in many.iter().flat_map(|many| &many.bounded) {
+        let mut resting = vec![[0; 2]; self.nodes.len()];
+        for &number in &bounded {
             is_in_tree[number as usize] = true;
+            let operand = &self.operands[number as usize];
+            resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
         }
         parts.retain(|(operands, _)| {
-            let is_needed = required.iter().any(|number| operands.contains(number));
+            let mut required = self.order.required.iter();
+            let is_needed = required.any(|number| operands.contains(number));
             let own = &is_in_tree[operands.start as usize..operands.end as usize];
             !is_needed && own.len() < self.operands.len() && own.contains(&false)
         });
-        parts.truncate(MOST_BOXED);
-        let (operands, boxes): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
-        (!operands.is_empty()).then(|| Boxed {
+        parts.truncate(MOST_PARTS);
+        let (parts, of_parts): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        let mut boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
+        boxes.extend(of_parts);
+        (!boxes.is_empty()).then(|| Boxed {
             tree: Bvh::build(&boxes),
-            operands,
+            bounded,
+            parts,
+            resting,
         })
     }
 
@@ -175,7 +182,8 @@ impl Program {
         Rest::new(leaf_in, &counts)
     }
 
-    fn order(&self, leaves: &[Leaf], bounds: &[Bounds]) -> Order {
+    /// The order without what is found by its box, and the operands that are.
+    fn order(&self, leaves: &[Leaf], bounds: &[Bounds]) -> (Order, Vec<u32>) {
         let mut order = Order::default();
         let mut bounded = Vec::new();
         for (number, operand) in (0..).zip(&self.operands) {
@@ -201,21 +209,9 @@ impl Program {
             TREE_FROM
         };
         if bounded.len() < least {
-            order.others.extend(bounded);
-        } else {
-            let boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
-            let mut resting = vec![[0; 2]; self.nodes.len()];
-            for &number in &bounded {
-                let operand = &self.operands[number as usize];
-                resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
-            }
-            order.many = Some(Box::new(Many {
-                tree: Bvh::build(&boxes),
-                bounded,
-                resting,
-            }));
+            order.others.extend(bounded.drain(..));
         }
-        order
+        (order, bounded)
     }
 
     /// A ball that holds all that is shown, by centre and radius, and that it is not filled: the least of those around
@@ -345,7 +341,7 @@ pub(super) mod tests {
             plain.rest = plain.state_outside_all();
             let mut prepared = plain.clone();
             prepared.prepare(&leaves, &bounds, Vec::new());
-            trees += usize::from(prepared.order.many.is_some());
+            trees += usize::from(prepared.order.boxed.is_some());
             narrowed += usize::from(!prepared.order.required.is_empty());
             for _ in 0..12 {
                 let origin = coarse(&mut rng) * 2.0 + DVec3::splat(0.25);
