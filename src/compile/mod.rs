@@ -48,7 +48,7 @@ pub use hits::{FourHits, FourWays, NO_LEAF};
 pub use interiors::{InteriorId, Interiors};
 pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
-pub use passed::Passed;
+pub use passed::{Passed, Passing};
 pub use probe::{Probed, solid_of};
 pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
 pub use rays::Rays;

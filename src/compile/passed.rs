@@ -1,11 +1,12 @@
 //! What light passes on its way: found in one search, then met one after the other without searching again.
 
-use super::csg::hide_departure;
+use super::csg::{Found, hide_departure};
 use super::model::Item;
 use super::order::Numbered;
 use super::query::{Best, Hit, Query, Scratch};
 use super::search::BLUR;
 use super::world::World;
+use crate::math::Ray;
 use crate::math::lanes::with_widest;
 use crate::options::LeastDistance;
 use crate::shape::{Geometry, Root};
@@ -14,41 +15,77 @@ use smallvec::SmallVec;
 /// Some items of a world.
 pub(super) type Items = SmallVec<[Numbered; 8]>;
 
-/// Surfaces on a ray: how far along it, and their numbers.
-pub type Passed = SmallVec<[(f64, u32); 8]>;
+/// A surface on a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Passing(Found);
+
+/// Surfaces on a ray, the nearest first.
+pub type Passed = SmallVec<[Passing; 8]>;
+
+impl Passing {
+    /// How far along the ray it lies.
+    #[must_use]
+    pub fn t(&self) -> f64 {
+        self.0.root.t
+    }
+
+    /// Its number.
+    #[must_use]
+    pub fn surface(&self) -> u32 {
+        self.0.surface
+    }
+}
 
 impl World {
-    /// All surfaces on the ray that was last asked about with what it meets gathered: their numbers, the nearest first.
-    /// `None` where something may matter besides which they are: where on a surface it is passed, or what was met before
-    /// (surfaces that coincide, combinations, flat pieces).
+    /// All surfaces on the ray that was last asked about with what it meets gathered. `None` where something may matter
+    /// besides which they are and how they stand there: where on a surface it is passed, or what was met before (surfaces
+    /// that coincide, flat pieces).
     #[must_use]
     pub fn all_among(&self, query: &Query, scratch: &mut Scratch) -> Option<Passed> {
         let among = std::mem::take(&mut scratch.among);
         let mut roots = std::mem::take(&mut scratch.roots);
-        let passed = self.passed(query, &among, &mut roots);
+        let passed = self.passed(query, (&among, &scratch.passed), &mut roots);
         scratch.among = among;
         scratch.roots = roots;
         scratch.rays.filtered += passed.as_ref().map_or(0, |passed| passed.len() as u64);
         passed
     }
 
-    fn passed(&self, query: &Query, among: &Items, roots: &mut Vec<Root>) -> Option<Passed> {
+    fn passed(
+        &self,
+        query: &Query,
+        (among, of_programs): (&Items, &[Found]),
+        roots: &mut Vec<Root>,
+    ) -> Option<Passed> {
         if self.least_distance == LeastDistance::PovRay {
             return None;
         }
         let search = self.search_for(query);
         let mut passed = Passed::new();
         for item in among {
-            let Item::Leaf(number) = item.item else {
-                return None;
+            let number = match item.item {
+                Item::Leaf(number) => number,
+                Item::Program(number) => {
+                    let leaves = self.model.programs[number as usize].leaves();
+                    if !leaves.clone().all(|leaf| self.has_lasting_roots(leaf)) {
+                        return None;
+                    }
+                    let own = |found: &&Found| leaves.contains(&found.leaf);
+                    for found in of_programs.iter().filter(own) {
+                        self.even_filter(found.surface)?;
+                        if found.root.t <= search.blur {
+                            return None;
+                        }
+                        passed.push(Passing(*found));
+                    }
+                    continue;
+                }
+                Item::Instance(_) => return None,
             };
             let leaf = &self.model.leaves[number as usize];
             let surface = &self.surfaces[leaf.surface as usize];
-            if leaf.shape.is_faceted()
-                || leaf.shape.knows_departures()
-                || self.even_filter(leaf.surface).is_none()
-                || self.interiors.get(surface.interior).caustics != 0.0
-            {
+            self.even_filter(leaf.surface)?;
+            if !self.has_lasting_roots(number) {
                 return None;
             }
             roots.clear();
@@ -64,15 +101,32 @@ impl World {
                         return None;
                     }
                     if surface.is_seen(query.seen) {
-                        passed.push((root.t, leaf.surface));
+                        passed.push(Passing(Found {
+                            root: *root,
+                            leaf: number,
+                            surface: leaf.surface,
+                        }));
                     }
                 }
             }
         }
-        passed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        passed.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()));
         let origin = query.ray.origin.abs().max_element();
-        let coincide = |pair: &[(f64, u32)]| pair[1].0 - pair[0].0 <= BLUR * (origin + pair[1].0);
+        let coincide =
+            |pair: &[Passing]| pair[1].t() - pair[0].t() <= BLUR * (origin + pair[1].t());
         (!passed.windows(2).any(coincide)).then_some(passed)
+    }
+
+    /// Whether a ray finds the same roots of a leaf wherever along its line it starts.
+    fn has_lasting_roots(&self, leaf: u32) -> bool {
+        let shape = &self.model.leaves[leaf as usize].shape;
+        !shape.is_faceted() && !shape.knows_departures()
+    }
+
+    /// What is known of the place where a ray passes a surface.
+    #[must_use]
+    pub fn hit_at(&self, ray: &Ray, passing: &Passing) -> Hit {
+        self.hit(ray, &passing.0)
     }
 
     /// The nearest visible surface on a part of the ray to a light that was last asked about.

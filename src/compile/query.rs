@@ -119,6 +119,8 @@ pub struct Scratch {
     pub(super) mesh: MeshScratch,
     /// What the ray to a light meets that is being followed.
     pub(super) among: Items,
+    /// The surfaces of combinations among them, one combination after the other, each in order.
+    pub(super) passed: Vec<Found>,
 }
 
 impl Scratch {

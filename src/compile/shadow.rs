@@ -15,6 +15,8 @@ struct Blocking<'w> {
     world: &'w World,
     query: &'w Query,
     way: &'w mut Way,
+    /// Takes in the others in the order in which they are found, which of a combination are all of them.
+    passed: Option<&'w mut Vec<Found>>,
 }
 
 impl Wants for Blocking<'_> {
@@ -22,7 +24,15 @@ impl Wants for Blocking<'_> {
 
     #[inline(always)]
     fn takes(&mut self, found: &Found) -> bool {
-        self.world.blocks_light(found, self.query, self.way)
+        let mut way = Way::Free;
+        let blocks = self.world.blocks_light(found, self.query, &mut way);
+        if way == Way::Filtered {
+            *self.way = way;
+            if let Some(passed) = &mut self.passed {
+                passed.push(*found);
+            }
+        }
+        blocks
     }
 }
 
@@ -123,12 +133,14 @@ impl World {
             if self.blocks(item, asked, &mut way, scratch) {
                 return Way::Blocked;
             }
+            // What lets light through is gathered later on.
             if way == Way::Free {
                 passed = item.number;
             }
         }
         let mut way = Way::Free;
         scratch.among.clear();
+        scratch.passed.clear();
         for &item in &self.model.finder.unbounded {
             if self.stops(item, asked, &mut way, scratch) {
                 scratch.blockers[light] = Some(item);
@@ -182,7 +194,10 @@ impl World {
         scratch: &mut Scratch,
     ) -> bool {
         let mut of_item = Way::Free;
-        if self.blocks(item, asked, &mut of_item, scratch) {
+        let mut passed = std::mem::take(&mut scratch.passed);
+        let blocks = self.blocks_noting(item, asked, (&mut of_item, Some(&mut passed)), scratch);
+        scratch.passed = passed;
+        if blocks {
             return true;
         }
         if of_item == Way::Filtered {
@@ -197,8 +212,20 @@ impl World {
     pub(super) fn blocks(
         &self,
         item: Numbered,
-        (query, search): (&Query, &Search),
+        asked: (&Query, &Search),
         way: &mut Way,
+        scratch: &mut Scratch,
+    ) -> bool {
+        self.blocks_noting(item, asked, (way, None), scratch)
+    }
+
+    /// The same; surfaces that may let light through are noted.
+    #[inline(always)]
+    fn blocks_noting(
+        &self,
+        item: Numbered,
+        (query, search): (&Query, &Search),
+        (way, passed): (&mut Way, Option<&mut Vec<Found>>),
         scratch: &mut Scratch,
     ) -> bool {
         if self.is_hidden(item.item, query.seen) {
@@ -208,6 +235,7 @@ impl World {
             world: self,
             query,
             way,
+            passed,
         };
         let found = self
             .model

@@ -3,7 +3,7 @@
 use super::light::{Lit, is_nothing};
 use super::{Inside, MOST_PASSED, Tracer, passage};
 use crate::color::Rgb;
-use crate::compile::{Departure, InteriorId, Passed, Query, Scratch, Seen, Way, World};
+use crate::compile::{Departure, InteriorId, Passed, Passing, Query, Scratch, Seen, Way, World};
 use crate::light::{Arrival, Light};
 use crate::math::Ray;
 
@@ -101,11 +101,11 @@ impl Tracer<'_> {
         if !(minds_air || self.has_media || !self.quality.has_transparency)
             && let Some(passed) = self.world.all_among(query, scratch)
         {
-            let mut surfaces = passed.iter().map(|&(_, surface)| surface);
+            let mut surfaces = passed.iter().map(Passing::surface);
             if way.collects && surfaces.any(|surface| self.replaces(surface, light)) {
                 return Rgb::BLACK;
             }
-            return self.through_all(arriving, &passed, way.inside);
+            return self.through_all(arriving, &query.ray, &passed, way.inside);
         }
         let ray = query.ray;
         let mut query = *query;
@@ -147,21 +147,32 @@ impl Tracer<'_> {
         Rgb::BLACK
     }
 
-    /// What is left of light behind surfaces each of which lets the same share through everywhere.
-    fn through_all(&self, mut arriving: Rgb, passed: &Passed, inside: &[InteriorId]) -> Rgb {
+    /// What is left of light behind surfaces each of which lets the same share through everywhere, but for the angle.
+    fn through_all(
+        &self,
+        mut arriving: Rgb,
+        ray: &Ray,
+        passed: &Passed,
+        inside: &[InteriorId],
+    ) -> Rgb {
         let mut inside = self.light_fades.then(|| Inside::from_slice(inside));
         let mut from = 0.0;
-        for &(t, surface) in passed {
-            let mut share = self.world.even_filter(surface).unwrap_or(Rgb::WHITE);
+        for passing in passed {
+            let interior = self.world.surfaces[passing.surface() as usize].interior;
+            let mut share = if self.world.interiors.get(interior).caustics == 0.0 {
+                let even = self.world.even_filter(passing.surface());
+                even.unwrap_or(Rgb::WHITE)
+            } else {
+                self.transmission(&self.world.hit_at(ray, passing), ray)
+            };
             if let Some(inside) = &mut inside {
-                let interior = self.world.surfaces[surface as usize].interior;
-                share *= self.fade(inside, interior, t - from);
+                share *= self.fade(inside, interior, passing.t() - from);
             }
             arriving *= share;
             if is_nothing(arriving) {
                 return Rgb::BLACK;
             }
-            from = t;
+            from = passing.t();
         }
         arriving
     }
