@@ -392,7 +392,7 @@ impl Passing<'_> {
     }
 
     /// Finds the operands of a large combination whose boxes some of the rays meet where something may be shown, and
-    /// which rays those are. Gives nothing if they are too many.
+    /// which rays those are; takes out those of parts whose boxes none meets. Gives nothing if they are too many.
     #[inline(always)]
     fn gather(&mut self, lanes: Lanes, others: &mut Numbers) -> Option<()> {
         let order = &self.program.order;
@@ -406,6 +406,7 @@ impl Passing<'_> {
             1 => MOST_OPERANDS,
             _ => MOST_OPERANDS - order.required.len(),
         };
+        let mut met_parts = 0u64;
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
             let is_full = boxed.tree.any_in(
                 lanes,
@@ -413,16 +414,21 @@ impl Passing<'_> {
                 (low[lane], high[lane]),
                 #[inline(always)]
                 |place| {
-                    if let Some(&number) = boxed.bounded.get(place as usize)
-                        && !others.contains(&number)
-                    {
-                        others.push(number);
+                    match boxed.bounded.get(place as usize) {
+                        Some(number) if others.contains(number) => {}
+                        Some(&number) => others.push(number),
+                        None => met_parts |= 1 << (place as usize - boxed.bounded.len()),
                     }
                     others.len() > room
                 },
             );
             if is_full {
                 return None;
+            }
+        }
+        for (part, operands) in boxed.parts.iter().enumerate() {
+            if met_parts >> part & 1 == 0 {
+                others.retain(|number| !operands.contains(number));
             }
         }
         Some(())

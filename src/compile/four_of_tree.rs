@@ -136,7 +136,7 @@ impl Tree<'_> {
             for (apart, resting) in apart.iter_mut().zip(&boxed.resting) {
                 *apart = *resting;
             }
-            for part in &parts[order.required.len() + order.others.len()..] {
+            for part in &parts[order.required.len()..] {
                 let operand = &self.0.program.operands[part.number as usize];
                 apart[operand.parent as usize % MOST_NODES][usize::from(operand.is_inverse)] -= 1;
             }

@@ -42,7 +42,8 @@ pub(super) struct Boxed {
     pub(super) bounded: Vec<u32>,
     /// The operands of each part that has a box of its own, which spares them; at most [`MOST_PARTS`].
     pub(super) parts: Vec<Range<u32>>,
-    /// For each node how many of these there are, those that are not inverse and those that are.
+    /// For each node how many operands without which something may be shown there are, those that are not inverse and those
+    /// that are.
     pub(super) resting: Vec<[u32; 2]>,
 }
 
@@ -76,6 +77,8 @@ impl Program {
         let mut resting = vec![[0; 2]; self.nodes.len()];
         for &number in &bounded {
             is_in_tree[number as usize] = true;
+        }
+        for &number in bounded.iter().chain(&self.order.others) {
             let operand = &self.operands[number as usize];
             resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
         }
