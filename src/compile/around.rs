@@ -245,7 +245,11 @@ impl World {
             #[inline(always)]
             |lot, ray, found| {
                 if found.root.t < lot.far(ray) {
-                    shadows.blocked |= 1 << ray;
+                    if self.ends_light(&found) {
+                        shadows.blocked |= 1 << ray;
+                    } else {
+                        shadows.filtered |= 1 << ray;
+                    }
                 }
             },
         );

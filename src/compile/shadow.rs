@@ -46,7 +46,7 @@ impl World {
         {
             return false;
         }
-        let is_opaque = self.overview.is_opaque || self.overview.opaque[found.surface as usize];
+        let is_opaque = self.ends_light(found);
         if !is_opaque {
             *way = Way::Filtered;
         }

@@ -277,6 +277,17 @@ impl World {
         });
     }
 
+    /// Notes a surface on the way to a light; says whether it ends there.
+    #[inline(always)]
+    fn note_way(&self, found: &Found, way: &mut Way) -> bool {
+        if self.ends_light(found) {
+            *way = Way::Blocked;
+        } else if *way == Way::Free {
+            *way = Way::Filtered;
+        }
+        *way == Way::Blocked
+    }
+
     /// Notes which rays to a light something unbounded blocks.
     #[inline(always)]
     fn block_by_unbounded(
@@ -298,7 +309,7 @@ impl World {
                     #[inline(always)]
                     |lot, ray, found| {
                         if found.root.t < lot.far(ray) {
-                            ways[ray] = Way::Blocked;
+                            self.note_way(&found, &mut ways[ray]);
                         }
                     },
                 );
@@ -365,8 +376,7 @@ impl World {
             scratch,
             #[inline(always)]
             |lot, ray, found| {
-                if found.root.t < lot.far(ray) {
-                    ways[ray] = Way::Blocked;
+                if found.root.t < lot.far(ray) && self.note_way(&found, &mut ways[ray]) {
                     ended.note(ray - first, f64::NEG_INFINITY);
                 }
             },
@@ -469,9 +479,9 @@ impl World {
         }
         let mut left = 0;
         let mut unsure = 0;
-        // What is behind a surface that does not count only a single ray finds.
+        // What is behind a surface that does not tell all only a single ray finds.
         let mut take = |lot: &mut Lot, ray: usize, found: Found| {
-            if self.counts_at_once(&found, seen) {
+            if self.tells_all(item.item, &found, seen) {
                 take(lot, ray, found);
             } else {
                 unsure |= 1 << (ray - first);

@@ -176,13 +176,26 @@ impl World {
         &self.model.finder
     }
 
-    /// Whether a surface that was found counts at once: such rays see it, and if they go to a light it ends them.
+    /// Whether the nearest surface of an item tells all about it: such rays see it, and if they go to a light it lets none
+    /// through, or all of the item lets some through.
     #[inline(always)]
-    pub(super) fn counts_at_once(&self, found: &Found, seen: Seen) -> bool {
-        let ends = seen != Seen::Shadow
-            || self.overview.is_opaque
-            || self.overview.opaque[found.surface as usize];
-        ends && self.is_seen(found, seen)
+    pub(super) fn tells_all(&self, item: Item, found: &Found, seen: Seen) -> bool {
+        self.is_seen(found, seen)
+            && (seen != Seen::Shadow || self.ends_light(found) || self.is_clear(item))
+    }
+
+    /// Whether a surface lets no light through.
+    #[inline(always)]
+    pub(super) fn ends_light(&self, found: &Found) -> bool {
+        self.overview.is_opaque || self.overview.opaque[found.surface as usize]
+    }
+
+    /// Whether no surface of an item is opaque; what is not known is false.
+    #[inline(never)]
+    fn is_clear(&self, item: Item) -> bool {
+        let leaves = self.leaves_of(item);
+        let is_opaque = |leaf: &Leaf| self.overview.opaque[leaf.surface as usize];
+        leaves.is_some_and(|leaves| !leaves.iter().any(is_opaque))
     }
 
     /// Whether such rays see nothing of an item; what is not known is false.
@@ -193,14 +206,19 @@ impl World {
 
     #[inline(never)]
     fn is_all_hidden(&self, item: Item, seen: Seen) -> bool {
+        let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(seen);
+        let leaves = self.leaves_of(item);
+        leaves.is_some_and(|leaves| !leaves.iter().any(is_seen))
+    }
+
+    /// The leaves of an item that is no instance.
+    fn leaves_of(&self, item: Item) -> Option<&[Leaf]> {
         let leaves = match item {
             Item::Leaf(leaf) => leaf..leaf + 1,
             Item::Program(number) => self.model.programs[number as usize].leaves(),
-            Item::Instance(_) => return false,
+            Item::Instance(_) => return None,
         };
-        let leaves = &self.model.leaves[leaves.start as usize..leaves.end as usize];
-        let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(seen);
-        !leaves.iter().any(is_seen)
+        Some(&self.model.leaves[leaves.start as usize..leaves.end as usize])
     }
 
     /// Whether there is neither fog nor a rainbow.
