@@ -138,23 +138,21 @@ impl Quadric {
     }
 
     fn value(&self, p: DVec3) -> f64 {
-        self.at(p).value
+        self.at(p).1
     }
 
     fn half_gradient(&self, p: DVec3) -> DVec3 {
         *self.matrix * p + 0.5 * self.linear
     }
 
-    /// What holds at a point.
+    /// Half of the gradient and the value at a point.
     #[inline]
-    fn at(&self, p: DVec3) -> At {
+    fn at(&self, p: DVec3) -> (DVec3, f64) {
         let turned = *self.matrix * p;
-        let (square, linear) = (p.dot(turned), self.linear.dot(p));
-        At {
-            value: square + linear + self.constant,
-            half_gradient: turned + 0.5 * self.linear,
-            size: square.abs() + linear.abs() + self.constant.abs(),
-        }
+        (
+            turned + 0.5 * self.linear,
+            p.dot(turned) + self.linear.dot(p) + self.constant,
+        )
     }
 
     #[inline]
@@ -175,8 +173,8 @@ impl Quadric {
         };
         let a = dir.dot(*self.matrix * dir);
         let along = |near: DVec3| {
-            let at = self.at(near);
-            (at.half_gradient.dot(dir), at.value)
+            let (half_gradient, value) = self.at(near);
+            (half_gradient.dot(dir), value)
         };
         let (mut ahead, (mut b, mut c)) = (ahead, along(near));
         let turn = ahead - b / a;
@@ -187,14 +185,12 @@ impl Quadric {
             (b, c) = along(ray.origin + ahead * dir);
         }
         let (start, mut places, count) = sign_changes(a, b, c);
-        let line = Ray::new(ray.origin, dir);
-        let mut refined = places;
-        for (t, refined) in places.iter_mut().zip(&mut refined).take(count) {
-            *t += ahead;
-            *refined = self.refined(&line, *t);
-        }
-        if count < 2 || refined[0] <= refined[1] {
-            places = refined;
+        if count > 0 {
+            places = places.map(|t| t + ahead);
+            let refined = self.refined(&Ray::new(ray.origin, dir), places);
+            if count < 2 || refined[0] <= refined[1] {
+                places = refined;
+            }
         }
         alternate_into(
             start,
@@ -202,33 +198,6 @@ impl Quadric {
             put,
         )
     }
-
-    /// A root with two of Newton's steps on the quadric in space, as far as they are needed and bring it nearer.
-    fn refined(&self, ray: &Ray, mut t: f64) -> f64 {
-        let mut at = self.at(ray.at(t));
-        for _ in 0..2 {
-            if at.value.abs() <= NEAR_ENOUGH * f64::EPSILON * at.size {
-                break;
-            }
-            let next = t - 0.5 * at.value / at.half_gradient.dot(ray.dir);
-            let there = self.at(ray.at(next));
-            // Asked in the positive: what is no number is not nearer.
-            let is_nearer = there.value.abs() < at.value.abs();
-            if !is_nearer {
-                break;
-            }
-            (t, at) = (next, there);
-        }
-        t
-    }
-}
-
-/// What holds at a point.
-struct At {
-    value: f64,
-    half_gradient: DVec3,
-    /// No more than the sum of the sizes of the terms of the value.
-    size: f64,
 }
 
 /// What one coordinate adds to the value: `square · t² + linear · t`.

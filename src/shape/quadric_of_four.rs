@@ -6,7 +6,8 @@
 
 use super::four::{FourRays, FourSpans, Three, dot, minus, plus, same, scaled};
 use super::quadric::{CLOSE, EVEN_SQUARES, NEAR_ENOUGH, Quadric};
-use crate::math::lanes::Four;
+use crate::math::Ray;
+use crate::math::lanes::{Four, FourKernel, four, with_widest};
 
 /// What holds at four points.
 #[derive(Clone, Copy)]
@@ -15,6 +16,31 @@ struct At<F> {
     half_gradient: Three<F>,
     /// No more than the sum of the sizes of the terms of the value.
     size: F,
+}
+
+/// Two places on one line, in lanes.
+struct Refining<'a> {
+    quadric: &'a Quadric,
+    line: &'a Ray,
+    places: [f64; 2],
+}
+
+impl FourKernel for Refining<'_> {
+    type Answer = [f64; 2];
+
+    #[inline(always)]
+    fn run<F: Four>(&self) -> [f64; 2] {
+        let rays = FourRays::<F> {
+            origin: same(self.line.origin),
+            dir: same(self.line.dir),
+        };
+        let [t, other] = self.places;
+        let refined = self
+            .quadric
+            .refined_of_four(&rays, F::load(&[t, other, t, other]));
+        let [t, other, ..] = refined.store();
+        [t, other]
+    }
 }
 
 impl Quadric {
@@ -85,7 +111,21 @@ impl Quadric {
         }
     }
 
-    /// Four of [`Quadric::refined`].
+    /// Roots on one line with two of Newton's steps on the quadric in space, as far as they are needed and bring them
+    /// nearer.
+    pub(super) fn refined(&self, line: &Ray, places: [f64; 2]) -> [f64; 2] {
+        let refining = Refining {
+            quadric: self,
+            line,
+            places,
+        };
+        with_widest(
+            #[inline(always)]
+            |lanes| four(lanes, &refining),
+        )
+    }
+
+    /// The same on four lines.
     #[inline(always)]
     fn refined_of_four<F: Four>(&self, rays: &FourRays<F>, mut t: F) -> F {
         let mut at = self.at_four(plus(rays.origin, scaled(rays.dir, t)));
@@ -97,6 +137,7 @@ impl Quadric {
                 break;
             }
             let slope = dot(at.half_gradient, rays.dir);
+            // What is no number is not nearer.
             let next = t.minus(F::all(0.5).times(at.value).over(slope));
             let there = self.at_four(plus(rays.origin, scaled(rays.dir, next)));
             goes_on = F::both(goes_on, there.value.size().below(at.value.size()));
@@ -141,9 +182,9 @@ impl Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::lanes::{FourKernel, Lanes, four};
+    use crate::math::Bounds;
+    use crate::math::lanes::Lanes;
     use crate::math::random::Random;
-    use crate::math::{Bounds, Ray};
     use crate::shape::{Crossing, Geometry, Root, Start};
     use glam::DVec3;
 
