@@ -47,6 +47,30 @@ pub(super) struct Node {
     pub(super) parent: u32,
 }
 
+impl Node {
+    /// Whether a ray is inside that is inside of so many children.
+    #[inline(always)]
+    fn holds(&self, count: u32) -> bool {
+        let least = match self.combine {
+            // One of nothing holds all, as in POV-Ray.
+            Combine::Intersection => self.children,
+            Combine::Union | Combine::Merge => 1,
+        };
+        (count >= least) != self.is_inverse
+    }
+
+    /// Whether the other children let the surface of one be shown, if so many hold the ray in all.
+    #[inline(always)]
+    fn lets_through(&self, count: u32, child_in: bool) -> bool {
+        let others = count - u32::from(child_in);
+        match self.combine {
+            Combine::Union => true,
+            Combine::Merge => others == 0,
+            Combine::Intersection => others + 1 == self.children,
+        }
+    }
+}
+
 /// What the tree knows of a leaf.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Operand {
@@ -376,42 +400,25 @@ impl Program {
 
     /// Completes the counts of nodes from those of their leaves: each node that holds the ray counts in its parent.
     pub(super) fn count_from_below(&self, counts: &mut [u32]) {
-        for node in (0..self.nodes.len()).rev() {
-            let parent = self.nodes[node].parent;
-            if parent != NONE && self.node_in(node, counts) {
-                counts[parent as usize] += 1;
+        for (number, node) in self.nodes.iter().enumerate().rev() {
+            if node.parent != NONE && node.holds(counts[number]) {
+                counts[node.parent as usize] += 1;
             }
         }
     }
 
-    /// Whether the ray is inside of a node.
-    fn node_in(&self, node: usize, counts: &[u32]) -> bool {
-        let Node {
-            combine,
-            is_inverse,
-            children,
-            ..
-        } = self.nodes[node];
-        let holds = match combine {
-            // One of nothing holds all, as in POV-Ray.
-            Combine::Intersection => counts[node] == children,
-            Combine::Union | Combine::Merge => counts[node] > 0,
-        };
-        holds != is_inverse
-    }
-
     /// A child of `node` has been entered or left: counts it, and goes on as long as nodes change.
     fn climb(&self, mut node: u32, mut enters: bool, state: &mut State) {
-        while node != NONE {
-            let at = node as usize;
-            let was_in = self.node_in(at, &state.counts);
+        let nodes = &self.nodes[..];
+        // There is none of the number `NONE`.
+        while let Some(own) = nodes.get(node as usize) {
+            let was_in = own.holds(state.counts[node as usize]);
             state.count(node, enters);
-            let is_in = self.node_in(at, &state.counts);
-            if was_in == is_in {
+            enters = own.holds(state.counts[node as usize]);
+            if was_in == enters {
                 return;
             }
-            enters = is_in;
-            node = self.nodes[at].parent;
+            node = own.parent;
         }
     }
 
@@ -436,23 +443,15 @@ impl Program {
         let mut child_in = sweep.state.leaf_in[event.leaf as usize];
         let mut node = self.operands[event.leaf as usize].parent;
         let mut is_kept = true;
-        while node != NONE && is_kept {
-            is_kept = self.others_agree(node as usize, child_in, &sweep.state.counts);
-            child_in = self.node_in(node as usize, &sweep.state.counts);
-            node = self.nodes[node as usize].parent;
+        let nodes = &self.nodes[..];
+        while is_kept && let Some(own) = nodes.get(node as usize) {
+            let count = sweep.state.counts[node as usize];
+            is_kept = own.lets_through(count, child_in);
+            child_in = own.holds(count);
+            node = own.parent;
         }
         sweep.kept.clear();
         sweep.kept.push(is_kept);
-    }
-
-    /// Whether the children of `node` but one let the surface of that one be shown.
-    fn others_agree(&self, node: usize, child_in: bool, counts: &[u32]) -> bool {
-        let others = counts[node] - u32::from(child_in);
-        match self.nodes[node].combine {
-            Combine::Union => true,
-            Combine::Merge => others == 0,
-            Combine::Intersection => others + 1 == self.nodes[node].children,
-        }
     }
 
     /// Several roots at the same `t`. At a node whose other children change there too, a surface is shown if the node
@@ -476,18 +475,19 @@ impl Program {
             let mut in_after = sweep.state.leaf_in[leaf];
             let mut node = self.operands[leaf].parent;
             let mut is_kept = true;
-            while node != NONE && is_kept {
-                let n = node as usize;
-                let before = self.others_agree(n, in_before, &sweep.before);
-                let after = self.others_agree(n, in_after, &sweep.state.counts);
-                in_before = self.node_in(n, &sweep.before);
-                in_after = self.node_in(n, &sweep.state.counts);
+            while is_kept && let Some(own) = self.nodes.get(node as usize) {
+                let count_before = sweep.before[node as usize];
+                let count_after = sweep.state.counts[node as usize];
+                let before = own.lets_through(count_before, in_before);
+                let after = own.lets_through(count_after, in_after);
+                in_before = own.holds(count_before);
+                in_after = own.holds(count_after);
                 is_kept = if before == after {
                     before
                 } else {
                     in_before != in_after
                 };
-                node = self.nodes[n].parent;
+                node = own.parent;
             }
             sweep.kept.push(is_kept);
         }
@@ -503,7 +503,7 @@ impl Program {
             }
         }
         self.count_from_below(&mut counts);
-        self.node_in(0, &counts)
+        self.nodes[0].holds(counts[0])
     }
 }
 
