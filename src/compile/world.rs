@@ -223,7 +223,7 @@ impl World {
 
     /// Whether there is neither fog nor a rainbow.
     #[must_use]
-    pub fn is_clear(&self) -> bool {
+    pub fn has_clear_air(&self) -> bool {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }
 

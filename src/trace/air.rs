@@ -28,7 +28,7 @@ pub(super) enum End {
 impl Tracer<'_> {
     /// Whether air does anything anywhere.
     pub(super) fn has_air(&self) -> bool {
-        self.has_media || !self.world.is_clear()
+        self.has_media || !self.world.has_clear_air()
     }
 
     /// What the air does to light along a ray from its start; `None` where it does nothing. A ray that meets nothing is not

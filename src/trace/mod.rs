@@ -169,7 +169,7 @@ impl<'w> Tracer<'w> {
         let is_all_opaque = world.is_opaque();
         let has_fresnel = world.has_fresnel();
         let has_media = quality >= 9 && (!world.media.is_empty() || world.interiors.have_media());
-        let minds_interiors = !is_all_opaque || has_fresnel || has_media || !world.is_clear();
+        let minds_interiors = !is_all_opaque || has_fresnel || has_media || !world.has_clear_air();
         let around_camera = if minds_interiors && world.camera.has_one_origin() {
             world.interiors_at(world.camera.location())
         } else {

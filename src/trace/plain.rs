@@ -33,7 +33,7 @@ pub(super) fn suits(world: &World, quality: Quality) -> bool {
     quality == Quality::FULL
         && globals.max_trace_level > 0
         && (0.0..=1.0).contains(&globals.adc_bailout)
-        && (world.is_clear() || dims_rays_alone(world))
+        && (world.has_clear_air() || dims_rays_alone(world))
         && lights.all(is_simple)
 }
 
