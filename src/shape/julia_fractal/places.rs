@@ -201,13 +201,22 @@ impl Iterating<'_> {
 
     #[inline(always)]
     fn iterate<F: Four, O: Orbit<F>>(&self) -> Places {
-        let orbit = |first: usize| {
-            let [i, k] = self.along;
-            let z = [0, 1, 2, 3].map(|axis| self.four(axis, first));
-            let along = [[i.re, i.im], [k.re, k.im]].map(|z| z.map(F::all));
-            O::start(self.fractal, z, along)
-        };
-        self.fractal.iterate([orbit(0), orbit(4)], 0xff)
+        let orbits = [self.orbit(0), self.orbit(4)];
+        self.fractal.iterate::<F, O, 2>(orbits, 0xff)
+    }
+
+    // Spelt out: a closure would not take part in the wide lanes.
+    #[inline(always)]
+    fn orbit<F: Four, O: Orbit<F>>(&self, first: usize) -> O {
+        let [i, k] = self.along;
+        let z = [
+            self.four(0, first),
+            self.four(1, first),
+            self.four(2, first),
+            self.four(3, first),
+        ];
+        let along = [[F::all(i.re), F::all(i.im)], [F::all(k.re), F::all(k.im)]];
+        O::start(self.fractal, z, along)
     }
 }
 
