@@ -32,11 +32,12 @@ impl Met {
     #[inline(always)]
     fn by(&mut self, lane: usize, (enter, met): ([f32; WIDTH], u32)) {
         self.boxes |= met;
-        for place in 0..WIDTH {
+        let boxes = enter.iter().zip(&mut self.enter).zip(&mut self.rays);
+        for (place, ((enter, first), rays)) in boxes.enumerate() {
             let is_met = met >> place & 1;
-            self.rays[place] |= is_met << lane;
-            if is_met == 1 && enter[place] < self.enter[place] {
-                self.enter[place] = enter[place];
+            *rays |= is_met << lane;
+            if is_met == 1 && enter < first {
+                *first = *enter;
             }
         }
     }

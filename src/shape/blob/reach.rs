@@ -116,7 +116,7 @@ impl Kernel for Line<'_> {
         ];
         let slack = E::all(SLACK);
         let mut missed = 0;
-        for (balls, number) in self.balls.iter().zip(0_u32..) {
+        for (balls, first) in self.balls.iter().zip((0_u32..).step_by(LANES)) {
             let x = E::load(&balls.centre[0]).minus(E::all(self.origin[0]));
             let y = E::load(&balls.centre[1]).minus(E::all(self.origin[1]));
             let z = E::load(&balls.centre[2]).minus(E::all(self.origin[2]));
@@ -124,7 +124,7 @@ impl Kernel for Line<'_> {
             let away_sq = x.times(x).plus(y.times(y)).plus(z.times(z));
             let from_line_sq = away_sq.minus(along.times(along));
             let reached = E::load(&balls.radius_sq).plus(slack);
-            missed |= u64::from(reached.not_above(from_line_sq)) << (LANES as u32 * number);
+            missed |= u64::from(reached.not_above(from_line_sq)) << first;
         }
         missed
     }
