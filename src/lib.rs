@@ -79,6 +79,10 @@ use std::sync::{Arc, Mutex, PoisonError, mpsc};
 /// reserved, not used, until a scene nests that deep.
 const STACK_BYTES: usize = 1 << 30;
 
+/// The stack of a thread that draws, which recurses once for each bend and mirror that is not followed in waves. An
+/// unoptimised build takes some megabytes for the kernels of combinations.
+const DRAWING_STACK_BYTES: usize = 1 << 24;
+
 /// What fewer objects have left free in memory is not worth giving back.
 const SMALL_SCENE: usize = 200;
 
@@ -173,6 +177,7 @@ struct Kept {
 pub fn pool(threads: usize, listen: &Listen<'_>) -> Result<rayon::ThreadPool, Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.max(1))
+        .stack_size(DRAWING_STACK_BYTES)
         .build()
         .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))
 }

@@ -1,6 +1,7 @@
 //! Queries side by side, in the form in which four are answered at once.
 
 use super::hits::{FourHits, FourWays, NO_LEAF};
+use super::query::Query;
 use crate::math::Ray;
 use crate::math::lanes::Four;
 use crate::math::lanes::three::load;
@@ -41,6 +42,45 @@ impl Lot {
             four.far = [f64::INFINITY; 4];
             four.left = [NO_LEAF; 4];
         }
+    }
+
+    /// Takes in this many rays, up to eight, that may start anywhere; `least` is the distance up to which nothing counts
+    /// for one.
+    #[inline(always)]
+    pub(super) fn follow(
+        &mut self,
+        count: usize,
+        query: impl Fn(usize) -> Query,
+        least: impl Fn(&Query) -> f64,
+    ) {
+        self.fours.resize(count.div_ceil(4), FourQueries::NONE);
+        for (number, four) in self.fours.iter_mut().enumerate() {
+            four.goes_out = 0;
+            for lane in 0..4 {
+                let query = query((4 * number + lane).min(count - 1));
+                for axis in 0..3 {
+                    four.origin[axis][lane] = query.ray.origin[axis];
+                    four.dir[axis][lane] = query.ray.dir[axis];
+                }
+                four.from[lane] = least(&query);
+                four.far[lane] = query.far;
+                four.left[lane] = query.from.map_or(NO_LEAF, |left| left.leaf);
+                let goes_out = query
+                    .from
+                    .is_some_and(|left| left.normal.dot(query.ray.dir) > 0.0);
+                four.goes_out |= u32::from(goes_out) << lane;
+            }
+        }
+    }
+
+    /// Where the first eight queries end.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [f64; 8] {
+        let mut ends = [0.0; 8];
+        for (ends, four) in ends.chunks_mut(4).zip(&self.fours) {
+            ends.copy_from_slice(&four.far);
+        }
+        ends
     }
 
     /// Takes in the rays to a light from all of these hits; `least` is the distance up to which nothing counts for one of

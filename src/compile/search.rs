@@ -3,9 +3,11 @@
 use super::csg::Found;
 use super::find::{Search, Start, Wants};
 use super::hits::FourHits;
+use super::lot::Lot;
 use super::order::Numbered;
 use super::query::{Best, Departure, Hit, Query, Scratch, Seen};
 use super::world::World;
+use crate::accel::{Ended, STREAM};
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
 use crate::options::LeastDistance;
@@ -48,27 +50,77 @@ impl World {
         best.map(|best| self.hit(&query.ray, &best.found))
     }
 
-    /// The same for up to four rays.
-    pub fn nearest_of_four<'q>(
+    /// The same for up to eight rays, which need have nothing in common.
+    pub fn nearest_of_stream<'q>(
         &self,
-        queries: impl Iterator<Item = &'q Query>,
-        hits: &mut FourHits,
+        queries: impl ExactSizeIterator<Item = &'q Query> + Clone,
+        hits: &mut [FourHits],
         scratch: &mut Scratch,
     ) {
-        let mut bests = [None; 4];
-        let mut origin = [[0.0; 4]; 3];
+        let count = queries.len().min(STREAM);
+        let mut bests = [None; STREAM];
+        let mut of: [Option<&Query>; STREAM] = [None; STREAM];
+        for (of, query) in of.iter_mut().zip(queries) {
+            scratch.rays.count(query);
+            *of = Some(query);
+        }
+        let Some(first) = of[0] else { return };
+        let query = |ray: usize| *of[ray].unwrap_or(first);
+        let see_alike =
+            !self.overview.hides_some || of.iter().flatten().all(|query| query.seen == first.seen);
+        let mut lot = std::mem::take(&mut scratch.lot);
         with_widest(
             #[inline(always)]
             |lanes| {
-                for (lane, query) in queries.enumerate().take(4) {
-                    scratch.rays.count(query);
-                    bests[lane] = self.nearest_found(lanes, query, scratch);
-                    hits.aim(lane, query.ray.dir);
-                    for (axis, origin) in origin.iter_mut().enumerate() {
-                        origin[lane] = query.ray.origin[axis];
+                let mut origins = [[[0.0; 4]; 3]; STREAM / 4];
+                for (ray, query) in of.iter().take(count).flatten().enumerate() {
+                    hits[ray / 4].aim(ray % 4, query.ray.dir);
+                    for axis in 0..3 {
+                        origins[ray / 4][axis][ray % 4] = query.ray.origin[axis];
                     }
                 }
-                self.note_hits(lanes, &origin, &bests, hits);
+                if see_alike && self.streams {
+                    lot.follow(count, query, |query| self.least_distance(query));
+                    let rays = 0xff >> (8 - count);
+                    let stream = ((&query, first.seen, rays), (&mut lot, &mut bests[..]));
+                    self.see_stream(lanes, stream.0, stream.1, scratch);
+                } else {
+                    for (ray, best) in bests.iter_mut().take(count).enumerate() {
+                        *best = self.nearest_found(lanes, &query(ray), scratch);
+                    }
+                }
+                for ((origin, bests), hits) in origins.iter().zip(bests.chunks(4)).zip(hits) {
+                    self.note_hits(lanes, origin, bests, hits);
+                }
+            },
+        );
+        scratch.lot = lot;
+    }
+
+    /// Finds the nearest surfaces of some of eight rays that see alike, those that are marked.
+    #[inline(always)]
+    fn see_stream(
+        &self,
+        lanes: Lanes,
+        (query, seen, rays): (&impl Fn(usize) -> Query, Seen, u32),
+        (lot, bests): (&mut Lot, &mut [Option<Best>]),
+        scratch: &mut Scratch,
+    ) {
+        for &item in &self.finder().unbounded {
+            let asked = ((item, seen), (0, rays), query);
+            self.see_by(lanes, asked, (lot, bests), &mut Ended::default(), scratch);
+        }
+        let ends = lot.ends();
+        self.finder().tree.stream(
+            lanes,
+            rays,
+            #[inline(always)]
+            |lane| (query(lane).ray, ends[lane]),
+            #[inline(always)]
+            |number, rays, ended| {
+                let item = self.finder().bounded[number as usize];
+                let asked = ((item, seen), (0, rays), query);
+                self.see_by(lanes, asked, (&mut *lot, &mut *bests), ended, scratch);
             },
         );
     }

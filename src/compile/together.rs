@@ -242,7 +242,7 @@ impl World {
 
     /// Offers what some of eight rays, those from the first on that are marked, see of an item; notes new ends.
     #[inline(always)]
-    fn see_by(
+    pub(super) fn see_by(
         &self,
         lanes: Lanes,
         (item, (first, rays), query): ((Numbered, Seen), (usize, u32), &impl Fn(usize) -> Query),

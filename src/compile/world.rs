@@ -96,6 +96,10 @@ pub struct World {
     pub(super) overview: Overview,
     pub(super) least_distance: LeastDistance,
     pub(super) vistas: Vistas,
+    /// Whether rays that have nothing in common had better look for what they meet in streams: where most items are
+    /// combinations that can be asked by four rays at once. Others are so cheap to ask that the order of the visits, which
+    /// is best for each ray by itself, counts for more.
+    pub(super) streams: bool,
 }
 
 impl World {
@@ -166,9 +170,21 @@ impl World {
             model,
             meshes: Vec::new(),
             vistas: Vistas::default(),
+            streams: false,
         };
+        world.streams = world.has_mostly_combinations_for_four();
         world.meshes = world.large_meshes();
         world
+    }
+
+    /// Whether most of what the tree holds are combinations that can be asked by four rays at once.
+    fn has_mostly_combinations_for_four(&self) -> bool {
+        let items = &self.finder().bounded;
+        let suits = |item: &&Numbered| {
+            matches!(item.item, Item::Program(_)) && self.model.suits_four(item.item)
+        };
+        let suited = items.iter().filter(suits).count();
+        suited > 0 && 2 * suited >= items.len()
     }
 
     #[inline(always)]

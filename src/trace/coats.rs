@@ -22,6 +22,8 @@ pub(super) struct PlainCoat {
     pub(super) diffuse: f64,
     /// Whether it has highlights.
     pub(super) is_shiny: bool,
+    /// Whether it scatters less of what arrives at an angle than the cosine says.
+    pub(super) is_brilliant: bool,
     /// Whether it has a mirror image or something shines through: there is more to be seen than the surface itself.
     pub(super) shows_more: bool,
     /// The share of light that it lets through.
@@ -36,6 +38,7 @@ impl PlainCoat {
         rgb: Rgb::BLACK,
         diffuse: 0.0,
         is_shiny: false,
+        is_brilliant: false,
         shows_more: false,
         through: Rgb::BLACK,
         lights: LightList::OUTSIDE,
@@ -101,7 +104,7 @@ impl Tracer<'_> {
         let finish = &*layer.finish;
         let shows_more = !surface.is_plain();
         let is_known = !shows_more || surface.is_nearly_plain() && self.sends_waves;
-        if !is_known || finish.brilliance != 1.0 {
+        if !is_known {
             return None;
         }
         let color = color(&layer.pigment);
@@ -111,6 +114,7 @@ impl Tracer<'_> {
             rgb,
             diffuse: f64::from(finish.diffuse) * opacity,
             is_shiny: finish.phong != 0.0 || finish.specular != 0.0,
+            is_brilliant: finish.brilliance != 1.0,
             shows_more,
             through: color.transmission(),
             lights: surface.lights,

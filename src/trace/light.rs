@@ -362,7 +362,7 @@ pub(super) fn is_nothing(light: Rgb) -> bool {
 }
 
 /// `base ^ exponent`, without the cost for the exponent that is usual.
-fn power(base: f64, exponent: f32) -> f64 {
+pub(super) fn power(base: f64, exponent: f32) -> f64 {
     if exponent == 1.0 {
         base
     } else {

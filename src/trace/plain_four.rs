@@ -4,7 +4,7 @@
 
 use super::air::{Air, End};
 use super::coats::{Coats, PlainCoat};
-use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
+use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic, power};
 use super::shadows::Together;
 use super::way::LightWay;
 use super::{Path, Sample, Tracer};
@@ -117,8 +117,9 @@ struct FourCoats<'w> {
     /// How much of white light from straight above they scatter.
     diffuse: [f64; 4],
     finishes: [Option<&'w Finish>; 4],
-    /// Which of them have highlights, one bit each.
+    /// Which of them have highlights, and which a `brilliance`, one bit each.
     shiny: u32,
+    brilliant: u32,
     /// Which of them show others, and the shares of light that these let through.
     showing: u32,
     through: [Rgb; 4],
@@ -133,6 +134,7 @@ impl FourCoats<'_> {
         diffuse: [0.0; 4],
         finishes: [None; 4],
         shiny: 0,
+        brilliant: 0,
         showing: 0,
         through: [Rgb::BLACK; 4],
         lights: LightList::OUTSIDE,
@@ -148,6 +150,7 @@ impl<'w> FourCoats<'w> {
         self.diffuse[lane] = coat.diffuse;
         self.finishes[lane] = finish;
         self.shiny |= u32::from(coat.is_shiny) << lane;
+        self.brilliant |= u32::from(coat.is_brilliant) << lane;
         if coat.shows_more {
             self.showing |= 1 << lane;
             self.through[lane] = coat.through;
@@ -162,6 +165,7 @@ impl<'w> FourCoats<'w> {
         self.diffuse = [coat.diffuse; 4];
         self.finishes = [finish; 4];
         self.shiny = if coat.is_shiny { 0b1111 } else { 0 };
+        self.brilliant = if coat.is_brilliant { 0b1111 } else { 0 };
         if coat.shows_more {
             self.showing = 0b1111;
             self.through = [coat.through; 4];
@@ -351,7 +355,7 @@ impl<'w> Tracer<'w> {
     ) -> u32 {
         let first = hits.surface[asked.trailing_zeros() as usize % 4];
         coats.lights = self.world.surfaces[first as usize].lights;
-        (coats.shiny, coats.showing) = (0, 0);
+        (coats.shiny, coats.brilliant, coats.showing) = (0, 0, 0);
         if asked == 0b1111
             && hits.surface == [first; 4]
             && let Some(coat) = kept.known(first)
@@ -384,7 +388,7 @@ impl<'w> Tracer<'w> {
     /// The finish of a surface, where it matters besides what the coat tells.
     #[inline(always)]
     fn finish_of(&self, surface: u32, coat: &PlainCoat) -> Option<&'w Finish> {
-        if !coat.is_shiny && !coat.shows_more {
+        if !coat.is_shiny && !coat.is_brilliant && !coat.shows_more {
             return None;
         }
         let layers = self.world.surfaces[surface as usize].texture.layers();
@@ -462,6 +466,12 @@ fn add_light(
     for (lane, strength) in strength.iter_mut().enumerate() {
         *strength = coats.diffuse[lane] * ways.cosine[lane];
     }
+    each_lane(arriving.lit & coats.brilliant, |lane| {
+        if let Some(finish) = coats.finishes[lane] {
+            let cosine = power(ways.cosine[lane].abs(), finish.brilliance);
+            strength[lane] = coats.diffuse[lane] * cosine;
+        }
+    });
     let mut given = BLACK;
     let tints = coats.rgb.iter().zip(&arriving.rgb);
     for (given, (rgb, arriving)) in given.iter_mut().zip(tints) {

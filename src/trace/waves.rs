@@ -465,9 +465,9 @@ impl Tracer<'_> {
     ) {
         let mut all = std::mem::take(&mut waves.all);
         all.hits.resize(rays.len().div_ceil(4), FourHits::NOTHING);
-        for (rays, hits) in rays.chunks(4).zip(&mut all.hits) {
+        for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
             let queries = rays.iter().map(|onward| &onward.query);
-            self.world.nearest_of_four(queries, hits, scratch);
+            self.world.nearest_of_stream(queries, hits, scratch);
         }
         // Where much is filtered each way is looked at alone.
         self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
