@@ -75,8 +75,8 @@ impl World {
                 let mut origins = [[[0.0; 4]; 3]; STREAM / 4];
                 for (ray, query) in of.iter().take(count).flatten().enumerate() {
                     hits[ray / 4].aim(ray % 4, query.ray.dir);
-                    for axis in 0..3 {
-                        origins[ray / 4][axis][ray % 4] = query.ray.origin[axis];
+                    for (axis, origin) in origins[ray / 4].iter_mut().enumerate() {
+                        origin[ray % 4] = query.ray.origin[axis];
                     }
                 }
                 if see_alike && self.streams {
