@@ -207,7 +207,7 @@ impl FourKernel for Passing<'_> {
         let mut unknown = held.unknown;
         let mut ends = [(endless, endless.negated()); MOST_OPERANDS];
         for (ends, &number) in ends.iter_mut().zip(self.others) {
-            let (own, own_unknown) = self.ends(number, &rays);
+            let (own, own_unknown) = self.ends(number, &rays, (held.low, held.high));
             *ends = own;
             unknown |= own_unknown & self.there;
         }
@@ -297,7 +297,7 @@ impl Passing<'_> {
             unknown: 0,
         };
         for &number in &self.program.order.required {
-            let ((enter, leave), unknown) = self.ends(number, rays);
+            let ((enter, leave), unknown) = self.ends(number, rays, (held.low, held.high));
             held.unknown |= unknown & self.there;
             let operand = if self.program.operands[number as usize].is_hidden {
                 -1.0
@@ -367,11 +367,16 @@ impl Passing<'_> {
         F::pick(is_shown, t, best)
     }
 
-    /// Where the rays are inside of an operand, and which of them must be asked for singly. One that is not met is
-    /// entered behind everything and left before everything.
+    /// Where the rays are inside of an operand, as far as ends within these intervals tell, and which of them must be asked
+    /// for singly. One that is not met is entered behind everything and left before everything.
     #[inline(always)]
-    pub(super) fn ends<F: Four>(&self, number: u32, rays: &FourRays<F>) -> ((F, F), u32) {
-        let spans = self.spans(number, rays);
+    pub(super) fn ends<F: Four>(
+        &self,
+        number: u32,
+        rays: &FourRays<F>,
+        within: (F, F),
+    ) -> ((F, F), u32) {
+        let spans = self.spans(number, rays, within);
         let endless = F::all(f64::INFINITY);
         let ends = (
             F::pick(spans.is_met, spans.enter, endless),
@@ -381,14 +386,14 @@ impl Passing<'_> {
     }
 
     #[inline(always)]
-    fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>) -> FourSpans<F> {
+    fn spans<F: Four>(&self, number: u32, rays: &FourRays<F>, within: (F, F)) -> FourSpans<F> {
         let leaf = &self.leaves[(self.program.first + number) as usize];
         // One place to inline all shapes, not one for each case.
         let rays = match &leaf.object_from_world {
             None => *rays,
             Some(matrix) => rays.to_object(matrix),
         };
-        leaf.shape.four(&rays)
+        leaf.shape.four(&rays, within)
     }
 
     /// Finds the operands of a large combination whose boxes some of the rays meet where something may be shown, and

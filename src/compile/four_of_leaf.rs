@@ -80,6 +80,7 @@ impl World {
         number: u32,
         (lot, start, mut there): (&mut Lot, usize, u32),
         query: impl Fn(usize) -> Query,
+        roots: &mut Vec<Root>,
         take: &mut impl FnMut(&mut Lot, usize, Found),
     ) -> u32 {
         let rays = lot.four(start);
@@ -128,15 +129,24 @@ impl World {
                 unknown |= 1 << lane;
                 continue;
             }
-            let root = Root {
-                t: found.t[lane],
-                crossing: if found.leaves >> lane & 1 == 1 {
-                    Crossing::Leave
-                } else {
-                    Crossing::Enter
-                },
-                face: 0,
-                is_visible: true,
+            let root = if !ANY && leaf.shape.has_faces() {
+                let ray = query(start + lane).ray;
+                let Some(root) = leaf.root_at(&ray, found.t[lane], roots) else {
+                    unknown |= 1 << lane;
+                    continue;
+                };
+                root
+            } else {
+                Root {
+                    t: found.t[lane],
+                    crossing: if found.leaves >> lane & 1 == 1 {
+                        Crossing::Leave
+                    } else {
+                        Crossing::Enter
+                    },
+                    face: 0,
+                    is_visible: true,
+                }
             };
             let surface = leaf.surface;
             take(

@@ -93,7 +93,7 @@ impl FourKernel for Tree<'_> {
         let numbers = required.iter().chain(passing.others);
         let mut count = 0;
         for (part, &number) in parts.iter_mut().zip(numbers) {
-            let (ends, own_unknown) = passing.ends(number, &rays);
+            let (ends, own_unknown) = passing.ends(number, &rays, (held.low, held.high));
             *part = Part { number, ends };
             unknown |= own_unknown & passing.there;
             count += 1;

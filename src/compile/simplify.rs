@@ -9,7 +9,7 @@ use super::leaf::Leaf;
 use super::state::Rest;
 use crate::accel::Bvh;
 use crate::math::Bounds;
-use crate::shape::Geometry;
+use crate::shape::{Geometry, Shape};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::ops::Range;
@@ -199,11 +199,14 @@ impl Program {
                 order.others.push(number);
             }
         }
-        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded.
+        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded. Of a quadric more is known
+        // where others have narrowed the ray.
         let first = self.first as usize;
         order.required.sort_by_key(|&number| {
-            let has_matrix = leaves[first + number as usize].object_from_world.is_some();
-            (has_matrix, !bounds[number as usize].is_finite())
+            let leaf = &leaves[first + number as usize];
+            let is_bounded = bounds[number as usize].is_finite();
+            let is_open = matches!(leaf.shape, Shape::Quadric(_)) && !is_bounded;
+            (is_open, leaf.object_from_world.is_some(), !is_bounded)
         });
         let mut own = leaves[first..][..self.operands.len()].iter();
         let least = if order.required.is_empty() && !own.all(|leaf| leaf.shape.has_four()) {

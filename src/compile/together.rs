@@ -499,10 +499,12 @@ impl World {
                     self.ask_four::<ASKS_FACE>(lanes, program, asked, &query, scratch, &mut take)
                 }
                 Item::Leaf(leaf) if ASKS_FACE => {
-                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, &query, &mut take)
+                    let roots = &mut scratch.roots;
+                    self.ask_four_of_leaf::<false>(lanes, leaf, asked, &query, roots, &mut take)
                 }
                 Item::Leaf(leaf) => {
-                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, &query, &mut take)
+                    let roots = &mut scratch.roots;
+                    self.ask_four_of_leaf::<true>(lanes, leaf, asked, &query, roots, &mut take)
                 }
                 Item::Instance(copy) if ASKS_FACE => {
                     self.ask_four_of_copy::<false>(lanes, copy, asked, &mut take)

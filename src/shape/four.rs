@@ -221,9 +221,16 @@ impl Shape {
             Shape::Torus(torus) => torus.has_four(),
             Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
             Shape::JuliaFractal(fractal) => fractal.has_four(),
-            Shape::Plane(_) => true,
+            Shape::Plane(_) | Shape::Cuboid(_) | Shape::Quadric(_) => true,
+            Shape::Cylinder(cylinder) => cylinder.has_four(),
             _ => false,
         }
+    }
+
+    /// Whether its roots differ in more than their places and crossings.
+    #[inline(always)]
+    pub(crate) fn has_faces(&self) -> bool {
+        matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_))
     }
 
     /// The first roots of those of four rays that are `there`, as [`FourRoots::nearest`] finds them. If `ANY` will do the
@@ -245,6 +252,12 @@ impl Shape {
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => FourNearest::load(
                 &self.search_of_four(&FourAsked::new(rays, (from, far), left, there)),
             ),
+            Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
+                // The first end is enough.
+                let mut nearest = self.four(rays, (from, from)).nearest(from, far);
+                nearest.unknown |= left[0] | left[1];
+                nearest
+            }
             _ => self.roots_of_four(rays).nearest(from, far, left),
         }
     }
@@ -294,15 +307,15 @@ impl Shape {
         }
     }
 
-    /// The spans of four rays; all unknown for a shape that has none.
+    /// The spans of four rays, as far as ends within these intervals tell; all unknown for a shape that has none.
     #[inline(always)]
-    pub(crate) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(crate) fn four<F: Four>(&self, rays: &FourRays<F>, within: (F, F)) -> FourSpans<F> {
         match self {
             Shape::Sphere(sphere) => sphere.four(rays),
             Shape::Cuboid(cuboid) => cuboid.four(rays),
             Shape::Cylinder(cylinder) => cylinder.four(rays),
             Shape::Plane(plane) => plane.four(rays),
-            Shape::Quadric(quadric) => quadric.four(rays),
+            Shape::Quadric(quadric) => quadric.four(rays, within),
             _ => {
                 let nothing = F::all(0.0);
                 FourSpans::new((nothing, nothing), F::mask(0), F::mask(0))
@@ -379,7 +392,8 @@ mod tests {
         fn run<F: Four>(&self) -> Self::Answer {
             let rays = FourRays::<F>::of_each(&self.rays);
             let roots = if self.shape.has_four() {
-                let spans = self.shape.four(&rays);
+                let all = F::all(f64::INFINITY);
+                let spans = self.shape.four(&rays, (all.negated(), all));
                 let met = F::bits(spans.is_met);
                 let mut roots = FourRoots::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);

@@ -1,8 +1,8 @@
 //! Four rays and a quadric at once, by the steps of [`super::quadric`] in the same order. What takes more steps there is
 //! left to single rays: directions that are scaled first, a quadratic without its square, roots close to each other.
 //!
-//! A span is told for the part of the line ahead of the start of the ray: of a quadric that a line enters and leaves for
-//! good at both ends, as the two nappes of a cone, only one stretch may lie there.
+//! A span is told for an interval of the line: of a quadric that a line enters and leaves for good at both ends, as the two
+//! nappes of a cone, only one stretch may reach into it.
 
 use super::four::{FourRays, FourSpans, Three, dot, minus, plus, same, scaled};
 use super::quadric::{CLOSE, EVEN_SQUARES, NEAR_ENOUGH, Quadric};
@@ -25,6 +25,32 @@ struct Refining<'a> {
     places: [f64; 2],
 }
 
+/// What a product of two numbers has lost by rounding, exactly, for numbers that have it (Dekker 1971).
+#[inline(always)]
+fn error_of_product<F: Four>((a, b): (F, F), product: F) -> F {
+    let halves = |x: F| {
+        let large = x.times(F::all(134_217_729.0));
+        let high = large.minus(large.minus(x));
+        (high, x.minus(high))
+    };
+    let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
+    let rest = product.minus(a_high.times(b_high));
+    let rest = rest.minus(a_low.times(b_high)).minus(a_high.times(b_low));
+    a_low.times(b_low).minus(rest)
+}
+
+/// Whether [`error_of_product`] neither overflows nor underflows for products of such numbers.
+#[inline(always)]
+fn has_error<F: Four>(x: F) -> F::Mask {
+    const MOST: f64 = f64::from_bits((1023 + 400) << 52);
+    let size = x.size();
+    let is_even = F::both(
+        F::all(1.0 / MOST).not_above(size),
+        size.not_above(F::all(MOST)),
+    );
+    F::either(is_even, size.equals(F::all(0.0)))
+}
+
 impl FourKernel for Refining<'_> {
     type Answer = [f64; 2];
 
@@ -44,9 +70,9 @@ impl FourKernel for Refining<'_> {
 }
 
 impl Quadric {
-    /// Where four rays are inside, ahead of their starts.
+    /// Where four rays are inside, as far as ends within these intervals tell; ends elsewhere may be missing.
     #[inline(always)]
-    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>, (low, high): (F, F)) -> FourSpans<F> {
         let (zero, endless) = (F::all(0.0), F::all(f64::INFINITY));
         let dir_sq = dot(rays.dir, rays.dir);
         let is_even = F::both(
@@ -58,15 +84,23 @@ impl Quadric {
         let near = self.at_four(plus(rays.origin, scaled(rays.dir, ahead)));
         let (b, c) = (dot(near.half_gradient, rays.dir), near.value);
         let (b_sq, a_c) = (b.times(b), a.times(c));
-        let discriminant = b_sq.minus(a_c);
-        // Little cancels.
-        let is_clear = F::all(0.5)
-            .times(b_sq.size().larger(a_c.size()))
-            .not_above(discriminant.size());
+        let mut discriminant = b_sq.minus(a_c);
         let is_apart = F::all(CLOSE)
             .times(b)
             .times(b)
             .not_above(discriminant.size());
+        // Little cancels.
+        let mut is_clear = F::all(0.5)
+            .times(b_sq.size().larger(a_c.size()))
+            .not_above(discriminant.size());
+        if F::bits(is_clear) != 0b1111 {
+            let rest = error_of_product((b, b), b_sq).minus(error_of_product((a, c), a_c));
+            discriminant = F::pick(is_clear, discriminant, discriminant.plus(rest));
+            is_clear = F::either(
+                is_clear,
+                F::both(F::both(has_error(a), has_error(b)), has_error(c)),
+            );
+        }
         let is_known = F::both(
             F::both(is_even, zero.below(a.size())),
             F::both(
@@ -99,13 +133,18 @@ impl Quadric {
         let second = F::pick(is_ordered, refined[1], places[1]);
         let is_finite = F::both(first.size().below(endless), second.size().below(endless));
         let is_span = F::both(is_finite, first.below(second));
-        // Of two stretches of an open one the first must be over.
-        let is_ahead = F::both(is_open, zero.below(first));
-        let doubts = F::bits(is_met) & (!F::bits(is_span) | F::bits(is_ahead));
+        // Of an open one the first stretch is over, or the second is still to come.
         let is_outer = F::both(is_met, is_open);
+        let [is_over, is_to_come] = [first.below(low), high.below(second)];
+        let is_one = F::bits(F::either(is_over, is_to_come)) & !F::bits(first.equals(low));
+        let doubts = F::bits(is_met) & !F::bits(is_span) | F::bits(is_outer) & !is_one;
+        let (enter, leave) = (
+            F::pick(is_outer, F::pick(is_over, second, endless.negated()), first),
+            F::pick(is_outer, F::pick(is_over, endless, first), second),
+        );
         FourSpans {
-            enter: F::pick(is_outer, second, F::pick(is_met, first, endless.negated())),
-            leave: F::pick(is_outer, endless, F::pick(is_met, second, endless)),
+            enter: F::pick(is_met, enter, endless.negated()),
+            leave: F::pick(is_met, leave, endless),
             is_met: F::either(is_met, is_open),
             unknown: 0b1111 & (!F::bits(is_known) | doubts),
         }
@@ -192,13 +231,18 @@ mod tests {
     struct Asked<'a> {
         quadric: &'a Quadric,
         rays: [Ray; 4],
+        within: (f64, f64),
     }
 
     impl FourKernel for Asked<'_> {
         type Answer = [Option<(bool, f64, f64)>; 4];
 
         fn run<F: Four>(&self) -> Self::Answer {
-            let spans = self.quadric.four(&FourRays::<F>::of_each(&self.rays));
+            let spans = {
+                let (low, high) = (F::all(self.within.0), F::all(self.within.1));
+                self.quadric
+                    .four(&FourRays::<F>::of_each(&self.rays), (low, high))
+            };
             let (enter, leave) = (spans.enter.store(), spans.leave.store());
             let met = F::bits(spans.is_met);
             [0, 1, 2, 3].map(|lane| {
@@ -211,22 +255,28 @@ mod tests {
         }
     }
 
-    /// What a single ray says of the span ahead.
-    fn alone(quadric: &Quadric, ray: &Ray) -> (bool, f64, f64) {
+    /// The roots of one ray within an interval, and whether it is inside at the start of that.
+    fn alone(
+        quadric: &Quadric,
+        ray: &Ray,
+        (low, high): (f64, f64),
+    ) -> (bool, Vec<(f64, Crossing)>) {
         let mut roots: Vec<Root> = Vec::new();
         let mut is_inside = quadric.roots(ray, &mut roots) == Start::Inside;
-        let mut span = (is_inside, f64::NEG_INFINITY, f64::INFINITY);
-        for root in &roots {
-            let is_old = root.t <= 0.0 && roots.len() > 1 && root.crossing == Crossing::Leave;
-            match root.crossing {
-                Crossing::Enter => span = (true, root.t, f64::INFINITY),
-                _ if is_old && roots[0].crossing == Crossing::Leave => span.0 = false,
-                _ => span.2 = root.t,
-            }
+        for root in roots.iter().filter(|root| root.t < low) {
             is_inside = root.crossing == Crossing::Enter;
         }
-        assert_eq!(is_inside, span.0 && span.2 == f64::INFINITY);
-        if span.0 { span } else { (false, 0.0, 0.0) }
+        let mut ends: Vec<_> = roots.iter().map(|root| (root.t, root.crossing)).collect();
+        ends.retain(|(t, _)| low <= *t && *t <= high);
+        (is_inside, ends)
+    }
+
+    /// The same as the span of one of four tells it.
+    fn among(span: (bool, f64, f64), (low, high): (f64, f64)) -> (bool, Vec<(f64, Crossing)>) {
+        let (is_met, enter, leave) = span;
+        let mut ends = vec![(enter, Crossing::Enter), (leave, Crossing::Leave)];
+        ends.retain(|(t, _)| is_met && t.is_finite() && low <= *t && *t <= high);
+        (is_met && enter < low && low <= leave, ends)
     }
 
     #[test]
@@ -251,12 +301,21 @@ mod tests {
                 rays[2] = Ray::new(DVec3::new(0.0, 3.0, -0.0), DVec3::new(-0.0, -1.0, 0.0));
             }
             let quadric = &quadric;
-            let asked = Asked { quadric, rays };
+            let within = match round % 2 {
+                0 => (0.0, f64::INFINITY),
+                _ => (rng.share(), 1.0 + rng.share()),
+            };
+            let asked = Asked {
+                quadric,
+                rays,
+                within,
+            };
             let (wide, narrow) = (four(Lanes::widest(), &asked), four(Lanes::NARROW, &asked));
             assert_eq!(wide, narrow);
             for (ray, found) in rays.iter().zip(wide) {
                 let Some(found) = found else { continue };
-                assert_eq!(found, alone(quadric, ray), "{quadric:?} {ray:?}");
+                let expected = alone(quadric, ray, within);
+                assert_eq!(among(found, within), expected, "{quadric:?} {ray:?}");
                 known += 1;
                 met += usize::from(found.0);
                 open += usize::from(found.0 && found.2 == f64::INFINITY);
