@@ -20,7 +20,7 @@ pub(super) type Items = SmallVec<[Numbered; 8]>;
 pub struct Passing(Found);
 
 /// Surfaces on a ray, the nearest first.
-pub type Passed = SmallVec<[Passing; 8]>;
+pub type Passed = SmallVec<[Passing; 4]>;
 
 impl Passing {
     /// How far along the ray it lies.

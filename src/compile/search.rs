@@ -23,6 +23,9 @@ pub(super) const SKIN: f64 = 1.0 / 16.0;
 pub(super) const POV_RAY_SHADOW: f64 = 1e-3;
 const POV_RAY_LEAST: f64 = 1e-4;
 
+/// Rays whose directions have no smaller cosine between them go much the same way.
+const ALIKE: f64 = 0.98;
+
 /// Asks for the first surface that can be seen.
 struct Seeing<'w> {
     world: &'w World,
@@ -53,40 +56,54 @@ impl World {
     /// The same for up to eight rays, which need have nothing in common.
     pub fn nearest_of_stream<'q>(
         &self,
-        queries: impl ExactSizeIterator<Item = &'q Query> + Clone,
+        count: usize,
+        query: impl Fn(usize) -> &'q Query,
         hits: &mut [FourHits],
         scratch: &mut Scratch,
     ) {
-        let count = queries.len().min(STREAM);
-        let mut bests = [None; STREAM];
-        let mut of: [Option<&Query>; STREAM] = [None; STREAM];
-        for (of, query) in of.iter_mut().zip(queries) {
-            scratch.rays.count(query);
-            *of = Some(query);
+        let count = count.min(STREAM);
+        let dir = query(0).ray.dir;
+        let walks_together =
+            self.streams || (1..count).all(|ray| query(ray).ray.dir.dot(dir) > ALIKE);
+        if !self.asks_in_fours && !walks_together {
+            for (four, hits) in hits.iter_mut().enumerate().take(count.div_ceil(4)) {
+                let queries = (4 * four..count.min(4 * four + 4)).map(&query);
+                self.nearest_of_four(queries, hits, scratch);
+            }
+            return;
         }
-        let Some(first) = of[0] else { return };
-        let query = |ray: usize| *of[ray].unwrap_or(first);
-        let see_alike =
-            !self.overview.hides_some || of.iter().flatten().all(|query| query.seen == first.seen);
+        // Behind the last ray it stands again.
+        let query = |ray: usize| query(ray.min(count - 1));
+        let seen = query(0).seen;
+        let see_alike = !self.overview.hides_some || (0..count).all(|ray| query(ray).seen == seen);
+        let mut bests = [None; STREAM];
         let mut lot = std::mem::take(&mut scratch.lot);
         with_widest(
             #[inline(always)]
             |lanes| {
                 let mut origins = [[[0.0; 4]; 3]; STREAM / 4];
-                for (ray, query) in of.iter().take(count).flatten().enumerate() {
+                for ray in 0..count {
+                    let query = query(ray);
+                    scratch.rays.count(query);
                     hits[ray / 4].aim(ray % 4, query.ray.dir);
                     for (axis, origin) in origins[ray / 4].iter_mut().enumerate() {
                         origin[ray % 4] = query.ray.origin[axis];
                     }
                 }
-                if see_alike && self.streams {
+                if see_alike {
+                    let query = |ray: usize| *query(ray);
                     lot.follow(count, query, |query| self.least_distance(query));
-                    let rays = 0xff >> (8 - count);
-                    let stream = ((&query, first.seen, rays), (&mut lot, &mut bests[..]));
-                    self.see_stream(lanes, stream.0, stream.1, scratch);
+                    let asked = (&query, seen, 0xff >> (8 - count));
+                    self.see_stream(
+                        lanes,
+                        asked,
+                        (&mut lot, &mut bests),
+                        walks_together,
+                        scratch,
+                    );
                 } else {
-                    for (ray, best) in bests.iter_mut().take(count).enumerate() {
-                        *best = self.nearest_found(lanes, &query(ray), scratch);
+                    for (ray, best) in bests.iter_mut().enumerate().take(count) {
+                        *best = self.nearest_found(lanes, query(ray), scratch);
                     }
                 }
                 for ((origin, bests), hits) in origins.iter().zip(bests.chunks(4)).zip(hits) {
@@ -97,18 +114,55 @@ impl World {
         scratch.lot = lot;
     }
 
-    /// Finds the nearest surfaces of some of eight rays that see alike, those that are marked.
+    /// The same for up to four rays, one after the other.
+    fn nearest_of_four<'q>(
+        &self,
+        queries: impl Iterator<Item = &'q Query>,
+        hits: &mut FourHits,
+        scratch: &mut Scratch,
+    ) {
+        let mut bests = [None; 4];
+        let mut origin = [[0.0; 4]; 3];
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                for (lane, query) in queries.enumerate().take(4) {
+                    scratch.rays.count(query);
+                    bests[lane] = self.nearest_found(lanes, query, scratch);
+                    hits.aim(lane, query.ray.dir);
+                    for (axis, origin) in origin.iter_mut().enumerate() {
+                        origin[lane] = query.ray.origin[axis];
+                    }
+                }
+                self.note_hits(lanes, &origin, &bests, hits);
+            },
+        );
+    }
+
+    /// Finds the nearest surfaces of some of eight rays that see alike, those that are marked, which walk the tree together
+    /// or one after the other.
     #[inline(always)]
     fn see_stream(
         &self,
         lanes: Lanes,
         (query, seen, rays): (&impl Fn(usize) -> Query, Seen, u32),
         (lot, bests): (&mut Lot, &mut [Option<Best>]),
+        walks_together: bool,
         scratch: &mut Scratch,
     ) {
         for &item in &self.finder().unbounded {
             let asked = ((item, seen), (0, rays), query);
             self.see_by(lanes, asked, (lot, bests), &mut Ended::default(), scratch);
+        }
+        if !walks_together {
+            for (ray, best) in bests.iter_mut().enumerate() {
+                if rays >> ray & 1 == 1 {
+                    let query = &query(ray);
+                    let asked = (query, &self.search_for(query));
+                    self.nearest_in_tree(lanes, asked, best, scratch);
+                }
+            }
+            return;
         }
         let ends = lot.ends();
         self.finder().tree.stream(
@@ -135,21 +189,33 @@ impl World {
         let mut best: Option<Best> = None;
         let mut far = query.far;
         let search = self.search_for(query);
-        let asked = (query, &search);
-        for &item in &self.model.finder.unbounded {
-            far = self.try_item(item, asked, far, &mut best, scratch);
+        for &item in &self.finder().unbounded {
+            far = self.try_item(item, (query, &search), far, &mut best, scratch);
         }
-        self.model.finder.tree.nearest_in(
+        self.nearest_in_tree(lanes, (query, &search), &mut best, scratch);
+        best
+    }
+
+    /// Finds what in the tree is nearer than the best so far.
+    #[inline(always)]
+    fn nearest_in_tree(
+        &self,
+        lanes: Lanes,
+        (query, search): (&Query, &Search),
+        best: &mut Option<Best>,
+        scratch: &mut Scratch,
+    ) {
+        let far = best.map_or(query.far, |best| best.found.root.t);
+        self.finder().tree.nearest_in(
             lanes,
             &query.ray,
             (0.0, far),
             #[inline(always)]
             |number, far| {
-                let item = self.model.finder.bounded[number as usize];
-                self.try_item(item, asked, far, &mut best, scratch)
+                let item = self.finder().bounded[number as usize];
+                self.try_item(item, (query, search), far, best, scratch)
             },
         );
-        best
     }
 
     /// Tries one item; gives the new far limit.

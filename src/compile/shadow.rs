@@ -2,6 +2,7 @@
 
 use super::csg::Found;
 use super::find::{Search, Wants};
+use super::model::Item;
 use super::order::Numbered;
 use super::query::{Query, Scratch, Way};
 use super::search::{BLUR, POV_RAY_SHADOW};
@@ -194,9 +195,15 @@ impl World {
         scratch: &mut Scratch,
     ) -> bool {
         let mut of_item = Way::Free;
-        let mut passed = std::mem::take(&mut scratch.passed);
-        let blocks = self.blocks_noting(item, asked, (&mut of_item, Some(&mut passed)), scratch);
-        scratch.passed = passed;
+        let blocks = if let Item::Program(_) = item.item {
+            let mut passed = std::mem::take(&mut scratch.passed);
+            let noted = (&mut of_item, Some(&mut passed));
+            let blocks = self.blocks_noting(item, asked, noted, scratch);
+            scratch.passed = passed;
+            blocks
+        } else {
+            self.blocks(item, asked, &mut of_item, scratch)
+        };
         if blocks {
             return true;
         }

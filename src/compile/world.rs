@@ -96,9 +96,11 @@ pub struct World {
     pub(super) overview: Overview,
     pub(super) least_distance: LeastDistance,
     pub(super) vistas: Vistas,
-    /// Whether rays that have nothing in common had better look for what they meet in streams: where most items are
-    /// combinations that can be asked by four rays at once. Others are so cheap to ask that the order of the visits, which
-    /// is best for each ray by itself, counts for more.
+    /// Whether rays that have nothing in common had better ask in fours about what has no bounds: where some of that are
+    /// combinations that suit.
+    pub(super) asks_in_fours: bool,
+    /// Whether they had better walk the tree in streams, too: where most items in it are such combinations. Others are so
+    /// cheap to ask that the order of the visits, which is best for each ray by itself, counts for more.
     pub(super) streams: bool,
 }
 
@@ -170,21 +172,24 @@ impl World {
             model,
             meshes: Vec::new(),
             vistas: Vistas::default(),
+            asks_in_fours: false,
             streams: false,
         };
-        world.streams = world.has_mostly_combinations_for_four();
+        let (suited, _) = world.combinations_for_four(&world.finder().unbounded);
+        world.asks_in_fours = suited > 0;
+        let (suited, others) = world.combinations_for_four(&world.finder().bounded);
+        world.streams = suited > 0 && suited >= others;
         world.meshes = world.large_meshes();
         world
     }
 
-    /// Whether most of what the tree holds are combinations that can be asked by four rays at once.
-    fn has_mostly_combinations_for_four(&self) -> bool {
-        let items = &self.finder().bounded;
+    /// How many of these items are combinations that can be asked by four rays at once, and how many are not.
+    fn combinations_for_four(&self, items: &[Numbered]) -> (usize, usize) {
         let suits = |item: &&Numbered| {
             matches!(item.item, Item::Program(_)) && self.model.suits_four(item.item)
         };
         let suited = items.iter().filter(suits).count();
-        suited > 0 && 2 * suited >= items.len()
+        (suited, items.len() - suited)
     }
 
     #[inline(always)]

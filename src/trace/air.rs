@@ -6,7 +6,7 @@ use crate::compile::{LightList, Scratch};
 use crate::math::Ray;
 
 /// What the air does to light, the rainbows first.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Air {
     /// The media of the interiors that the ray is in.
     inside: Option<Tint>,

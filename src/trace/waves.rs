@@ -92,7 +92,7 @@ struct Shown {
 }
 
 /// What colours light that a surface shows, besides its reflectivity and transmission.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 struct Filters {
     /// The factor of a thin film on the mirror image, and on what is behind.
     on_image: Rgb,
@@ -325,10 +325,10 @@ impl Tracer<'_> {
     #[inline(always)]
     fn go_on(&self, waves: &mut Waves, met: &Onward, from: &Surfaced, light: &Light) {
         let at = &from.at;
-        let mut filters = Filters {
-            air: light.air,
+        let mut filters = light.air.map(|air| Filters {
+            air: Some(air),
             ..Filters::NONE
-        };
+        });
         let number = waves.shown.len();
         let mut shown = Shown {
             to: met.to,
@@ -345,22 +345,7 @@ impl Tracer<'_> {
             |dir: DVec3, seen: Seen| Onward::query(Ray::new(at.point, dir), departure, seen);
         let seen_in_mirror = met.query.seen.mirrored();
         let level = met.level + 1;
-        let mut image = light.mirror.map(|mirror| {
-            shown.reflectivity = mirror.reflectivity;
-            filters.exponent = mirror.finish.reflection.exponent;
-            let irid = &mirror.finish.irid;
-            if irid.amount > 0.0 {
-                filters.on_image = self.film(irid, at, mirror.dir);
-            }
-            Onward {
-                query: onward(mirror.dir, seen_in_mirror),
-                level,
-                passed: 0,
-                weight: met.weight * mirror.weight,
-                inside: met.inside,
-                to: To::Image(number),
-            }
-        });
+        let mut mirror = light.mirror;
         if let Some(filter) = light.passing {
             let before = (&waves.insides[met.inside], from.t);
             let interior = self.world.surfaces[from.surface as usize].interior;
@@ -389,10 +374,11 @@ impl Tracer<'_> {
                 Bend::Total => {
                     shown.factor = through.thrown_back;
                     shown.transmit = 0.0;
-                    image = None;
+                    mirror = None;
                     let dir = mirrored_off(at.view, at.normal, from.flat);
                     if let Some(film) = light.film.filter(|film| film.amount > 0.0) {
-                        filters.on_behind = self.film(film, at, dir);
+                        let film = self.film(film, at, dir);
+                        filters.get_or_insert(Filters::NONE).on_behind = film;
                     }
                     waves.next.push(Onward {
                         query: onward(dir, seen_in_mirror),
@@ -405,8 +391,26 @@ impl Tracer<'_> {
                 }
             }
         }
-        waves.next.extend(image);
-        if filters != Filters::NONE {
+        if let Some(mirror) = mirror {
+            shown.reflectivity = mirror.reflectivity;
+            let exponent = mirror.finish.reflection.exponent;
+            if exponent != 1.0 {
+                filters.get_or_insert(Filters::NONE).exponent = exponent;
+            }
+            let irid = &mirror.finish.irid;
+            if irid.amount > 0.0 {
+                filters.get_or_insert(Filters::NONE).on_image = self.film(irid, at, mirror.dir);
+            }
+            waves.next.push(Onward {
+                query: onward(mirror.dir, seen_in_mirror),
+                level,
+                passed: 0,
+                weight: met.weight * mirror.weight,
+                inside: met.inside,
+                to: To::Image(number),
+            });
+        }
+        if let Some(filters) = filters {
             shown.filters = u32::try_from(waves.filters.len()).ok();
             waves.filters.push(filters);
         }
@@ -466,8 +470,9 @@ impl Tracer<'_> {
         let mut all = std::mem::take(&mut waves.all);
         all.hits.resize(rays.len().div_ceil(4), FourHits::NOTHING);
         for (rays, hits) in rays.chunks(8).zip(all.hits.chunks_mut(2)) {
-            let queries = rays.iter().map(|onward| &onward.query);
-            self.world.nearest_of_stream(queries, hits, scratch);
+            let query = |ray: usize| &rays[ray].query;
+            self.world
+                .nearest_of_stream(rays.len(), query, hits, scratch);
         }
         // Where much is filtered each way is looked at alone.
         self.light_all(rays.len(), self.world.is_opaque(), &mut all, scratch);
