@@ -13,6 +13,9 @@ use crate::shape::Geometry;
 use smallvec::smallvec;
 use std::sync::Arc;
 
+/// Of products of more operands only those count that are primitives themselves.
+const MOST_FACTORS: usize = 64;
+
 /// What lies around a part of a combination.
 #[derive(Clone, Copy)]
 pub(super) struct Around {
@@ -133,18 +136,10 @@ impl Flat {
         if object.clipped_by().is_empty() {
             return self.add_bare(object, below, program, (parent, is_inverse), is_hidden);
         }
+        let first = program.operands.len();
         let node = push_node(program, Combine::Intersection, parent);
         let mut bounds = self.add_bare(object, below, program, (node, is_inverse), is_hidden);
-        let mut factors = Factors::new();
-        if matches!(object.kind, Kind::Shape(_)) {
-            let leaf = index(self.parts.leaves.len() - 1);
-            factors.push((leaf, is_inverse));
-        }
         for clip in object.clipped_by() {
-            if is_bare(&clip.what) {
-                let leaf = index(self.parts.leaves.len());
-                factors.push((leaf, clip.what.is_inverse));
-            }
             let around = Heritage {
                 steps: joined(&object.steps[clip.after..], &above.steps),
                 place: Place::Cut,
@@ -155,6 +150,7 @@ impl Flat {
             bounds.shown = bounds.shown.intersection(&held.solid);
             bounds.solid = bounds.solid.intersection(&held.solid);
         }
+        let factors = factors(program, node, first);
         bounds.solid = limited(&self.parts.leaves, &factors, bounds.solid);
         bounds.shown = bounds.shown.intersection(&bounds.solid);
         bounds
@@ -273,12 +269,8 @@ impl Flat {
         } else {
             Around::EMPTY
         };
-        let mut factors = Factors::new();
+        let first = program.operands.len();
         for (child, is_exchanged) in children.iter().zip(signs) {
-            if is_product && is_bare(child) {
-                let leaf = index(self.parts.leaves.len());
-                factors.push((leaf, child.is_inverse != is_exchanged));
-            }
             let place = (node, child.is_inverse != is_exchanged);
             let is_unseen = matches!(
                 child.kind,
@@ -301,6 +293,7 @@ impl Flat {
             }
         }
         if is_product {
+            let factors = factors(program, node, first);
             sum.solid = limited(&self.parts.leaves, &factors, sum.solid);
             sum.shown = sum.solid;
         }
@@ -314,9 +307,28 @@ pub(super) fn is_gated(object: &Object) -> bool {
     !object.bounded_by().is_empty() && !needs_none
 }
 
-/// Whether an object is a primitive and nothing else but what bounds it.
-fn is_bare(object: &Object) -> bool {
-    matches!(object.kind, Kind::Shape(_)) && object.clipped_by().is_empty()
+/// The primitives of a product that have its inside in common, those of products in it included: of the operands from
+/// `first` on, which are all that were added to it.
+fn factors(program: &Program, node: u32, first: usize) -> Factors {
+    let added = program.operands[first..].iter();
+    let is_small = added.len() <= MOST_FACTORS;
+    let is_factor = |mut parent: u32| {
+        while is_small && parent > node && parent != NONE {
+            let between = &program.nodes[parent as usize];
+            if between.combine != Combine::Intersection {
+                return false;
+            }
+            parent = between.parent;
+        }
+        parent == node
+    };
+    let numbers = program.first + index(first)..;
+    let factors = numbers
+        .zip(added)
+        .filter(|(_, operand)| is_factor(operand.parent));
+    factors
+        .map(|(number, operand)| (number, operand.is_inverse))
+        .collect()
 }
 
 fn push_node(program: &mut Program, combine: Combine, parent: u32) -> u32 {
