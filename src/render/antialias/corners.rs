@@ -83,19 +83,19 @@ impl<'s, 'a> Corners<'s, 'a> {
     /// The samples at the corners of all pixels, row by row.
     fn trace_corners(&mut self) -> Vec<Graded> {
         let (wide, high) = (self.width + 1, self.height + 1);
-        let numbers: Vec<usize> = match self.in_order {
-            true => (0..wide * high).collect(),
-            false => cells(wide, high),
+        let points: Vec<(usize, usize)> = match self.in_order {
+            true => (0..wide * high).map(|at| (at % wide, at / wide)).collect(),
+            false => cells(wide, high).collect(),
         };
-        let place = |&at: &usize| {
-            let (x, y) = self.place(at % wide, at / wide);
+        let place = |&(column, row): &(usize, usize)| {
+            let (x, y) = self.place(column, row);
             (x - 0.5, y - 0.5)
         };
-        let places: Vec<Place> = numbers.iter().map(place).collect();
+        let places: Vec<Place> = points.iter().map(place).collect();
         let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
-        let mut corners = vec![Graded::default(); numbers.len()];
-        for (at, pixel) in numbers.into_iter().zip(pixels) {
-            corners[at] = self.sampler.scale.graded(pixel);
+        let mut corners = vec![Graded::default(); points.len()];
+        for ((column, row), pixel) in points.into_iter().zip(pixels) {
+            corners[row * wide + column] = self.sampler.scale.graded(pixel);
         }
         corners
     }

@@ -10,6 +10,7 @@
 //! a pixel is made of and the order of its sums are POV-Ray's in any case. Where tracing one sample changes the next
 //! (random numbers in one stream, a growing radiosity cache), each is traced at once, in POV-Ray's order.
 
+mod centres;
 mod corners;
 mod neighbours;
 
@@ -90,10 +91,20 @@ impl Scale {
         grades
     }
 
-    fn graded(&self, pixel: Pixel) -> Graded {
+    /// How many grades may be above 0.
+    fn channels(&self) -> usize {
+        if self.has_alpha { 4 } else { 3 }
+    }
+
+    /// Whether estimates may stand for grades.
+    fn has_estimates(&self) -> bool {
         /// Single precision numbers to such a power are in the bounds of estimates, and only endless ones reach [`ENDLESS`].
         const EXPONENTS: RangeInclusive<f64> = 0.1..=0.75;
-        let grades = if EXPONENTS.contains(&self.exponent) {
+        EXPONENTS.contains(&self.exponent)
+    }
+
+    fn graded(&self, pixel: Pixel) -> Graded {
+        let grades = if self.has_estimates() {
             with_widest(
                 #[inline(always)]
                 |lanes| fours(lanes, Powers(self.values(pixel), self.exponent)),
@@ -218,17 +229,13 @@ impl Sum {
     }
 }
 
-/// The points of a grid, numbered row by row, in the order of [`cell`].
-fn cells(width: usize, height: usize) -> Vec<usize> {
-    let mut numbers = Vec::with_capacity(width * height);
-    for square in tiles((0..width, 0..height), (16, 16)) {
-        for (columns, rows) in tiles(square, (4, 2)) {
-            for row in rows {
-                numbers.extend(columns.clone().map(|column| row * width + column));
-            }
-        }
-    }
-    numbers
+/// The points of a grid by column and row, in the order of [`cell`].
+fn cells(width: usize, height: usize) -> impl Iterator<Item = (usize, usize)> {
+    let squares = tiles((0..width, 0..height), (16, 16));
+    let cells = squares.flat_map(|square| tiles(square, (4, 2)));
+    cells.flat_map(|(columns, rows)| {
+        rows.flat_map(move |row| columns.clone().map(move |column| (column, row)))
+    })
 }
 
 /// Columns and rows.
@@ -269,9 +276,10 @@ mod tests {
     #[test]
     fn points_are_in_the_order_of_their_cells() {
         for (width, height) in [(33, 33), (32, 32), (17, 5), (1, 1), (3, 40)] {
-            let mut sorted: Vec<usize> = (0..width * height).collect();
-            sorted.sort_by_key(|&at| cell(at % width, at / width));
-            assert_eq!(cells(width, height), sorted);
+            let points = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+            let mut sorted: Vec<(usize, usize)> = points.collect();
+            sorted.sort_by_key(|&(column, row)| cell(column, row));
+            assert!(cells(width, height).eq(sorted));
         }
     }
 

@@ -6,6 +6,7 @@
 //! traced in vain.
 
 use super::super::Tile;
+use super::centres::{Apart, Centres};
 use super::{Graded, Place, Sampler, Sum, cell, cells};
 use crate::film::Pixel;
 use crate::trace::BlockScratch;
@@ -26,12 +27,14 @@ pub(super) struct Neighbours<'s, 'a> {
     height: usize,
     /// The places of a grid about the centre of its pixel.
     offsets: Vec<Place>,
-    centres: Vec<Option<Graded>>,
+    centres: Centres,
+    /// Tells of each pixel from which of its neighbours' centres its own differs.
+    apart: Vec<Apart>,
     /// The means of the grids traced so far.
     grids: Vec<Option<Graded>>,
-    /// Tells for each pixel, as soon as it is known, whether its centre differs from its left neighbour's centre and grid
-    /// and from its upper neighbour's: decisions are made again and again.
-    differs: Vec<[Option<bool>; 4]>,
+    /// Tells of each pixel, as soon as it is known, whether its centre differs from its left neighbour's grid and from its
+    /// upper neighbour's: decisions are made again and again.
+    differs: Vec<[Option<bool>; 2]>,
     /// The pixels whose grids are missing.
     wanted: Vec<usize>,
 }
@@ -64,9 +67,10 @@ impl<'s, 'a> Neighbours<'s, 'a> {
             width,
             height,
             offsets: offsets(sampler.how.depth),
-            centres: vec![None; width * height],
+            centres: Centres::new(width, height),
+            apart: vec![[false; 2]; width * height],
             grids: vec![None; width * height],
-            differs: vec![[None; 4]; width * height],
+            differs: vec![[None; 2]; width * height],
             wanted: Vec::new(),
         }
     }
@@ -74,8 +78,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
     /// The tile's own pixels, row by row.
     pub(super) fn pixels(mut self) -> Vec<Pixel> {
         if !self.in_order {
-            let numbers = cells(self.width, self.height);
-            self.trace_centres(&numbers[1..]);
+            self.trace_centres();
         }
         loop {
             let made = self.decide();
@@ -89,28 +92,32 @@ impl<'s, 'a> Neighbours<'s, 'a> {
     }
 
     fn pixel(&self, at: usize, made: Made) -> Pixel {
-        let values = if made == Made::Grid {
-            &self.grids
-        } else {
-            &self.centres
-        };
-        values[at].unwrap_or_default().pixel
+        match (made, &self.grids[at]) {
+            (Made::Grid, Some(grid)) => grid.pixel,
+            _ => self.centres.pixel(at),
+        }
     }
 
     /// Decides which pixels are sampled again, as far as samples are known; notes which grids are missing.
     fn decide(&mut self) -> Vec<Made> {
-        let mut made = vec![Made::Border; self.centres.len()];
+        let mut made = vec![Made::Centre; self.centres.len()];
+        made[..self.width].fill(Made::Border);
         for row in 0..self.height {
+            made[row * self.width] = Made::Border;
             for column in 0..self.width {
                 let at = row * self.width + column;
-                if at > 0 && self.centres[at].is_none() {
-                    self.trace_centres(&[at]);
+                let has_neighbours = row > 0 && column > 0;
+                if self.in_order && at > 0 {
+                    self.trace_centre(at, has_neighbours);
                 }
-                if column == 0 || row == 0 {
+                if !has_neighbours {
                     continue;
                 }
-                made[at] = Made::Centre;
                 let neighbours = [at - 1, at - self.width];
+                let is_centre = |at: usize| matches!(made[at], Made::Centre | Made::Border);
+                if self.apart[at] == [false; 2] && neighbours.into_iter().all(is_centre) {
+                    continue;
+                }
                 let differ = [0, 1].map(|side| self.differs(at, side, neighbours[side], &made));
                 for (differs, other) in differ.into_iter().zip(neighbours) {
                     if differs {
@@ -125,16 +132,14 @@ impl<'s, 'a> Neighbours<'s, 'a> {
 
     /// Tells whether the centre of a pixel differs from what its neighbour on that side is made of.
     fn differs(&mut self, at: usize, side: usize, other: usize, made: &[Made]) -> bool {
-        let (values, kind) = match made[other] {
-            Made::Nothing => return false,
-            Made::Grid => (&self.grids, 1),
-            Made::Centre | Made::Border => (&self.centres, 0),
-        };
-        let sampler = self.sampler;
-        *self.differs[at][2 * side + kind].get_or_insert_with(|| {
-            let [a, b] = [values[other], self.centres[at]].map(Option::unwrap_or_default);
-            sampler.differ(&a, &b)
-        })
+        match made[other] {
+            Made::Nothing => false,
+            Made::Centre | Made::Border => self.apart[at][side],
+            Made::Grid => *self.differs[at][side].get_or_insert_with(|| {
+                let grid = self.grids[other].unwrap_or_default();
+                self.sampler.differ(&grid, &self.centres.graded(at))
+            }),
+        }
     }
 
     /// Takes the mean of its grid for a pixel, if it has been traced.
@@ -154,18 +159,43 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         };
     }
 
-    fn trace_centres(&mut self, numbers: &[usize]) {
-        let places: Vec<Place> = numbers.iter().map(|&at| self.place(at)).collect();
-        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
-        for (&at, pixel) in numbers.iter().zip(pixels) {
-            self.centres[at] = Some(self.sampler.scale.graded(pixel));
+    /// Traces all centres but the first, which nothing is compared with.
+    fn trace_centres(&mut self) {
+        let points: Vec<(usize, usize)> = cells(self.width, self.height).skip(1).collect();
+        let places: Vec<Place> = points.iter().map(|&point| self.place(point)).collect();
+        let pixels = self.sampler.trace(&places, false, self.scratch);
+        for ((column, row), pixel) in points.into_iter().zip(pixels) {
+            self.centres.put(row * self.width + column, pixel);
+        }
+        let Sampler { scale, how, .. } = self.sampler;
+        self.centres.grade(scale);
+        self.apart = self.centres.compare(scale, how.threshold);
+    }
+
+    /// Traces one centre.
+    fn trace_centre(&mut self, at: usize, has_neighbours: bool) {
+        let place = self.place(self.point(at));
+        let pixels = self.sampler.trace(&[place], true, self.scratch);
+        let graded = pixels
+            .first()
+            .map(|&pixel| self.sampler.scale.graded(pixel));
+        let graded = graded.unwrap_or_default();
+        self.centres.put_graded(at, graded);
+        if has_neighbours {
+            self.apart[at] = self.centres.neighbours().map(|before| {
+                let other = self.centres.graded(at - before);
+                self.sampler.differ(&other, &graded)
+            });
         }
     }
 
     /// Traces the grids that are missing.
     fn trace_grids(&mut self) {
         let mut wanted = std::mem::take(&mut self.wanted);
-        wanted.sort_by_key(|&at| cell(at % self.width, at / self.width));
+        wanted.sort_by_key(|&at| {
+            let (column, row) = self.point(at);
+            cell(column, row)
+        });
         let places: Vec<Place> = wanted.iter().flat_map(|&at| self.grid(at)).collect();
         let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
         for (&at, pixels) in wanted.iter().zip(pixels.chunks(self.offsets.len())) {
@@ -177,14 +207,19 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         clippy::cast_precision_loss,
         reason = "a tile has few rows and columns"
     )]
-    fn place(&self, at: usize) -> Place {
+    fn place(&self, (column, row): (usize, usize)) -> Place {
         let (x, y) = self.first;
-        (x + (at % self.width) as f64, y + (at / self.width) as f64)
+        (x + column as f64, y + row as f64)
+    }
+
+    /// The column and the row of a pixel.
+    fn point(&self, at: usize) -> (usize, usize) {
+        (at % self.width, at / self.width)
     }
 
     /// The places of a pixel's grid, row by row.
     fn grid(&self, at: usize) -> impl Iterator<Item = Place> {
-        let (x, y) = self.place(at);
+        let (x, y) = self.place(self.point(at));
         let spread = self.sampler.how.jitter / f64::from(self.sampler.how.depth);
         let places = self
             .offsets
@@ -196,8 +231,8 @@ impl<'s, 'a> Neighbours<'s, 'a> {
     /// The mean of a pixel's grid, in which its centre counts as one more sample.
     fn mean(&self, at: usize, samples: &[Pixel]) -> Graded {
         let mut sum = Sum::default();
-        let centre = self.centres[at].iter().map(|centre| &centre.pixel);
-        centre.chain(samples).for_each(|pixel| sum.add(pixel));
+        sum.add(&self.centres.pixel(at));
+        samples.iter().for_each(|pixel| sum.add(pixel));
         let depth = f64::from(self.sampler.how.depth);
         self.sampler.scale.graded(sum.mean(depth * depth + 1.0))
     }

@@ -1,0 +1,180 @@
+//! The centres of a tile's pixels: graded and compared with their neighbours four at a time.
+
+use super::{ENDLESS, GRADE_CARE, Graded, Scale};
+use crate::film::Pixel;
+use crate::math::lanes::{FourWork, Row, fours, with_widest};
+use crate::math::powers::power;
+
+/// The pixels of a tile, with the row above and the column left of it, numbered row by row.
+pub(super) struct Centres {
+    width: usize,
+    pixels: Vec<Pixel>,
+    /// Their grades, channel by channel; behind each channel there is room for as many as are worked on together.
+    grades: [Vec<f64>; 4],
+}
+
+/// Tells whether a centre differs from its left neighbour's and from its upper neighbour's.
+pub(super) type Apart = [bool; 2];
+
+impl Centres {
+    /// None is known yet.
+    pub(super) fn new(width: usize, height: usize) -> Self {
+        let count = width * height;
+        Centres {
+            width,
+            pixels: vec![Pixel::default(); count],
+            grades: std::array::from_fn(|_| vec![0.0; count + 4]),
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.pixels.len()
+    }
+
+    pub(super) fn pixel(&self, at: usize) -> Pixel {
+        self.pixels[at]
+    }
+
+    pub(super) fn graded(&self, at: usize) -> Graded {
+        Graded {
+            pixel: self.pixels[at],
+            grades: std::array::from_fn(|channel| self.grades[channel][at]),
+        }
+    }
+
+    /// Takes in one that is not graded yet.
+    pub(super) fn put(&mut self, at: usize, pixel: Pixel) {
+        self.pixels[at] = pixel;
+    }
+
+    /// Takes in one and grades it.
+    pub(super) fn put_graded(&mut self, at: usize, graded: Graded) {
+        self.pixels[at] = graded.pixel;
+        for (channel, grade) in self.grades.iter_mut().zip(graded.grades) {
+            channel[at] = grade;
+        }
+    }
+
+    /// Grades all.
+    pub(super) fn grade(&mut self, scale: &Scale) {
+        if !scale.has_estimates() {
+            for at in 0..self.len() {
+                self.put_graded(at, scale.graded(self.pixels[at]));
+            }
+            return;
+        }
+        for (at, pixel) in self.pixels.iter().enumerate() {
+            for (channel, value) in self.grades.iter_mut().zip(scale.values(*pixel)) {
+                channel[at] = value;
+            }
+        }
+        let channels = &mut self.grades[..scale.channels()];
+        with_widest(
+            #[inline(always)]
+            |lanes| fours(lanes, Grading(channels, scale.exponent)),
+        );
+    }
+
+    /// Tells of each that has neighbours to the left and above whether it differs from them.
+    pub(super) fn compare(&self, scale: &Scale, threshold: f64) -> Vec<Apart> {
+        let mut apart = vec![[false; 2]; self.len()];
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                let work = Comparing {
+                    centres: self,
+                    scale,
+                    threshold,
+                    apart: &mut apart,
+                };
+                fours(lanes, work);
+            },
+        );
+        apart
+    }
+
+    /// How far the neighbours of a centre stand before it.
+    pub(super) fn neighbours(&self) -> [usize; 2] {
+        [1, self.width]
+    }
+}
+
+/// Makes estimates of the powers of values out of the values.
+struct Grading<'a>(&'a mut [Vec<f64>], f64);
+
+impl FourWork for Grading<'_> {
+    type Answer = ();
+
+    #[inline(always)]
+    fn run<F: Row>(self) {
+        let Grading(channels, exponent) = self;
+        for channel in channels {
+            for values in channel.as_chunks_mut::<4>().0 {
+                *values = power(F::load(values), exponent).store();
+            }
+        }
+    }
+}
+
+/// Compares the centres of all pixels that have neighbours.
+struct Comparing<'a> {
+    centres: &'a Centres,
+    scale: &'a Scale,
+    threshold: f64,
+    apart: &'a mut [Apart],
+}
+
+impl Comparing<'_> {
+    /// Tells of four pixels which are sure to differ from those so far before them, and of which that is unsure.
+    #[inline(always)]
+    fn four<F: Row>(&self, at: usize, before: usize) -> (u32, u32) {
+        let (mut size, mut difference) = (F::all(0.0), F::all(0.0));
+        for channel in &self.centres.grades[..self.scale.channels()] {
+            let four = |at: usize| {
+                let first = channel.get(at..).and_then(|rest| rest.first_chunk());
+                first.map_or(F::all(0.0), F::load)
+            };
+            let (a, b) = (four(at), four(at - before));
+            size = size.plus(a.plus(b));
+            difference = difference.plus(a.minus(b).size());
+        }
+        let [share, more] = GRADE_CARE;
+        let threshold = F::all(self.threshold);
+        let care = F::all(share).times(size).plus(F::all(more));
+        let is_sure = F::both(
+            size.below(F::all(ENDLESS)),
+            care.below(difference.minus(threshold).size()),
+        );
+        let differ = F::bits(F::both(is_sure, threshold.below(difference)));
+        (differ, 0b1111 & !F::bits(is_sure))
+    }
+}
+
+impl FourWork for Comparing<'_> {
+    type Answer = ();
+
+    #[inline(always)]
+    fn run<F: Row>(self) {
+        let centres = self.centres;
+        for row in (centres.width..centres.len()).step_by(centres.width) {
+            for first in (1..centres.width).step_by(4) {
+                let count = (centres.width - first).min(4);
+                for (side, before) in centres.neighbours().into_iter().enumerate() {
+                    let (mut differ, unsure) = self.four::<F>(row + first, before);
+                    if differ | unsure == 0 {
+                        continue;
+                    }
+                    for lane in 0..count {
+                        let at = row + first + lane;
+                        if unsure >> lane & 1 == 1 {
+                            let [one, other] = [at, at - before].map(|at| centres.graded(at));
+                            let differs = self.scale.differ(&one, &other, self.threshold);
+                            differ |= u32::from(differs) << lane;
+                        }
+                        self.apart[at][side] = differ >> lane & 1 == 1;
+                    }
+                }
+            }
+        }
+    }
+}
