@@ -134,8 +134,8 @@ impl Mapping {
         let size = DVec2::new(bitmap.width as f64, bitmap.height as f64);
         let mut at = at * size;
         match self.map_type {
-            MapType::Planar => at %= size,
-            MapType::Cylindrical => at.y %= size.y,
+            MapType::Planar => at = DVec2::new(rest(at.x, size.x), rest(at.y, size.y)),
+            MapType::Cylindrical => at.y = rest(at.y, size.y),
             MapType::Spherical | MapType::Toroidal => {}
         }
         at += NUDGE;
@@ -207,10 +207,13 @@ impl Mapping {
         reason = "the size is below 2^28, and the result within it"
     )]
     fn kept(&self, at: i64, size: usize) -> usize {
+        let size = size as i64;
         if self.is_once {
-            at.clamp(0, size as i64 - 1) as usize
+            at.clamp(0, size - 1) as usize
+        } else if (0..size).contains(&at) {
+            at as usize
         } else {
-            at.rem_euclid(size as i64) as usize
+            at.rem_euclid(size) as usize
         }
     }
 
@@ -280,9 +283,15 @@ fn turn(x: f64, z: f64) -> f64 {
     }
 }
 
+/// `at % size`, which mostly is the coordinate itself.
+fn rest(at: f64, size: f64) -> f64 {
+    if at.abs() < size { at } else { at % size }
+}
+
 /// A coordinate taken into `0..size`.
 fn wrapped(at: f64, size: f64) -> f64 {
-    let at = at.rem_euclid(size);
+    let rest = rest(at, size);
+    let at = if rest < 0.0 { rest + size } else { rest };
     if at < size { at } else { 0.0 }
 }
 
