@@ -1,6 +1,7 @@
 //! `fade_distance` and `fade_power`: light that weakens with the distance, `2 / (1 + (d / distance)^power)`.
 
 use crate::args::{Args, Parse, Word};
+use crate::math::powers::exact_power;
 
 /// How light weakens; the default does not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,7 +41,7 @@ impl Fade {
     #[inline]
     pub fn share(&self, distance: f64) -> f64 {
         if self.fades() {
-            let share = 2.0 / (1.0 + (distance / self.distance).powf(self.power));
+            let share = 2.0 / (1.0 + exact_power(distance / self.distance, self.power));
             if share.is_nan() { 0.0 } else { share }
         } else {
             1.0

@@ -20,11 +20,13 @@ const MOST_EXPONENT: f64 = 1000.0;
 /// A number to which this is added is rounded to a whole one.
 const ROUNDER: f64 = 1.5 / f64::EPSILON;
 
-/// `x^p` to the last digit, as the library has it, without the cost of its call for the exponents 0 and 1.
+/// `x^p` to the last digit, as the library has it, without the cost of its call for the exponents 0, 1 and 2.
 #[inline]
 pub(crate) fn exact_power(x: f64, p: f64) -> f64 {
     if p == 1.0 {
         x
+    } else if p == 2.0 {
+        x * x
     } else if p == 0.0 {
         1.0
     } else {

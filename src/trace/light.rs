@@ -9,6 +9,7 @@ use super::{Path, Tracer};
 use crate::color::Rgb;
 use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Surface, Way, World};
 use crate::light::Arrival;
+use crate::math::powers::exact_power;
 use crate::math::{Ray, hash};
 use crate::texture::Finish;
 use glam::DVec3;
@@ -235,7 +236,10 @@ impl Tracer<'_> {
     /// What the light of this number gives to a layer.
     fn light_up(&self, number: u32, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
         let light = self.world.lights.get(number);
-        let arrival = light.arrival(lit.at.point);
+        let is_point = light.area.is_none() && !light.is_parallel;
+        let known = lit.known.of(number);
+        let known = known.filter(|known| is_point && known.way.is_some());
+        let arrival = known.map_or_else(|| light.arrival(lit.at.point), |known| known.arrival);
         if let Some(area) = &light.area
             && area.is_full
             && self.samples_areas(lit.path)
@@ -247,7 +251,8 @@ impl Tracer<'_> {
         let Some(side) = coat.side(cosine, lit.is_double_illuminated) else {
             return Rgb::BLACK;
         };
-        let mut arriving = light.color * light.share(lit.at.point, &arrival);
+        let share = known.map_or_else(|| light.share(lit.at.point, &arrival), |known| known.share);
+        let mut arriving = light.color * share;
         if is_nothing(arriving) {
             return Rgb::BLACK;
         }
@@ -319,8 +324,9 @@ impl Tracer<'_> {
         let cosine = side.cosine.abs();
         let mut sum = Rgb::BLACK;
         if side.diffuse != 0.0 {
-            let mut strength =
-                f64::from(side.diffuse) * coat.opacity * power(cosine, finish.brilliance);
+            let mut strength = f64::from(side.diffuse)
+                * coat.opacity
+                * exact_power(cosine, f64::from(finish.brilliance));
             if finish.crand > 0.0 {
                 strength -= grain(scratch) * f64::from(finish.crand);
             }
@@ -361,15 +367,6 @@ pub(super) fn is_nothing(light: Rgb) -> bool {
     is_small(light.r) && is_small(light.g) && is_small(light.b)
 }
 
-/// `base ^ exponent`, without the cost for the exponent that is usual.
-pub(super) fn power(base: f64, exponent: f32) -> f64 {
-    if exponent == 1.0 {
-        base
-    } else {
-        base.powf(f64::from(exponent))
-    }
-}
-
 /// The highlights of light from one direction.
 #[inline]
 pub(super) fn highlight(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
@@ -385,7 +382,7 @@ fn phong(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
     let cosine = mirrored(at.view, at.normal).dot(to_light);
     let is_lit = cosine > 0.0 && (finish.phong_size < SMALL_PHONG || cosine > PHONG_CUT);
     if is_lit {
-        f64::from(finish.phong) * power(cosine, finish.phong_size)
+        f64::from(finish.phong) * exact_power(cosine, f64::from(finish.phong_size))
     } else {
         0.0
     }
@@ -400,7 +397,7 @@ fn specular(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
     let half_way = 0.5 * (to_light - at.view);
     let cosine = half_way.dot(at.normal) / half_way.length();
     if cosine > 0.0 {
-        f64::from(finish.specular) * power(cosine, finish.shininess)
+        f64::from(finish.specular) * exact_power(cosine, f64::from(finish.shininess))
     } else {
         0.0
     }

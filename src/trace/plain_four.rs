@@ -4,13 +4,14 @@
 
 use super::air::{Air, End};
 use super::coats::{Coats, PlainCoat};
-use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic, power};
+use super::light::{NOTHING, Viewed, highlight, is_nothing, metallic};
 use super::shadows::Together;
 use super::way::LightWay;
 use super::{Path, Sample, Tracer};
 use crate::color::Rgb;
 use crate::compile::{FourHits, FourWays, InteriorId, LightList, Scratch, Seen};
 use crate::light::Light;
+use crate::math::powers::exact_power;
 use crate::pattern::Spot;
 use crate::texture::{Finish, PreparedPigment};
 use glam::{DVec2, DVec3};
@@ -468,7 +469,8 @@ fn add_light(
     }
     each_lane(arriving.lit & coats.brilliant, |lane| {
         if let Some(finish) = coats.finishes[lane] {
-            let cosine = power(ways.cosine[lane].abs(), finish.brilliance);
+            let brilliance = f64::from(finish.brilliance);
+            let cosine = exact_power(ways.cosine[lane].abs(), brilliance);
             strength[lane] = coats.diffuse[lane] * cosine;
         }
     });

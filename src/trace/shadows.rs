@@ -3,7 +3,7 @@
 
 use super::Tracer;
 use super::light::{MOST_TILTED, NOTHING};
-use crate::compile::{FourHits, FourWays, Scratch, Way};
+use crate::compile::{FourHits, FourWays, Scratch, Surface, Way};
 use crate::light::{Arrival, Light};
 use crate::math::lanes::three::{Three, dot, load, minus, over, plus, same, scaled, store};
 use crate::math::lanes::{Four, FourKernel, Lanes, four, with_widest};
@@ -296,15 +296,34 @@ impl Tracer<'_> {
     #[inline(never)]
     fn minded(&self, number: u32, hits: &FourHits, arrived: &Arrived) -> u32 {
         let mut asked = 0;
+        let mut last = None;
         for lane in (0..4).filter(|&lane| hits.is_met(lane)) {
-            let surface = &self.world.surfaces[hits.surface[lane] as usize];
-            let faces = arrived.faces >> lane & 1 == 1 || surface.is_lit_from_behind();
-            let nearly_faces = arrived.nearly_faces >> lane & 1 == 1;
-            let matters = faces || nearly_faces && surface.is_bumpy();
-            let is_lit = self.world.lights.of(surface.lights).contains(&number);
-            asked |= u32::from(matters && is_lit && surface.takes_light()) << lane;
+            let met = hits.surface[lane];
+            // Those that may take light of this lamp, by how they stand to it.
+            let minding = match last {
+                Some((surface, minding)) if surface == met => minding,
+                _ => self.minding(number, &self.world.surfaces[met as usize], arrived),
+            };
+            last = Some((met, minding));
+            asked |= minding & 1 << lane;
         }
         asked
+    }
+
+    /// Of four hits on a surface those to which the light of a lamp matters, one bit each.
+    #[inline(always)]
+    fn minding(&self, number: u32, surface: &Surface, arrived: &Arrived) -> u32 {
+        if !surface.takes_light() || !self.world.lights.of(surface.lights).contains(&number) {
+            return 0;
+        }
+        if surface.is_lit_from_behind() {
+            return 0b1111;
+        }
+        let nearly_faces = match surface.is_bumpy() {
+            true => arrived.nearly_faces,
+            false => 0,
+        };
+        arrived.faces | nearly_faces
     }
 }
 

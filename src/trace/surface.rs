@@ -9,6 +9,7 @@ use crate::color::{Color, Rgb};
 use crate::compile::{Hit, Scratch, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
+use crate::math::powers::exact_power;
 use crate::pattern::Spot;
 use crate::shape::Shares;
 use crate::texture::{Choosing, Finish, Irid, Look, Looks, PreparedLayer, PreparedTexture};
@@ -494,7 +495,7 @@ pub(super) fn mirror<'f>(
         let share = if reflection.is_fresnel {
             fresnel(cosine, ior())
         } else {
-            (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff))
+            exact_power((1.0 - cosine).max(0.0), f64::from(reflection.falloff))
         };
         reflection.max * share + reflection.min * (1.0 - share)
     };
