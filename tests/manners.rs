@@ -185,8 +185,10 @@ fn help_is_a_command_too() {
     }
 }
 
-/// The lines of a program on standard error that others wait for, as POV-Ray 3.7 writes them.
+/// The lines of a program on standard error that others wait for, as POV-Ray 3.7 writes them. That of the progress is put
+/// last: another thread of POV-Ray writes it, now and then before the title of the stage.
 fn signs(said: &str) -> Vec<String> {
+    const ALL_DONE: &str = "Rendered 48 of 48 pixels (100%)";
     let lines = said.split(['\r', '\n']).map(str::trim_end);
     let mut signs: Vec<String> = lines
         .filter(|line| {
@@ -194,7 +196,7 @@ fn signs(said: &str) -> Vec<String> {
                 || line.starts_with("  Image resolution.")
                 || line.starts_with("  Input file: ")
                 || line.starts_with("Render Time:")
-                || *line == "Rendered 48 of 48 pixels (100%)"
+                || *line == ALL_DONE
                 || line.starts_with("Rendering frame ")
                 || line.starts_with("Render failed")
                 || line.starts_with("POV-Ray finished")
@@ -202,6 +204,7 @@ fn signs(said: &str) -> Vec<String> {
         })
         .map(str::to_owned)
         .collect();
+    signs.sort_by_key(|line| line == ALL_DONE);
     signs.dedup();
     signs
 }
