@@ -13,7 +13,7 @@ use crate::shape::Geometry;
 use smallvec::smallvec;
 use std::sync::Arc;
 
-/// Of products of more operands only those count that are primitives themselves.
+/// Most operands of an intersection whose nested intersections are searched for bounding primitives.
 const MOST_FACTORS: usize = 64;
 
 /// What lies around a part of a combination.
@@ -307,8 +307,8 @@ pub(super) fn is_gated(object: &Object) -> bool {
     !object.bounded_by().is_empty() && !needs_none
 }
 
-/// The primitives of a product that have its inside in common, those of products in it included: of the operands from
-/// `first` on, which are all that were added to it.
+/// Primitives that an intersection is the common inside of, those of nested intersections included; its operands are those
+/// from `first` on.
 fn factors(program: &Program, node: u32, first: usize) -> Factors {
     let added = program.operands[first..].iter();
     let is_small = added.len() <= MOST_FACTORS;

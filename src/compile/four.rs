@@ -367,8 +367,8 @@ impl Passing<'_> {
         F::pick(is_shown, t, best)
     }
 
-    /// Where the rays are inside of an operand, as far as ends within these intervals tell, and which of them must be asked
-    /// for singly. One that is not met is entered behind everything and left before everything.
+    /// Entry and exit of each ray into an operand, and the lanes that take the scalar path; ends outside of the intervals
+    /// `within` may be missing. An operand that is missed is entered at infinity and left at minus infinity.
     #[inline(always)]
     pub(super) fn ends<F: Four>(
         &self,

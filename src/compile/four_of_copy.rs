@@ -7,7 +7,7 @@ use super::instance::Instance;
 use super::lot::{FourQueries, Lot};
 use super::world::World;
 use crate::math::lanes::{Four, FourKernel, Lanes, four};
-use crate::shape::{Crossing, FourRays, Root, Shape};
+use crate::shape::{FourRays, Root, Shape};
 
 /// Four rays on their way to a copy. If `ANY` surface will do, the first that is found ends the search.
 struct FourOfCopy<'a, const ANY: bool> {
@@ -131,16 +131,7 @@ impl World {
                 reason = "a small whole number"
             )]
             let leaf = found.leaf[lane] as u32;
-            let root = Root {
-                t: found.t[lane],
-                crossing: if found.leaves >> lane & 1 == 1 {
-                    Crossing::Leave
-                } else {
-                    Crossing::Enter
-                },
-                face: 0,
-                is_visible: true,
-            };
+            let root = Root::on_smooth(found.t[lane], found.leaves >> lane & 1 == 1);
             let surface = copy.surface + copy.model.leaves[leaf as usize].surface;
             take(
                 lot,

@@ -137,16 +137,7 @@ impl World {
                 };
                 root
             } else {
-                Root {
-                    t: found.t[lane],
-                    crossing: if found.leaves >> lane & 1 == 1 {
-                        Crossing::Leave
-                    } else {
-                        Crossing::Enter
-                    },
-                    face: 0,
-                    is_visible: true,
-                }
+                Root::on_smooth(found.t[lane], found.leaves >> lane & 1 == 1)
             };
             let surface = leaf.surface;
             take(

@@ -23,8 +23,8 @@ pub(super) const SKIN: f64 = 1.0 / 16.0;
 pub(super) const POV_RAY_SHADOW: f64 = 1e-3;
 const POV_RAY_LEAST: f64 = 1e-4;
 
-/// Rays whose directions have no smaller cosine between them go much the same way.
-const ALIKE: f64 = 0.98;
+/// Least cosine between the directions of coherent rays.
+const COHERENT: f64 = 0.98;
 
 /// Asks for the first surface that can be seen.
 struct Seeing<'w> {
@@ -62,20 +62,20 @@ impl World {
         scratch: &mut Scratch,
     ) {
         let count = count.min(STREAM);
-        let dir = query(0).ray.dir;
-        let walks_together =
-            self.streams || (1..count).all(|ray| query(ray).ray.dir.dot(dir) > ALIKE);
-        if !self.asks_in_fours && !walks_together {
+        let first = query(0);
+        let sees_alike = |ray: usize| !self.overview.hides_some || query(ray).seen == first.seen;
+        let is_coherent = |ray: usize| query(ray).ray.dir.dot(first.ray.dir) > COHERENT;
+        let walks_together = self.streams || (1..count).all(is_coherent);
+        if !(self.asks_in_fours || walks_together) || !(1..count).all(sees_alike) {
             for (four, hits) in hits.iter_mut().enumerate().take(count.div_ceil(4)) {
                 let queries = (4 * four..count.min(4 * four + 4)).map(&query);
                 self.nearest_of_four(queries, hits, scratch);
             }
             return;
         }
-        // Behind the last ray it stands again.
-        let query = |ray: usize| query(ray.min(count - 1));
-        let seen = query(0).seen;
-        let see_alike = !self.overview.hides_some || (0..count).all(|ray| query(ray).seen == seen);
+        // Lanes past the last ray repeat it.
+        let query = |ray: usize| *query(ray.min(count - 1));
+        let asked = (&query, first.seen, 0xff >> (8 - count));
         let mut bests = [None; STREAM];
         let mut lot = std::mem::take(&mut scratch.lot);
         with_widest(
@@ -84,26 +84,21 @@ impl World {
                 let mut origins = [[[0.0; 4]; 3]; STREAM / 4];
                 for ray in 0..count {
                     let query = query(ray);
-                    scratch.rays.count(query);
+                    scratch.rays.count(&query);
                     hits[ray / 4].aim(ray % 4, query.ray.dir);
                     for (axis, origin) in origins[ray / 4].iter_mut().enumerate() {
                         origin[ray % 4] = query.ray.origin[axis];
                     }
                 }
-                if see_alike {
-                    let query = |ray: usize| *query(ray);
-                    lot.follow(count, query, |query| self.least_distance(query));
-                    let asked = (&query, seen, 0xff >> (8 - count));
-                    self.see_stream(
-                        lanes,
-                        asked,
-                        (&mut lot, &mut bests),
-                        walks_together,
-                        scratch,
-                    );
+                lot.follow(count, query, |query| self.least_distance(query));
+                self.see_unbounded(lanes, asked, (&mut lot, &mut bests), scratch);
+                if walks_together {
+                    self.see_stream(lanes, asked, (&mut lot, &mut bests), scratch);
                 } else {
                     for (ray, best) in bests.iter_mut().enumerate().take(count) {
-                        *best = self.nearest_found(lanes, query(ray), scratch);
+                        let query = &query(ray);
+                        let asked = (query, &self.search_for(query));
+                        self.nearest_in_tree(lanes, asked, best, scratch);
                     }
                 }
                 for ((origin, bests), hits) in origins.iter().zip(bests.chunks(4)).zip(hits) {
@@ -139,31 +134,30 @@ impl World {
         );
     }
 
-    /// Finds the nearest surfaces of some of eight rays that see alike, those that are marked, which walk the tree together
-    /// or one after the other.
+    /// Intersects the marked rays of a stream, all of one kind, with the unbounded items.
     #[inline(always)]
-    fn see_stream(
+    fn see_unbounded(
         &self,
         lanes: Lanes,
         (query, seen, rays): (&impl Fn(usize) -> Query, Seen, u32),
         (lot, bests): (&mut Lot, &mut [Option<Best>]),
-        walks_together: bool,
         scratch: &mut Scratch,
     ) {
         for &item in &self.finder().unbounded {
             let asked = ((item, seen), (0, rays), query);
             self.see_by(lanes, asked, (lot, bests), &mut Ended::default(), scratch);
         }
-        if !walks_together {
-            for (ray, best) in bests.iter_mut().enumerate() {
-                if rays >> ray & 1 == 1 {
-                    let query = &query(ray);
-                    let asked = (query, &self.search_for(query));
-                    self.nearest_in_tree(lanes, asked, best, scratch);
-                }
-            }
-            return;
-        }
+    }
+
+    /// Intersects them with the items of the tree in one traversal.
+    #[inline(always)]
+    fn see_stream(
+        &self,
+        lanes: Lanes,
+        (query, seen, rays): (&impl Fn(usize) -> Query, Seen, u32),
+        (lot, bests): (&mut Lot, &mut [Option<Best>]),
+        scratch: &mut Scratch,
+    ) {
         let ends = lot.ends();
         self.finder().tree.stream(
             lanes,
@@ -196,7 +190,7 @@ impl World {
         best
     }
 
-    /// Finds what in the tree is nearer than the best so far.
+    /// Replaces the closest hit so far by a closer one in the tree, if there is one.
     #[inline(always)]
     fn nearest_in_tree(
         &self,

@@ -195,15 +195,13 @@ impl World {
         scratch: &mut Scratch,
     ) -> bool {
         let mut of_item = Way::Free;
-        let blocks = if let Item::Program(_) = item.item {
-            let mut passed = std::mem::take(&mut scratch.passed);
-            let noted = (&mut of_item, Some(&mut passed));
-            let blocks = self.blocks_noting(item, asked, noted, scratch);
+        let is_program = matches!(item.item, Item::Program(_));
+        let mut passed = is_program.then(|| std::mem::take(&mut scratch.passed));
+        let noted = (&mut of_item, passed.as_mut());
+        let blocks = self.blocks_noting(item, asked, noted, scratch);
+        if let Some(passed) = passed {
             scratch.passed = passed;
-            blocks
-        } else {
-            self.blocks(item, asked, &mut of_item, scratch)
-        };
+        }
         if blocks {
             return true;
         }

@@ -199,8 +199,8 @@ impl Program {
                 order.others.push(number);
             }
         }
-        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded. Of a quadric more is known
-        // where others have narrowed the ray.
+        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded. Packets of rays
+        // know more of an open quadric once other operands have clipped the interval.
         let first = self.first as usize;
         order.required.sort_by_key(|&number| {
             let leaf = &leaves[first + number as usize];

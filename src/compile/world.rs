@@ -96,11 +96,10 @@ pub struct World {
     pub(super) overview: Overview,
     pub(super) least_distance: LeastDistance,
     pub(super) vistas: Vistas,
-    /// Whether rays that have nothing in common had better ask in fours about what has no bounds: where some of that are
-    /// combinations that suit.
+    /// True if unbounded items are intersected by packets of four incoherent rays: some are CSG programs that suit packets.
     pub(super) asks_in_fours: bool,
-    /// Whether they had better walk the tree in streams, too: where most items in it are such combinations. Others are so
-    /// cheap to ask that the order of the visits, which is best for each ray by itself, counts for more.
+    /// True if streams of incoherent rays traverse the tree: most of its items are such programs. Other items are so cheap
+    /// to intersect that the best traversal order of each ray counts for more.
     pub(super) streams: bool,
 }
 
@@ -183,7 +182,7 @@ impl World {
         world
     }
 
-    /// How many of these items are combinations that can be asked by four rays at once, and how many are not.
+    /// Counts the CSG programs among these items that packets of four rays can intersect, and the other items.
     fn combinations_for_four(&self, items: &[Numbered]) -> (usize, usize) {
         let suits = |item: &&Numbered| {
             matches!(item.item, Item::Program(_)) && self.model.suits_four(item.item)

@@ -14,7 +14,7 @@ mod reach;
 
 use self::component::{Component, Part, Parts};
 use self::reach::Reach;
-use super::{Crossing, Crossings, Geometry, Root, Share, Shares, Skin, Start};
+use super::{Crossings, Geometry, Root, Share, Shares, Skin, Start};
 use super::{first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
@@ -223,16 +223,7 @@ impl Field {
         here.each(parts, |part| part.take_from(&mut quartic, middle, half));
         let mut is_inside = starts_inside;
         for place in quartic_changes_between(&quartic, starts_inside, ends_inside) {
-            roots.push(Root {
-                t: middle + half * place,
-                crossing: if is_inside {
-                    Crossing::Leave
-                } else {
-                    Crossing::Enter
-                },
-                face: 0,
-                is_visible: true,
-            });
+            roots.push(Root::on_smooth(middle + half * place, is_inside));
             is_inside = !is_inside;
         }
     }

@@ -227,7 +227,7 @@ impl Shape {
         }
     }
 
-    /// Whether its roots differ in more than their places and crossings.
+    /// True if its roots lie on several faces.
     #[inline(always)]
     pub(crate) fn has_faces(&self) -> bool {
         matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_))
@@ -307,7 +307,7 @@ impl Shape {
         }
     }
 
-    /// The spans of four rays, as far as ends within these intervals tell; all unknown for a shape that has none.
+    /// Spans of four rays, all unknown for a shape that has none; ends outside of the intervals `within` may be missing.
     #[inline(always)]
     pub(crate) fn four<F: Four>(&self, rays: &FourRays<F>, within: (F, F)) -> FourSpans<F> {
         match self {

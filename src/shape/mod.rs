@@ -115,6 +115,23 @@ pub struct Root {
     pub is_visible: bool,
 }
 
+impl Root {
+    /// A visible root on a shape that is one smooth piece.
+    #[inline(always)]
+    pub(crate) fn on_smooth(t: f64, is_exit: bool) -> Self {
+        let crossing = match is_exit {
+            true => Crossing::Leave,
+            false => Crossing::Enter,
+        };
+        Root {
+            t,
+            crossing,
+            face: 0,
+            is_visible: true,
+        }
+    }
+}
+
 /// Whether the far start of a line (`t → −∞`) lies inside the solid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {

@@ -1,8 +1,8 @@
 //! Four rays and a quadric at once, by the steps of [`super::quadric`] in the same order. What takes more steps there is
 //! left to single rays: directions that are scaled first, a quadratic without its square, roots close to each other.
 //!
-//! A span is told for an interval of the line: of a quadric that a line enters and leaves for good at both ends, as the two
-//! nappes of a cone, only one stretch may reach into it.
+//! Spans are valid within an interval of the line. An open quadric, such as the two nappes of a cone, has two of them; a
+//! lane in which both reach into the interval takes the scalar path.
 
 use super::four::{FourRays, FourSpans, Three, dot, minus, plus, same, scaled};
 use super::quadric::{CLOSE, EVEN_SQUARES, NEAR_ENOUGH, Quadric};
@@ -25,7 +25,7 @@ struct Refining<'a> {
     places: [f64; 2],
 }
 
-/// What a product of two numbers has lost by rounding, exactly, for numbers that have it (Dekker 1971).
+/// Exact rounding error of a product, for numbers of [`has_error`] (Dekker 1971; the halves are Veltkamp's).
 #[inline(always)]
 fn error_of_product<F: Four>((a, b): (F, F), product: F) -> F {
     let halves = |x: F| {
@@ -39,7 +39,7 @@ fn error_of_product<F: Four>((a, b): (F, F), product: F) -> F {
     a_low.times(b_low).minus(rest)
 }
 
-/// Whether [`error_of_product`] neither overflows nor underflows for products of such numbers.
+/// True where products of such numbers make [`error_of_product`] neither overflow nor underflow.
 #[inline(always)]
 fn has_error<F: Four>(x: F) -> F::Mask {
     const MOST: f64 = f64::from_bits((1023 + 400) << 52);
@@ -70,7 +70,7 @@ impl FourKernel for Refining<'_> {
 }
 
 impl Quadric {
-    /// Where four rays are inside, as far as ends within these intervals tell; ends elsewhere may be missing.
+    /// Spans of four rays; an end outside of its interval from `low` to `high` may be missing.
     #[inline(always)]
     pub(super) fn four<F: Four>(&self, rays: &FourRays<F>, (low, high): (F, F)) -> FourSpans<F> {
         let (zero, endless) = (F::all(0.0), F::all(f64::INFINITY));
@@ -133,7 +133,7 @@ impl Quadric {
         let second = F::pick(is_ordered, refined[1], places[1]);
         let is_finite = F::both(first.size().below(endless), second.size().below(endless));
         let is_span = F::both(is_finite, first.below(second));
-        // Of an open one the first stretch is over, or the second is still to come.
+        // An open quadric: the first span ends before the interval, or the second begins behind it.
         let is_outer = F::both(is_met, is_open);
         let [is_over, is_to_come] = [first.below(low), high.below(second)];
         let is_one = F::bits(F::either(is_over, is_to_come)) & !F::bits(first.equals(low));
@@ -271,7 +271,7 @@ mod tests {
         (is_inside, ends)
     }
 
-    /// The same as the span of one of four tells it.
+    /// The same, from the span of one lane.
     fn among(span: (bool, f64, f64), (low, high): (f64, f64)) -> (bool, Vec<(f64, Crossing)>) {
         let (is_met, enter, leave) = span;
         let mut ends = vec![(enter, Crossing::Enter), (leave, Crossing::Leave)];

@@ -299,20 +299,19 @@ impl Tracer<'_> {
         let mut last = None;
         for lane in (0..4).filter(|&lane| hits.is_met(lane)) {
             let met = hits.surface[lane];
-            // Those that may take light of this lamp, by how they stand to it.
-            let minding = match last {
-                Some((surface, minding)) if surface == met => minding,
-                _ => self.minding(number, &self.world.surfaces[met as usize], arrived),
+            let lit = match last {
+                Some((surface, lit)) if surface == met => lit,
+                _ => self.lit_lanes(number, &self.world.surfaces[met as usize], arrived),
             };
-            last = Some((met, minding));
-            asked |= minding & 1 << lane;
+            last = Some((met, lit));
+            asked |= lit & 1 << lane;
         }
         asked
     }
 
-    /// Of four hits on a surface those to which the light of a lamp matters, one bit each.
+    /// Mask of the lanes in which a surface with this material can receive the light.
     #[inline(always)]
-    fn minding(&self, number: u32, surface: &Surface, arrived: &Arrived) -> u32 {
+    fn lit_lanes(&self, number: u32, surface: &Surface, arrived: &Arrived) -> u32 {
         if !surface.takes_light() || !self.world.lights.of(surface.lights).contains(&number) {
             return 0;
         }

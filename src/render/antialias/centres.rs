@@ -13,7 +13,7 @@ pub(super) struct Centres {
     grades: [Vec<f64>; 4],
 }
 
-/// Tells whether a centre differs from its left neighbour's and from its upper neighbour's.
+/// True where a centre differs from its left neighbour's, and from its upper neighbour's.
 pub(super) type Apart = [bool; 2];
 
 impl Centres {
@@ -75,7 +75,7 @@ impl Centres {
         );
     }
 
-    /// Tells of each that has neighbours to the left and above whether it differs from them.
+    /// Compares each centre with its left and its upper neighbour, where it has both.
     pub(super) fn compare(&self, scale: &Scale, threshold: f64) -> Vec<Apart> {
         let mut apart = vec![[false; 2]; self.len()];
         with_widest(
@@ -93,7 +93,7 @@ impl Centres {
         apart
     }
 
-    /// How far the neighbours of a centre stand before it.
+    /// Offsets from a centre back to its left and its upper neighbour.
     pub(super) fn neighbours(&self) -> [usize; 2] {
         [1, self.width]
     }

@@ -91,12 +91,12 @@ impl Scale {
         grades
     }
 
-    /// How many grades may be above 0.
+    /// Number of channels compared: transmit counts only where the picture keeps it.
     fn channels(&self) -> usize {
         if self.has_alpha { 4 } else { 3 }
     }
 
-    /// Whether estimates may stand for grades.
+    /// True if estimates of the powers may stand for grades.
     fn has_estimates(&self) -> bool {
         /// Single precision numbers to such a power are in the bounds of estimates, and only endless ones reach [`ENDLESS`].
         const EXPONENTS: RangeInclusive<f64> = 0.1..=0.75;

@@ -1,5 +1,6 @@
 use super::*;
 use crate::args::text::TextArgs;
+use crate::shape::Crossing;
 use crate::shape::check;
 
 fn blob(text: &str) -> Blob {
