@@ -1,7 +1,9 @@
 //! The same picture, bit for bit, for any number of threads and for any part of it.
 
 use povr::film::Film;
-use povr::options::{Antialias, Converging, Input, Method, ReadOptions, RenderOptions, Sampling};
+use povr::options::{
+    Antialias, Converging, Input, Method, Picture, ReadOptions, RenderOptions, Sampling,
+};
 use std::time::Duration;
 
 /// A scene with mirrors, glass, shadows, patterns and solids.
@@ -45,6 +47,10 @@ fn options() -> RenderOptions {
 }
 
 fn drawn(scene: &str, options: &RenderOptions) -> Film {
+    picture(scene, options).film
+}
+
+fn picture(scene: &str, options: &RenderOptions) -> Picture {
     let input = Input::Text {
         name: "same_bits.pov".to_owned(),
         text: scene.into(),
@@ -54,9 +60,7 @@ fn drawn(scene: &str, options: &RenderOptions) -> Film {
         height: HEIGHT,
         ..ReadOptions::default()
     };
-    povr::draw(&input, &read, options, &|_| {})
-        .expect("the scene is right")
-        .film
+    povr::draw(&input, &read, options, &|_| {}).expect("the scene is right")
 }
 
 #[test]
@@ -75,6 +79,30 @@ fn any_number_of_threads_draws_the_same_picture() {
         let one = with(1);
         assert_eq!(one, with(2), "{sampling:?}");
         assert_eq!(one, with(7), "{sampling:?}");
+    }
+}
+
+#[test]
+fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
+    for method in [Method::One, Method::Two] {
+        let with = |threads| {
+            let sampling = Sampling::PovRay(Antialias {
+                method,
+                ..Antialias::default()
+            });
+            let options = RenderOptions {
+                threads: Some(threads),
+                sampling,
+                ..options()
+            };
+            let Picture {
+                film, statistics, ..
+            } = picture(SCENE, &options);
+            (film, statistics.rays)
+        };
+        let one = with(1);
+        assert_eq!(one, with(2), "{method:?}");
+        assert_eq!(one, with(7), "{method:?}");
     }
 }
 

@@ -30,6 +30,7 @@ const LEAST_AT_ONCE: usize = 128;
 const TILES_OF_THREAD: usize = 32;
 
 /// A rectangle of pixels: columns and rows from, to (not included).
+#[derive(PartialEq, Eq)]
 struct Tile {
     columns: Range<u32>,
     rows: Range<u32>,
@@ -91,10 +92,11 @@ pub fn render(
         None => tiles_of(options),
     };
     let leveller = options.only_for.as_ref().and_then(Leveller::of);
+    let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match unfinished {
-            Some(unfinished) => kept_tile(unfinished, &tracer, tile, options, scratch),
-            None => draw_tile(&tracer, tile, options, scratch),
+            Some(unfinished) => renderer.kept_tile(unfinished, tile, scratch),
+            None => renderer.tile(tile, scratch),
         };
         if !gathers {
             progress(pixels.len() as u64);
@@ -174,31 +176,70 @@ fn tiles_of(options: &RenderOptions) -> Vec<Tile> {
         .collect()
 }
 
-/// A tile of an unfinished picture: what is there, or what is drawn and kept.
-fn kept_tile(
-    unfinished: &Unfinished,
-    tracer: &Tracer<'_>,
-    tile: &Tile,
-    options: &RenderOptions,
-    scratch: &mut BlockScratch,
-) -> (Tile, Pixels) {
-    let wanted = wanted(tile, options);
-    if let Some(piece) = unfinished.piece(&wanted.columns, &wanted.rows) {
-        return (wanted, (piece.pixels.clone(), Rays::default()));
+/// Draws the tiles of one picture.
+struct TileRenderer<'a> {
+    tracer: &'a Tracer<'a>,
+    options: &'a RenderOptions,
+    /// Where the picture is antialiased as POV-Ray does it.
+    sampler: Option<Sampler<'a>>,
+}
+
+impl<'a> TileRenderer<'a> {
+    fn new(tracer: &'a Tracer<'a>, options: &'a RenderOptions) -> Self {
+        let sampler = match &options.sampling {
+            Sampling::PovRay(how) => Some(Sampler::new(tracer, options, how)),
+            Sampling::Centres | Sampling::Converging(_) => None,
+        };
+        TileRenderer {
+            tracer,
+            options,
+            sampler,
+        }
     }
-    let (tile, (pixels, rays)) = draw_tile(tracer, tile, options, scratch);
-    let piece = Piece {
-        columns: tile.columns.clone(),
-        rows: tile.rows.clone(),
-        pixels,
-        errors: Vec::new(),
-        samples: 0,
-    };
-    // What was stopped in the middle is not finished.
-    if !options.stop.is_asked() {
-        unfinished.keep(&piece);
+
+    /// A tile of an unfinished picture: what is there, or what is drawn and kept.
+    fn kept_tile(
+        &self,
+        unfinished: &Unfinished,
+        tile: &Tile,
+        scratch: &mut BlockScratch,
+    ) -> (Tile, Pixels) {
+        let wanted = wanted(tile, self.options);
+        if let Some(piece) = unfinished.piece(&wanted.columns, &wanted.rows) {
+            return (wanted, (piece.pixels.clone(), Rays::default()));
+        }
+        let (tile, (pixels, rays)) = self.tile(tile, scratch);
+        let piece = Piece {
+            columns: tile.columns.clone(),
+            rows: tile.rows.clone(),
+            pixels,
+            errors: Vec::new(),
+            samples: 0,
+        };
+        // What was stopped in the middle is not finished.
+        if !self.options.stop.is_asked() {
+            unfinished.keep(&piece);
+        }
+        (tile, (piece.pixels, rays))
     }
-    (tile, (piece.pixels, rays))
+
+    /// The pixels of a tile that are to be drawn, row by row.
+    fn tile(&self, tile: &Tile, scratch: &mut BlockScratch) -> (Tile, Pixels) {
+        let (tracer, options) = (self.tracer, self.options);
+        let wanted = wanted(tile, options);
+        let pixels = if let Some(sampler) = &self.sampler {
+            let whole = sampler.tile(tile, scratch);
+            (cut_out(whole, tile, &wanted), scratch.take_rays())
+        } else if scratch.goes_on() {
+            let (whole, rays) = draw_rows(tracer, tile, options, scratch);
+            (cut_out(whole, tile, &wanted), rays)
+        } else if scratch.single().minds_order() {
+            draw_rows(tracer, &wanted, options, scratch)
+        } else {
+            draw_blocks(tracer, &wanted, options, scratch)
+        };
+        (wanted, pixels)
+    }
 }
 
 /// The part of a tile that is to be drawn.
@@ -209,35 +250,11 @@ fn wanted(tile: &Tile, options: &RenderOptions) -> Tile {
     }
 }
 
-/// The pixels of a tile that are to be drawn, row by row.
-fn draw_tile(
-    tracer: &Tracer<'_>,
-    tile: &Tile,
-    options: &RenderOptions,
-    scratch: &mut BlockScratch,
-) -> (Tile, Pixels) {
-    let wanted = wanted(tile, options);
-    let pixels = match &options.sampling {
-        Sampling::Centres | Sampling::Converging(_) if scratch.goes_on() => {
-            let (whole, rays) = draw_rows(tracer, tile, options, scratch);
-            (cut_out(&whole, tile, &wanted), rays)
-        }
-        Sampling::Centres | Sampling::Converging(_) if scratch.single().minds_order() => {
-            draw_rows(tracer, &wanted, options, scratch)
-        }
-        Sampling::Centres | Sampling::Converging(_) => {
-            draw_blocks(tracer, &wanted, options, scratch)
-        }
-        Sampling::PovRay(how) => {
-            let whole = Sampler::new(tracer, options, how).tile(tile, scratch);
-            (cut_out(&whole, tile, &wanted), scratch.take_rays())
-        }
-    };
-    (wanted, pixels)
-}
-
 /// The pixels of a part of a tile.
-fn cut_out(whole: &[Pixel], tile: &Tile, wanted: &Tile) -> Vec<Pixel> {
+fn cut_out(whole: Vec<Pixel>, tile: &Tile, wanted: &Tile) -> Vec<Pixel> {
+    if wanted == tile {
+        return whole;
+    }
     if wanted.columns.is_empty() {
         return Vec::new();
     }

@@ -31,6 +31,10 @@ impl Centres {
         self.pixels.len()
     }
 
+    pub(super) fn into_pixels(self) -> Vec<Pixel> {
+        self.pixels
+    }
+
     pub(super) fn pixel(&self, at: usize) -> Pixel {
         self.pixels[at]
     }
@@ -42,12 +46,7 @@ impl Centres {
         }
     }
 
-    /// Takes in one that is not graded yet.
-    pub(super) fn put(&mut self, at: usize, pixel: Pixel) {
-        self.pixels[at] = pixel;
-    }
-
-    /// Takes in one and grades it.
+    /// Takes in one that is graded.
     pub(super) fn put_graded(&mut self, at: usize, graded: Graded) {
         self.pixels[at] = graded.pixel;
         for (channel, grade) in self.grades.iter_mut().zip(graded.grades) {
@@ -55,8 +54,9 @@ impl Centres {
         }
     }
 
-    /// Grades all.
-    pub(super) fn grade(&mut self, scale: &Scale) {
+    /// Takes in all, row by row, and grades them.
+    pub(super) fn put_all(&mut self, pixels: Vec<Pixel>, scale: &Scale) {
+        self.pixels = pixels;
         if !scale.has_estimates() {
             for at in 0..self.len() {
                 self.put_graded(at, scale.graded(self.pixels[at]));

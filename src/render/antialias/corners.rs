@@ -1,7 +1,7 @@
 //! Method 2: a pixel is divided into four squares as long as the corners of a square differ, and is the mean of them.
 
 use super::super::Tile;
-use super::{Graded, Place, Sampler, Sum, cells};
+use super::{Graded, Place, Sampler, Sum};
 use crate::film::Pixel;
 use crate::trace::BlockScratch;
 use rustc_hash::FxHashMap;
@@ -15,6 +15,7 @@ type Point = (usize, u32, u32);
 /// The pixels of a tile, which share their corners.
 pub(super) struct Corners<'s, 'a> {
     sampler: &'s Sampler<'a>,
+    tile: &'s Tile,
     scratch: &'s mut BlockScratch,
     /// True if each sample is traced as soon as it is asked for.
     in_order: bool,
@@ -43,12 +44,13 @@ struct Square {
 impl<'s, 'a> Corners<'s, 'a> {
     pub(super) fn new(
         sampler: &'s Sampler<'a>,
-        tile: &Tile,
+        tile: &'s Tile,
         scratch: &'s mut BlockScratch,
     ) -> Self {
         Corners {
             sampler,
             in_order: scratch.single().minds_order(),
+            tile,
             scratch,
             first: (f64::from(tile.columns.start), f64::from(tile.rows.start)),
             width: tile.columns.len(),
@@ -82,22 +84,24 @@ impl<'s, 'a> Corners<'s, 'a> {
 
     /// The samples at the corners of all pixels, row by row.
     fn trace_corners(&mut self) -> Vec<Graded> {
-        let (wide, high) = (self.width + 1, self.height + 1);
-        let points: Vec<(usize, usize)> = match self.in_order {
-            true => (0..wide * high).map(|at| (at % wide, at / wide)).collect(),
-            false => cells(wide, high).collect(),
+        let (x, y) = self.place(0, 0);
+        let first = (x - 0.5, y - 0.5);
+        let pixels = if self.in_order {
+            let (wide, high) = (self.width + 1, self.height + 1);
+            let points = (0..high).flat_map(|row| (0..wide).map(move |column| (column, row)));
+            let places = points.map(|(column, row)| {
+                let (x, y) = self.place(column, row);
+                (x - 0.5, y - 0.5)
+            });
+            let places: Vec<Place> = places.collect();
+            self.sampler.trace(&places, true, self.scratch)
+        } else {
+            self.sampler.lattice(self.tile, (first, true), self.scratch)
         };
-        let place = |&(column, row): &(usize, usize)| {
-            let (x, y) = self.place(column, row);
-            (x - 0.5, y - 0.5)
-        };
-        let places: Vec<Place> = points.iter().map(place).collect();
-        let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
-        let mut corners = vec![Graded::default(); points.len()];
-        for ((column, row), pixel) in points.into_iter().zip(pixels) {
-            corners[row * wide + column] = self.sampler.scale.graded(pixel);
-        }
-        corners
+        let graded = pixels
+            .into_iter()
+            .map(|pixel| self.sampler.scale.graded(pixel));
+        graded.collect()
     }
 
     fn whole(&self, number: usize, corners: &[Graded]) -> Square {

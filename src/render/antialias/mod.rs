@@ -1,9 +1,9 @@
 //! POV-Ray's two methods of antialiasing, sample by sample.
 //!
-//! Both work on tiles of 32 by 32 pixels that know nothing of each other. Method 1 ([`neighbours`]) traces the centre of
-//! each pixel and samples a pixel again, on a grid, where it differs from its left or upper neighbour. Method 2
-//! ([`corners`]) traces the corners of each pixel and divides it as long as they differ. (The fact sheet, section 7;
-//! checked by pictures.)
+//! Both work on tiles of 32 by 32 pixels, which share no more than the samples at their borders ([`lattice`]). Method 1
+//! ([`neighbours`]) traces the centre of each pixel and samples a pixel again, on a grid, where it differs from its left
+//! or upper neighbour. Method 2 ([`corners`]) traces the corners of each pixel and divides it as long as they differ. (The
+//! fact sheet, section 7; checked by pictures.)
 //!
 //! POV-Ray traces a sample when it needs it. Here a method asks for its samples and decides as far as those known allow;
 //! all that are missing are traced together, in packets, and the method decides anew until none is missing. Which samples
@@ -12,9 +12,10 @@
 
 mod centres;
 mod corners;
+mod lattice;
 mod neighbours;
 
-use super::Tile;
+use super::{TILE, Tile};
 use crate::color::Gamma;
 use crate::film::Pixel;
 use crate::math::jitter;
@@ -23,6 +24,7 @@ use crate::math::powers::{POWER_ERROR, power};
 use crate::options::{Antialias, Method, RenderOptions};
 use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
+use lattice::{Borders, Point, own_points};
 use neighbours::Neighbours;
 use std::ops::{Range, RangeInclusive};
 
@@ -38,6 +40,9 @@ pub(super) struct Sampler<'a> {
     options: &'a RenderOptions,
     how: &'a Antialias,
     scale: Scale,
+    borders: Borders,
+    /// The points of the lattice of a whole tile that are none of its borders.
+    whole_tile: Vec<Point>,
 }
 
 /// A sample, or a mean of several, with its values on the scale on which they are compared.
@@ -49,7 +54,7 @@ struct Graded {
 }
 
 /// Estimates from here on may stand for endless grades.
-const ENDLESS: f64 = 1e30;
+const ENDLESS: f64 = 1e40;
 /// What two estimates of a grade may be off together, as a share of their sum and at all.
 const GRADE_CARE: [f64; 2] = [2.0 * POWER_ERROR, 1e-90];
 
@@ -99,7 +104,7 @@ impl Scale {
     /// True if estimates of the powers may stand for grades.
     fn has_estimates(&self) -> bool {
         /// Single precision numbers to such a power are in the bounds of estimates, and only endless ones reach [`ENDLESS`].
-        const EXPONENTS: RangeInclusive<f64> = 0.1..=0.75;
+        const EXPONENTS: RangeInclusive<f64> = 0.14..=1.0;
         EXPONENTS.contains(&self.exponent)
     }
 
@@ -157,6 +162,8 @@ impl<'a> Sampler<'a> {
             options,
             how,
             scale: Scale::new(working, how, options.alpha),
+            borders: Borders::new(options),
+            whole_tile: own_points(TILE as usize, TILE as usize),
         }
     }
 
@@ -286,7 +293,7 @@ mod tests {
     #[test]
     fn estimates_of_grades_decide_as_the_grades_themselves() {
         let mut rng = Random::new(5);
-        for exponent in [0.4, 1.0 / 2.5, 0.454, 3.0] {
+        for exponent in [0.14, 0.4, 0.454, 0.88, 1.0, 3.0] {
             let scale = Scale {
                 working: Gamma::LINEAR,
                 exponent,
@@ -296,6 +303,7 @@ mod tests {
                 let value = |rng: &mut Random| match round % 16 {
                     0 => f32::INFINITY,
                     1 => 0.0,
+                    2 => f32::MAX,
                     _ => nearest(rng.share()),
                 };
                 let [a, b] = [(); 2].map(|()| {

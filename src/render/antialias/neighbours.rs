@@ -7,9 +7,10 @@
 
 use super::super::Tile;
 use super::centres::{Apart, Centres};
-use super::{Graded, Place, Sampler, Sum, cell, cells};
+use super::{Graded, Place, Sampler, Sum, cell};
 use crate::film::Pixel;
 use crate::trace::BlockScratch;
+use rustc_hash::FxHashMap;
 
 /// The smallest step by which the loop over a grid may miss its last position through rounding.
 const GRID_SLACK: f64 = 1e-10;
@@ -18,6 +19,7 @@ const GRID_SLACK: f64 = 1e-10;
 /// are never sampled again; all are numbered row by row.
 pub(super) struct Neighbours<'s, 'a> {
     sampler: &'s Sampler<'a>,
+    tile: &'s Tile,
     scratch: &'s mut BlockScratch,
     /// True if each sample is traced as soon as it is asked for.
     in_order: bool,
@@ -31,7 +33,7 @@ pub(super) struct Neighbours<'s, 'a> {
     /// Tells of each pixel from which of its neighbours' centres its own differs.
     apart: Vec<Apart>,
     /// The means of the grids traced so far.
-    grids: Vec<Option<Graded>>,
+    grids: FxHashMap<usize, Graded>,
     /// Tells of each pixel, as soon as it is known, whether its centre differs from its left neighbour's grid and from its
     /// upper neighbour's: decisions are made again and again.
     differs: Vec<[Option<bool>; 2]>,
@@ -54,7 +56,7 @@ enum Made {
 impl<'s, 'a> Neighbours<'s, 'a> {
     pub(super) fn new(
         sampler: &'s Sampler<'a>,
-        tile: &Tile,
+        tile: &'s Tile,
         scratch: &'s mut BlockScratch,
     ) -> Self {
         let (width, height) = (tile.columns.len() + 1, tile.rows.len() + 1);
@@ -62,6 +64,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         Neighbours {
             sampler,
             in_order: scratch.single().minds_order(),
+            tile,
             scratch,
             first: (x - 1.0, y - 1.0),
             width,
@@ -69,7 +72,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
             offsets: offsets(sampler.how.depth),
             centres: Centres::new(width, height),
             apart: vec![[false; 2]; width * height],
-            grids: vec![None; width * height],
+            grids: FxHashMap::default(),
             differs: vec![[None; 2]; width * height],
             wanted: Vec::new(),
         }
@@ -83,39 +86,56 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         loop {
             let made = self.decide();
             if self.wanted.is_empty() {
-                let rows = (1..self.height).map(|row| row * self.width);
-                let own = rows.flat_map(|start| start + 1..start + self.width);
-                return own.map(|at| self.pixel(at, made[at])).collect();
+                return self.finished(&made);
             }
             self.trace_grids();
         }
     }
 
-    fn pixel(&self, at: usize, made: Made) -> Pixel {
-        match (made, &self.grids[at]) {
-            (Made::Grid, Some(grid)) => grid.pixel,
-            _ => self.centres.pixel(at),
+    /// The tile's own pixels, row by row, all of which are decided.
+    fn finished(self, made: &[Made]) -> Vec<Pixel> {
+        let mut pixels = self.centres.into_pixels();
+        for (&at, grid) in &self.grids {
+            if made[at] == Made::Grid {
+                pixels[at] = grid.pixel;
+            }
         }
+        let mut own = Vec::with_capacity(pixels.len());
+        for row in pixels.chunks(self.width).skip(1) {
+            own.extend_from_slice(&row[1..]);
+        }
+        own
     }
 
     /// Decides which pixels are sampled again, as far as samples are known; notes which grids are missing.
     fn decide(&mut self) -> Vec<Made> {
+        let width = self.width;
         let mut made = vec![Made::Centre; self.centres.len()];
-        made[..self.width].fill(Made::Border);
+        made[..width].fill(Made::Border);
+        let is_centre = |made: &Made| matches!(made, Made::Centre | Made::Border);
         for row in 0..self.height {
-            made[row * self.width] = Made::Border;
-            for column in 0..self.width {
-                let at = row * self.width + column;
-                let has_neighbours = row > 0 && column > 0;
+            let start = row * width;
+            made[start] = Made::Border;
+            let above = row.checked_sub(1).map(|above| above * width);
+            if !self.in_order {
+                let apart = self.apart[start..start + width].as_flattened();
+                let differs_not = !apart.contains(&true);
+                if above.is_none_or(|above| differs_not && made[above..start].iter().all(is_centre))
+                {
+                    continue;
+                }
+            }
+            for at in start..start + width {
+                let has_neighbours = row > 0 && at > start;
                 if self.in_order && at > 0 {
                     self.trace_centre(at, has_neighbours);
                 }
                 if !has_neighbours {
                     continue;
                 }
-                let neighbours = [at - 1, at - self.width];
-                let is_centre = |at: usize| matches!(made[at], Made::Centre | Made::Border);
-                if self.apart[at] == [false; 2] && neighbours.into_iter().all(is_centre) {
+                let neighbours = [at - 1, at - width];
+                let are_centres = neighbours.into_iter().all(|at| is_centre(&made[at]));
+                if self.apart[at] == [false; 2] && are_centres {
                     continue;
                 }
                 let differ = [0, 1].map(|side| self.differs(at, side, neighbours[side], &made));
@@ -136,7 +156,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
             Made::Nothing => false,
             Made::Centre | Made::Border => self.apart[at][side],
             Made::Grid => *self.differs[at][side].get_or_insert_with(|| {
-                let grid = self.grids[other].unwrap_or_default();
+                let grid = self.grids.get(&other).copied().unwrap_or_default();
                 self.sampler.differ(&grid, &self.centres.graded(at))
             }),
         }
@@ -147,28 +167,24 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         if made[at] != Made::Centre {
             return;
         }
-        if self.grids[at].is_none() {
+        if !self.grids.contains_key(&at) {
             self.wanted.push(at);
             if self.in_order {
                 self.trace_grids();
             }
         }
-        made[at] = match self.grids[at] {
-            Some(_) => Made::Grid,
-            None => Made::Nothing,
+        made[at] = match self.grids.contains_key(&at) {
+            true => Made::Grid,
+            false => Made::Nothing,
         };
     }
 
     /// Traces all centres but the first, which nothing is compared with.
     fn trace_centres(&mut self) {
-        let points: Vec<(usize, usize)> = cells(self.width, self.height).skip(1).collect();
-        let places: Vec<Place> = points.iter().map(|&point| self.place(point)).collect();
-        let pixels = self.sampler.trace(&places, false, self.scratch);
-        for ((column, row), pixel) in points.into_iter().zip(pixels) {
-            self.centres.put(row * self.width + column, pixel);
-        }
         let Sampler { scale, how, .. } = self.sampler;
-        self.centres.grade(scale);
+        let first = (self.first, false);
+        let pixels = self.sampler.lattice(self.tile, first, self.scratch);
+        self.centres.put_all(pixels, scale);
         self.apart = self.centres.compare(scale, how.threshold);
     }
 
@@ -199,7 +215,8 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         let places: Vec<Place> = wanted.iter().flat_map(|&at| self.grid(at)).collect();
         let pixels = self.sampler.trace(&places, self.in_order, self.scratch);
         for (&at, pixels) in wanted.iter().zip(pixels.chunks(self.offsets.len())) {
-            self.grids[at] = Some(self.mean(at, pixels));
+            let mean = self.mean(at, pixels);
+            self.grids.insert(at, mean);
         }
     }
 
