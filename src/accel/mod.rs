@@ -31,6 +31,7 @@ pub use vista::Vista;
 
 use crate::math::lanes::{Lanes, with_widest};
 use crate::math::{Bounds, Ray};
+use arrayvec::ArrayVec;
 use ball::Ball;
 use block::Block;
 use build::{Entry, Grown};
@@ -59,10 +60,10 @@ struct Pending<C> {
     child: C,
 }
 
-/// The places still to be visited, the next on top. Those of all but the deepest trees need no heap.
+/// A traversal stack. All but the deepest trees need no heap, and its room is not cleared beforehand: small trees are
+/// traversed more often than a kilobyte is written in the same time.
 struct Stack<T> {
-    len: usize,
-    places: [T; ROOM],
+    places: ArrayVec<T, ROOM>,
     /// What lies below them.
     deeper: Vec<T>,
 }
@@ -76,12 +77,11 @@ const PIECE: usize = 1 << 12;
 /// Room for the pending places of a tree of eight levels and more.
 const ROOM: usize = 64;
 
-impl<T: Copy + Default> Stack<T> {
+impl<T: Copy> Stack<T> {
     #[inline(always)]
     fn new() -> Self {
         Stack {
-            len: 0,
-            places: [T::default(); ROOM],
+            places: ArrayVec::new_const(),
             deeper: Vec::new(),
         }
     }
@@ -89,44 +89,40 @@ impl<T: Copy + Default> Stack<T> {
     /// Makes room for the children of a node; gives the number of places in use.
     #[inline(always)]
     fn make_room(&mut self) -> usize {
-        if self.len > ROOM - WIDTH {
+        if self.places.len() > ROOM - WIDTH {
             self.deepen();
         }
-        self.len
+        self.places.len()
     }
 
     #[cold]
     fn deepen(&mut self) {
-        self.deeper.extend_from_slice(&self.places[..self.len]);
-        self.len = 0;
+        self.deeper.extend_from_slice(&self.places);
+        self.places.clear();
     }
 
     /// Puts a place on top, for which there must be room.
     #[inline(always)]
     fn put(&mut self, place: T) {
-        self.places[self.len % ROOM] = place;
-        self.len += 1;
+        self.places.push(place);
     }
 
     /// Puts a place, for which there must be room, below those down to `bottom` that are to come before it.
     #[inline(always)]
     fn sink(&mut self, place: T, bottom: usize, comes_first: impl Fn(&T, &T) -> bool) {
-        let mut at = self.len;
-        while at > bottom && comes_first(&self.places[(at - 1) % ROOM], &place) {
-            self.places[at % ROOM] = self.places[(at - 1) % ROOM];
+        let mut at = self.places.len();
+        self.places.push(place);
+        while at > bottom && comes_first(&self.places[at - 1], &place) {
+            self.places[at] = self.places[at - 1];
             at -= 1;
         }
-        self.places[at % ROOM] = place;
-        self.len += 1;
+        self.places[at] = place;
     }
 
     #[inline(always)]
     fn pop(&mut self) -> Option<T> {
-        if self.len == 0 {
-            return self.deeper.pop();
-        }
-        self.len -= 1;
-        Some(self.places[self.len % ROOM])
+        let top = self.places.pop();
+        top.or_else(|| self.deeper.pop())
     }
 }
 
