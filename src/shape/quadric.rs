@@ -30,6 +30,10 @@ pub(super) const CLOSE: f64 = 1.0 / 1024.0;
 /// A root needs no better place where the value is within so many roundings of its terms: no more than it is known to.
 pub(super) const NEAR_ENOUGH: f64 = 2.0;
 
+/// Least depth of roots close to each other, in roundings of the terms of the value. A plane counted twice has no depth:
+/// its discriminant is zero but for roundings, which differ with the start of the ray.
+const SHALLOW: f64 = 8.0;
+
 /// A surface of second order. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadric {
@@ -155,6 +159,12 @@ impl Quadric {
         )
     }
 
+    /// Sum of the sizes of the terms of the value at a point.
+    fn size_of_terms(&self, p: DVec3) -> f64 {
+        let p = p.abs();
+        p.dot(self.matrix.abs() * p) + p.dot(self.linear.abs()) + self.constant.abs()
+    }
+
     #[inline]
     fn crossings(&self, ray: &Ray, put: impl FnMut(Root)) -> Start {
         // Powers of two change no digits: they are only there against numbers that are too large or too small.
@@ -179,12 +189,15 @@ impl Quadric {
         let (mut ahead, (mut b, mut c)) = (ahead, along(near));
         let turn = ahead - b / a;
         let is_close = (b * b - a * c).abs() < CLOSE * b * b;
+        let mut least = 0.0;
         if is_close && turn.is_finite() {
             // Whether there are roots at all is seen best between them.
             ahead = turn;
-            (b, c) = along(ray.origin + ahead * dir);
+            let between = ray.origin + ahead * dir;
+            (b, c) = along(between);
+            least = SHALLOW * f64::EPSILON * self.size_of_terms(between) * a.abs();
         }
-        let (start, mut places, count) = sign_changes(a, b, c);
+        let (start, mut places, count) = sign_changes((a, b, c), least);
         if count > 0 {
             places = places.map(|t| t + ahead);
             let refined = self.refined(&Ray::new(ray.origin, dir), places);
@@ -249,8 +262,8 @@ impl Part {
 }
 
 /// The roots of `a·t² + 2b·t + c` in order, and whether it is negative far back. A place too far for a number is
-/// infinite.
-fn sign_changes(a: f64, b: f64, c: f64) -> (Start, [f64; 2], usize) {
+/// infinite. Double roots are those with a discriminant of up to `least`; they are left out.
+fn sign_changes((a, b, c): (f64, f64, f64), least: f64) -> (Start, [f64; 2], usize) {
     let is_inside = if a != 0.0 {
         a < 0.0
     } else if b != 0.0 {
@@ -266,7 +279,7 @@ fn sign_changes(a: f64, b: f64, c: f64) -> (Start, [f64; 2], usize) {
     let discriminant = difference_of_products(b, b, a, c);
     if a == 0.0 {
         (start, [-0.5 * c / b, 0.0], usize::from(b != 0.0))
-    } else if discriminant > 0.0 {
+    } else if discriminant > least {
         let q = -(b + discriminant.sqrt().copysign(b));
         let (t, other) = (q / a, c / q);
         (start, [t.min(other), t.max(other)], 2)
@@ -363,6 +376,7 @@ impl Geometry for Quadric {
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
+    use crate::math::random::Random;
     use crate::shape::check;
 
     fn quadric(text: &str) -> Quadric {
@@ -417,6 +431,30 @@ mod tests {
         assert_eq!(start, Start::Outside);
         assert_eq!(roots.len(), 1);
         assert_eq!(roots[0].t, -1.0);
+    }
+
+    #[test]
+    fn a_plane_counted_twice_is_crossed_nowhere() {
+        let mut rng = Random::new(48);
+        let bounds = Bounds::new(DVec3::NEG_ONE, DVec3::ONE);
+        for (text, start) in [
+            ("<0, 0, 1>, <0, 0, 0>, <0, 0, 0>, 0", Start::Outside),
+            ("<0, 0, -1>, <0, 0, 0>, <0, 0, 0>, 0", Start::Inside),
+            ("<0, 0, 1>, <0, 0, 0>, <0, 0, -2>, 1", Start::Outside),
+            ("<0, 0, -1>, <0, 0, 0>, <0, 0, 2>, -1", Start::Inside),
+            ("<1, 1, 0>, <2, 0, 0>, <0, 0, 0>, 0", Start::Outside),
+            ("<1, 4, 1>, <4, -2, -4>, <2, 4, -2>, 1", Start::Outside),
+        ] {
+            let plane = quadric(text);
+            for _ in 0..10_000 {
+                let ray = rng.ray_near(&bounds);
+                // The same line from farther on.
+                let later = Ray::new(ray.at(3.0 * rng.share()), ray.dir);
+                for ray in [ray, later] {
+                    assert_eq!(all(&plane, &ray), (start, vec![]), "{text} {ray:?}");
+                }
+            }
+        }
     }
 
     #[test]
