@@ -1,10 +1,10 @@
 //! The picture while it is linear: one pixel after the other, in the working space of the scene. Of a picture that is
 //! only to be written, the levels of its file take the place of its light as soon as a part of it is drawn.
 
-pub(crate) mod levels;
+pub(crate) mod quantize;
 
-pub(crate) use levels::Leveller;
-pub use levels::Levels;
+pub use quantize::Levels;
+pub(crate) use quantize::Quantizer;
 
 use crate::color::Rgb;
 use std::ops::Range;
@@ -41,7 +41,7 @@ impl Pixel {
 }
 
 /// Makes of samples pixels for a file, as [`Pixel::new`] does.
-pub(crate) fn tell_all(pixels: &mut [Pixel]) {
+pub(crate) fn sanitize_all(pixels: &mut [Pixel]) {
     // Zero times what is not finite is not a number.
     let mut off = [0.0; 4];
     for Pixel { rgb, transmit } in &*pixels {
@@ -117,7 +117,7 @@ impl Film {
 
 #[cfg(test)]
 mod tests {
-    use super::{Film, Pixel, tell_all};
+    use super::{Film, Pixel, sanitize_all};
     use crate::color::Rgb;
 
     #[test]
@@ -144,7 +144,7 @@ mod tests {
         for (light, told) in odd {
             let rgb = Rgb::new(light, 1.0, -1.0);
             let mut pixels = [some, Pixel { rgb, ..some }, some];
-            tell_all(&mut pixels);
+            sanitize_all(&mut pixels);
             let rgb = Rgb::new(told, 1.0, -1.0);
             assert_eq!(pixels, [some, Pixel { rgb, ..some }, some]);
         }

@@ -66,12 +66,12 @@ use encoding::EncodeOptions;
 use glam::DVec3;
 use lang::{Heard, Lexicon, Texts};
 use options::{
-    Event, Failure, Input, Listen, Picture, ReadOptions, RenderOptions, Sampling, Writes,
+    Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
-use render::{Found, Unfinished};
+use render::{Checkpoint, CheckpointStatus};
 use scene::{Object, Scene};
 use source::{Diagnostic, FileId, Message, Severity, Sources};
-use statistics::Watch;
+use statistics::StageTimer;
 use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
@@ -109,7 +109,7 @@ pub fn draw(
     input: &Input,
     read: &ReadOptions,
     render: &RenderOptions,
-    listen: &Listen<'_>,
+    listen: &EventHandler<'_>,
 ) -> Result<Picture, Failure> {
     match render.threads {
         None => draw_with(input, (read, render), listen, None, None),
@@ -123,18 +123,18 @@ pub fn draw(
 /// Draws one scene several times, one after the other or side by side, with other options each time: the frames of an
 /// animation. Its files are read and cut into tokens once.
 #[derive(Debug, Default)]
-pub struct Series {
+pub struct RenderSession {
     pool: Option<Arc<rayon::ThreadPool>>,
     /// Nothing is kept of a scene that is drawn once.
     kept: Option<Mutex<Option<Arc<Kept>>>>,
 }
 
-impl Series {
+impl RenderSession {
     /// A series that draws with the threads of `pool`, or with one for each core. `RenderOptions::threads` does not
     /// count in it.
     #[must_use]
     pub fn new(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
-        Series {
+        RenderSession {
             pool,
             kept: Some(Mutex::default()),
         }
@@ -143,7 +143,7 @@ impl Series {
     /// The same for a single picture, of whose reading nothing is kept.
     #[must_use]
     pub fn of_one(pool: Option<Arc<rayon::ThreadPool>>) -> Self {
-        Series { pool, kept: None }
+        RenderSession { pool, kept: None }
     }
 
     /// As [`draw`]. The input is the same for the whole series.
@@ -155,7 +155,7 @@ impl Series {
         input: &Input,
         read: &ReadOptions,
         render: &RenderOptions,
-        listen: &Listen<'_>,
+        listen: &EventHandler<'_>,
     ) -> Result<Picture, Failure> {
         let pool = self.pool.as_deref();
         draw_with(input, (read, render), listen, pool, self.kept.as_ref())
@@ -174,7 +174,7 @@ struct Kept {
 ///
 /// # Errors
 /// When the system gives none.
-pub fn pool(threads: usize, listen: &Listen<'_>) -> Result<rayon::ThreadPool, Failure> {
+pub fn pool(threads: usize, listen: &EventHandler<'_>) -> Result<rayon::ThreadPool, Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.max(1))
         .stack_size(DRAWING_STACK_BYTES)
@@ -185,11 +185,11 @@ pub fn pool(threads: usize, listen: &Listen<'_>) -> Result<rayon::ThreadPool, Fa
 fn draw_with(
     input: &Input,
     (read, render): (&ReadOptions, &RenderOptions),
-    listen: &Listen<'_>,
+    listen: &EventHandler<'_>,
     pool: Option<&rayon::ThreadPool>,
     kept: Option<&Mutex<Option<Arc<Kept>>>>,
 ) -> Result<Picture, Failure> {
-    let mut watch = Watch::start();
+    let mut watch = StageTimer::start();
     let ((world, working), print) = with_deep_stack(listen, || {
         let (scene, print) = read_scene(input, read, render, listen, kept)?;
         watch.lap("read");
@@ -213,12 +213,12 @@ fn draw_with(
         Some(pool) => pool.install(|| render::render(&world, render, unfinished, &progress)),
     };
     if render.stop.is_asked() {
-        if let Some(pixels) = unfinished.and_then(Unfinished::kept) {
+        if let Some(pixels) = unfinished.and_then(Checkpoint::kept) {
             listen(Event::Kept(pixels));
         }
         return Err(failure("the drawing was stopped".to_owned(), listen));
     }
-    if let Some(kind) = unfinished.and_then(Unfinished::trouble) {
+    if let Some(kind) = unfinished.and_then(Checkpoint::trouble) {
         listen(Event::KeepsNothing(kind));
     }
     watch.lap("trace");
@@ -226,7 +226,7 @@ fn draw_with(
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());
     let statistics = statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
-    forget(world);
+    drop_in_background(world);
     Ok(Picture {
         film: drawn.film,
         working,
@@ -239,8 +239,8 @@ fn unfinished(
     read: &ReadOptions,
     render: &RenderOptions,
     print: u64,
-    listen: &Listen<'_>,
-) -> Option<Unfinished> {
+    listen: &EventHandler<'_>,
+) -> Option<Checkpoint> {
     let keep = render.keep.as_ref()?;
     if matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some()) {
         return None;
@@ -273,18 +273,18 @@ fn unfinished(
     );
     let mut hasher = rustc_hash::FxHasher::default();
     all.hash(&mut hasher);
-    let (unfinished, found) = Unfinished::open(keep, hasher.finish(), size);
+    let (unfinished, found) = Checkpoint::open(keep, hasher.finish(), size);
     match found {
-        Found::Nothing => {}
-        Found::Other => listen(Event::StartsAnew),
-        Found::Pixels(pixels) => listen(Event::GoesOn(pixels)),
+        CheckpointStatus::Nothing => {}
+        CheckpointStatus::Other => listen(Event::StartsAnew),
+        CheckpointStatus::Pixels(pixels) => listen(Event::GoesOn(pixels)),
     }
     Some(unfinished)
 }
 
 /// Lets go of a world beside what follows: taking a large one apart takes longer than writing its picture, and a program
 /// that ends then need not wait.
-fn forget(world: World) {
+fn drop_in_background(world: World) {
     if (world.shown() as usize) < LARGE_WORLD {
         return;
     }
@@ -299,7 +299,7 @@ fn forget(world: World) {
 ///
 /// # Errors
 /// When the scene could not be drawn.
-pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(), Failure> {
+pub fn check(input: &Input, read: &ReadOptions, listen: &EventHandler<'_>) -> Result<(), Failure> {
     with_deep_stack(listen, || {
         let read = ReadOptions {
             writes: Writes::InMemory,
@@ -312,7 +312,7 @@ pub fn check(input: &Input, read: &ReadOptions, listen: &Listen<'_>) -> Result<(
 
 /// Does something on a stack that is deep enough for scenes that nest deep.
 fn with_deep_stack<T: Send>(
-    listen: &Listen<'_>,
+    listen: &EventHandler<'_>,
     work: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> Result<T, Failure> {
     std::thread::scope(|scope| match deep("reader").spawn_scoped(scope, work) {
@@ -333,7 +333,7 @@ fn deep(name: &str) -> std::thread::Builder {
 }
 
 /// A failure that has nothing to do with the scene.
-fn failure(message: String, listen: &Listen<'_>) -> Failure {
+fn failure(message: String, listen: &EventHandler<'_>) -> Failure {
     let error = Message::new(&Diagnostic::error(None, message), &Sources::default());
     listen(Event::Found(&error));
     Failure {
@@ -348,7 +348,7 @@ fn saves(scene: &Scene) -> bool {
 }
 
 /// Writes photons into the file that the scene names for them.
-fn save_photons(world: &World, drawn: &render::Drawn, listen: &Listen<'_>) {
+fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>) {
     let settings = world.photons.as_ref().map(|photons| &photons.settings);
     let path = settings.and_then(|settings| settings.save_file.as_ref());
     let bytes = drawn.photons.as_ref().and_then(|shot| shot.file.as_ref());
@@ -364,7 +364,7 @@ fn save_photons(world: &World, drawn: &render::Drawn, listen: &Listen<'_>) {
 
 /// The drawing wing as the reading wing sees it.
 #[derive(Default)]
-struct OwnObjects(compile::Probed);
+struct OwnObjects(compile::ProbeModel);
 
 impl lang::Probe for OwnObjects {
     fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
@@ -386,7 +386,7 @@ fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma
     let world = if count < LARGE_SCENE {
         let world = compile::compile(scene, render);
         if count > SMALL_SCENE {
-            memory::give_back();
+            memory::trim_heap();
         }
         world
     } else {
@@ -417,10 +417,10 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         for (batches, objects) in (1..).zip(objects) {
             drop::<Vec<Arc<Object>>>(objects);
             if batches % BATCHES == 0 {
-                memory::give_back();
+                memory::trim_heap();
             }
         }
-        memory::give_back();
+        memory::trim_heap();
         let world = compiler.join();
         world.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     });
@@ -435,7 +435,7 @@ fn read_scene(
     input: &Input,
     options: &ReadOptions,
     render: &RenderOptions,
-    listen: &Listen<'_>,
+    listen: &EventHandler<'_>,
     kept: Option<&Mutex<Option<Arc<Kept>>>>,
 ) -> Result<(Scene, u64), Failure> {
     let earlier = kept.and_then(|kept| lock(kept).clone());

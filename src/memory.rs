@@ -16,7 +16,7 @@
 const LARGE: i32 = 1 << 18;
 
 /// Lets large pieces of memory stand by themselves. For a program to call at its start.
-pub fn keep_large_pieces_apart() {
+pub fn set_mmap_threshold() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     // Fails only for numbers that the allocator has no use for, and then nothing changes.
     unsafe {
@@ -26,7 +26,7 @@ pub fn keep_large_pieces_apart() {
 
 /// Sends for what will be read a little later, so that nobody waits for it then.
 #[inline(always)]
-pub(crate) fn expect_use<T>(what: &T) {
+pub(crate) fn prefetch<T>(what: &T) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
@@ -38,7 +38,7 @@ pub(crate) fn expect_use<T>(what: &T) {
 }
 
 /// Gives back to the system what many small pieces have left free.
-pub(crate) fn give_back() {
+pub(crate) fn trim_heap() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     unsafe {
         libc::malloc_trim(0);

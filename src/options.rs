@@ -42,7 +42,7 @@ pub enum Event<'a> {
 }
 
 /// Who hears what happens.
-pub type Listen<'a> = dyn Fn(Event<'_>) + Sync + 'a;
+pub type EventHandler<'a> = dyn Fn(Event<'_>) + Sync + 'a;
 
 /// Where the scene's text comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,7 +98,7 @@ pub struct ReadOptions {
     /// The most memory that reading may take in bytes, if it is to be less than the machine has.
     pub memory: Option<u64>,
     /// Ends reading.
-    pub stop: Stop,
+    pub stop: CancelToken,
 }
 
 /// The destination of the files that a scene writes.
@@ -113,9 +113,9 @@ pub enum Writes {
 
 /// A wish that reading and drawing end before they are done; its copies are one wish.
 #[derive(Clone, Debug, Default)]
-pub struct Stop(Arc<AtomicBool>);
+pub struct CancelToken(Arc<AtomicBool>);
 
-impl Stop {
+impl CancelToken {
     /// Wishes it, from any thread.
     pub fn ask(&self) {
         self.0.store(true, Ordering::Relaxed);
@@ -136,8 +136,8 @@ impl Stop {
 }
 
 /// Wishes make no difference between options.
-impl PartialEq for Stop {
-    fn eq(&self, _: &Stop) -> bool {
+impl PartialEq for CancelToken {
+    fn eq(&self, _: &CancelToken) -> bool {
         true
     }
 }
@@ -171,18 +171,18 @@ pub struct RenderOptions {
     /// How pixels are sampled.
     pub sampling: Sampling,
     /// Where what has been drawn is kept until all is.
-    pub keep: Option<Keep>,
+    pub keep: Option<CheckpointOptions>,
     /// The one file that the picture is for: what it cannot hold need not be kept. `working` is the scene's, whatever it
     /// says here.
     pub only_for: Option<EncodeOptions>,
     /// Ends drawing.
-    pub stop: Stop,
+    pub stop: CancelToken,
 }
 
 /// An unfinished picture, with which a later run can go on. Drawing with a time limit keeps none: what it draws depends
 /// on the speed of the machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Keep {
+pub struct CheckpointOptions {
     /// The file. It stays until somebody removes it.
     pub file: PathBuf,
     /// Whether to go on with what is there and to keep everything from the beginning on. Otherwise what is there is
@@ -201,22 +201,22 @@ pub enum Sampling {
     /// As POV-Ray antialiases.
     PovRay(Antialias),
     /// Until an estimate of the error holds.
-    Converging(Converging),
+    Converging(Adaptive),
 }
 
 /// Sampling until the estimated error of every pixel is small (`+AM4`).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Converging {
+pub struct Adaptive {
     /// The largest estimated error of a channel of a pixel, in steps of 1/255 in the working space of the scene.
     pub error: f64,
     /// When to stop whatever the error is. The picture then depends on the speed of the machine.
     pub time: Option<Duration>,
 }
 
-impl Default for Converging {
+impl Default for Adaptive {
     /// A step of a picture with 8 bits.
     fn default() -> Self {
-        Converging {
+        Adaptive {
             error: 1.0,
             time: None,
         }
@@ -225,7 +225,7 @@ impl Default for Converging {
 
 /// What sampling until the error is small came to. Errors are in steps of 1/255 in the working space of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Reached {
+pub struct AdaptiveOutcome {
     /// The error asked for.
     pub target: f64,
     /// The largest estimated error of a pixel.
@@ -322,11 +322,11 @@ pub struct Statistics {
     /// Camera rays for each of them.
     pub samples_a_pixel: f64,
     /// What was reached, of a picture that was sampled until its error is small.
-    pub reached: Option<Reached>,
+    pub reached: Option<AdaptiveOutcome>,
     /// What radiosity took, where it was drawn.
-    pub radiosity: Option<RadiosityTaken>,
+    pub radiosity: Option<RadiosityStatistics>,
     /// What photons took, where some were shot.
-    pub photons: Option<PhotonsTaken>,
+    pub photons: Option<PhotonStatistics>,
     /// The most memory that the process ever held, if the system tells.
     pub peak_bytes: Option<u64>,
     /// What the scene needs.
@@ -335,7 +335,7 @@ pub struct Statistics {
 
 /// What light that surfaces gather from each other took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct RadiosityTaken {
+pub struct RadiosityStatistics {
     /// Samples that were kept before the picture was drawn.
     pub pretraced: usize,
     /// All samples that were kept.
@@ -350,7 +350,7 @@ pub struct RadiosityTaken {
 
 /// What photons took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct PhotonsTaken {
+pub struct PhotonStatistics {
     /// How many were shot.
     pub shot: u64,
     /// How many are kept on surfaces.
@@ -443,7 +443,7 @@ impl Default for ReadOptions {
             final_clock: 0.0,
             patience: PATIENCE,
             memory: None,
-            stop: Stop::default(),
+            stop: CancelToken::default(),
         }
     }
 }
@@ -474,7 +474,7 @@ impl Default for RenderOptions {
             sampling: Sampling::Centres,
             keep: None,
             only_for: None,
-            stop: Stop::default(),
+            stop: CancelToken::default(),
         }
     }
 }

@@ -7,17 +7,17 @@ use std::time::{Duration, Instant};
 
 /// Takes the time of stages.
 #[derive(Debug)]
-pub struct Watch {
+pub struct StageTimer {
     wall: Instant,
     processor: Duration,
     laps: Vec<Stage>,
 }
 
-impl Watch {
+impl StageTimer {
     /// Starts the first stage.
     #[must_use]
     pub fn start() -> Self {
-        Watch {
+        StageTimer {
             wall: Instant::now(),
             processor: processor_time(),
             laps: Vec::new(),
@@ -49,7 +49,7 @@ fn processor_time() -> Duration {
 
 /// Everything together.
 #[must_use]
-pub fn gather(watch: Watch, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistics {
+pub fn gather(watch: StageTimer, drawn: &Drawn, plan: Plan, pixels: u64) -> Statistics {
     let rays = &drawn.rays;
     #[allow(clippy::cast_precision_loss, reason = "a mean has few digits")]
     let samples_a_pixel = rays.camera as f64 / pixels.max(1) as f64;
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn stages_stand_in_their_order_with_both_times() {
-        let mut watch = Watch::start();
+        let mut watch = StageTimer::start();
         watch.lap("read");
         watch.lap("trace");
         let statistics = Statistics {

@@ -18,7 +18,7 @@ mod support;
 use povr::color::Rgb;
 use povr::curve::Linear;
 use povr::film::Film;
-use povr::options::{Converging, Input, Picture, ReadOptions, RenderOptions, Sampling};
+use povr::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (64, 48);
@@ -56,7 +56,7 @@ fn drawn(input: &Input, (width, height): (u32, u32), sampling: Sampling) -> Pict
 }
 
 fn converged(input: &Input, size: (u32, u32), error: f64) -> Linear {
-    let sampling = Sampling::Converging(Converging { error, time: None });
+    let sampling = Sampling::Converging(Adaptive { error, time: None });
     let picture = drawn(input, size, sampling);
     Linear::of_film(&picture.film, picture.working)
 }

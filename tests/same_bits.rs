@@ -2,7 +2,7 @@
 
 use povr::film::Film;
 use povr::options::{
-    Antialias, Converging, Input, Method, Picture, ReadOptions, RenderOptions, Sampling,
+    Adaptive, Antialias, Input, Method, Picture, ReadOptions, RenderOptions, Sampling,
 };
 use std::time::Duration;
 
@@ -27,7 +27,7 @@ difference {
   object { Part pigment { rgb <0.2, 0.6, 0.3> } scale 0.1 rotate I * y translate <sin(9 * I) * 3, -0.9, 2 * cos(7 * I)> }
 #end";
 
-const CONVERGING: Sampling = Sampling::Converging(Converging {
+const CONVERGING: Sampling = Sampling::Converging(Adaptive {
     error: 2.0,
     time: None,
 });
@@ -315,7 +315,7 @@ fn a_scene_scaled_by_a_power_of_two_keeps_its_picture() {
 #[test]
 fn a_picture_without_time_is_a_whole_picture_all_the_same() {
     let in_time = |milliseconds| RenderOptions {
-        sampling: Sampling::Converging(Converging {
+        sampling: Sampling::Converging(Adaptive {
             error: 0.5,
             time: Some(Duration::from_millis(milliseconds)),
         }),
@@ -323,7 +323,7 @@ fn a_picture_without_time_is_a_whole_picture_all_the_same() {
     };
     let none = drawn(SCENE, &in_time(0));
     let coarse = RenderOptions {
-        sampling: Sampling::Converging(Converging {
+        sampling: Sampling::Converging(Adaptive {
             error: 16.0,
             time: None,
         }),
@@ -332,7 +332,7 @@ fn a_picture_without_time_is_a_whole_picture_all_the_same() {
     assert_eq!(none, drawn(SCENE, &coarse), "the first drawing is finished");
     let long = drawn(SCENE, &in_time(600_000));
     let fine = RenderOptions {
-        sampling: Sampling::Converging(Converging {
+        sampling: Sampling::Converging(Adaptive {
             error: 0.5,
             time: None,
         }),

@@ -111,7 +111,7 @@ fn drawn(scene: Scene) -> Film {
 
 /// The objects of the scene, for scenes that shoot rays while they are read.
 #[derive(Default)]
-struct OwnObjects(povr::compile::Probed);
+struct OwnObjects(povr::compile::ProbeModel);
 
 impl Probe for OwnObjects {
     fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {

@@ -17,7 +17,7 @@
 mod riddles;
 
 use povr::curve::Linear;
-use povr::options::{Converging, Input, Picture, ReadOptions, RenderOptions, Sampling};
+use povr::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use riddles::{ROWS, Riddle, riddles};
 use std::path::{Path, PathBuf};
 
@@ -53,7 +53,7 @@ fn main() {
         count += 1;
         let mut line = format!("{:14} {apart:.3} |", riddle.name);
         for (number, &error) in targets.iter().enumerate() {
-            let sampling = Sampling::Converging(Converging { error, time: None });
+            let sampling = Sampling::Converging(Adaptive { error, time: None });
             let picture = drawn(&riddle, SIZE, sampling).expect("it was drawn before");
             let found = truth.errors(&Linear::of_film(&picture.film, picture.working));
             let rmse = found.rmse * STEPS;

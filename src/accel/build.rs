@@ -10,9 +10,9 @@
 //!
 //! Many items are first brought together in [`clusters`].
 
-use super::block::Block;
-use super::node::{Cell, Child, Node, WIDTH, larger, smaller};
-use super::{Held, clusters};
+use super::node::{Aabb32, Child, Node, WIDTH, larger, smaller};
+use super::sphere_leaf::SphereLeaf;
+use super::{LeafItems, treelets};
 use rayon::prelude::*;
 
 /// How many places for a split are weighed on each axis.
@@ -42,34 +42,34 @@ const WHOLE: f32 = 8_388_608.0;
 /// An item with its box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
-    pub(super) cell: Cell,
+    pub(super) cell: Aabb32,
     /// Its number, and a bit more if it is a ball.
     named: u32,
 }
 
 /// A tree as it grows.
 #[derive(Debug, Default)]
-pub(super) struct Grown {
+pub(super) struct GrowingBvh {
     pub(super) root: Option<Child>,
     pub(super) nodes: Vec<Node>,
-    pub(super) blocks: Vec<Block>,
+    pub(super) blocks: Vec<SphereLeaf>,
     /// The items of the blocks.
-    pub(super) held: Vec<Held>,
+    pub(super) held: Vec<LeafItems>,
 }
 
 /// A box in four lanes, which one instruction works on; the last of them means nothing.
 #[derive(Clone, Copy)]
-pub(super) struct Wide {
+pub(super) struct Aabb4 {
     pub(super) low: [f32; 4],
     pub(super) high: [f32; 4],
 }
 
 /// A range of items with what is known of it.
-pub(super) struct Part<'e> {
+pub(super) struct BuildRange<'e> {
     pub(super) entries: &'e mut [Entry],
-    pub(super) whole: Wide,
+    pub(super) whole: Aabb4,
     /// Around twice the middles of the boxes.
-    pub(super) middles: Wide,
+    pub(super) middles: Aabb4,
 }
 
 /// The bins of a range: where they begin on each axis, and how many there are for a length.
@@ -80,8 +80,8 @@ struct Bins {
 }
 
 /// What lies in the bins on each axis: the box around it, and how much it is.
-struct Filled<const COUNT: usize> {
-    cells: [[Wide; COUNT]; 3],
+struct BinTotals<const COUNT: usize> {
+    cells: [[Aabb4; COUNT]; 3],
     counts: [[u32; COUNT]; 3],
 }
 
@@ -90,32 +90,33 @@ struct Split {
     cost: f32,
     axis: usize,
     bin: usize,
-    lower: Wide,
-    upper: Wide,
+    lower: Aabb4,
+    upper: Aabb4,
 }
 
 /// The tree of a list of items.
-pub(super) fn build(mut entries: Vec<Entry>) -> Grown {
+pub(super) fn build(mut entries: Vec<Entry>) -> GrowingBvh {
     if entries.is_empty() {
-        return Grown::default();
+        return GrowingBvh::default();
     }
     if entries.len() > MANY {
-        return clusters::build(entries);
+        return treelets::build(entries);
     }
-    let mut tree = few(Part::new(&mut entries));
+    let mut tree = few(BuildRange::new(&mut entries));
     tree.nodes.shrink_to_fit();
     tree.blocks.shrink_to_fit();
     tree
 }
 
 /// The tree of few items.
-pub(super) fn few(part: Part) -> Grown {
-    let mut tree = Grown::with_room(part.entries.len(), part.entries.iter().all(Entry::is_ball));
+pub(super) fn few(part: BuildRange) -> GrowingBvh {
+    let mut tree =
+        GrowingBvh::with_room(part.entries.len(), part.entries.iter().all(Entry::is_ball));
     tree.root = Some(tree.add(part, 0));
     tree
 }
 
-impl Grown {
+impl GrowingBvh {
     /// With room for as many nodes and blocks as so many items mostly have; they hardly ever have more.
     pub(super) fn with_room(items: usize, are_balls: bool) -> Self {
         let leaves = items / 4 + 1;
@@ -124,16 +125,16 @@ impl Grown {
         } else {
             (leaves, 0)
         };
-        Grown {
+        GrowingBvh {
             nodes: Vec::with_capacity(nodes),
             blocks: Vec::with_capacity(blocks),
             held: Vec::with_capacity(blocks),
-            ..Grown::default()
+            ..GrowingBvh::default()
         }
     }
 
     /// Appends a range and all below it; gives what it is.
-    pub(super) fn add(&mut self, part: Part, depth: u32) -> Child {
+    pub(super) fn add(&mut self, part: BuildRange, depth: u32) -> Child {
         let entries = &part.entries;
         let is_leaf = entries.len() <= WIDTH;
         if is_leaf && entries.iter().all(Entry::is_ball) {
@@ -156,7 +157,7 @@ impl Grown {
     }
 
     fn add_block(&mut self, entries: &[Entry]) -> Child {
-        let (mut block, mut held) = (Block::EMPTY, [0; WIDTH]);
+        let (mut block, mut held) = (SphereLeaf::EMPTY, [0; WIDTH]);
         for (place, entry) in entries.iter().enumerate() {
             block.set(place, &entry.cell);
             held[place] = entry.item();
@@ -172,7 +173,7 @@ pub(super) fn index(i: usize) -> u32 {
 }
 
 /// Splits a range of more items than a node has places into at most eight, none of them empty.
-fn split_to_width(part: Part, depth: u32) -> Vec<Part> {
+fn split_to_width(part: BuildRange, depth: u32) -> Vec<BuildRange> {
     let mut parts = Vec::with_capacity(WIDTH);
     parts.push((0.0, part));
     while parts.len() < WIDTH {
@@ -190,31 +191,31 @@ fn split_to_width(part: Part, depth: u32) -> Vec<Part> {
     parts.into_iter().map(|(_, part)| part).collect()
 }
 
-impl Wide {
-    const EMPTY: Wide = Wide {
+impl Aabb4 {
+    const EMPTY: Aabb4 = Aabb4 {
         low: [f32::INFINITY; 4],
         high: [f32::NEG_INFINITY; 4],
     };
 
     #[inline(always)]
-    fn of(cell: &Cell) -> Self {
+    fn of(cell: &Aabb32) -> Self {
         let ([a, b, c], [d, e, f]) = (cell.low, cell.high);
-        Wide {
+        Aabb4 {
             low: [a, b, c, 0.0],
             high: [d, e, f, 0.0],
         }
     }
 
-    pub(super) fn cell(&self) -> Cell {
+    pub(super) fn cell(&self) -> Aabb32 {
         let ([a, b, c, _], [d, e, f, _]) = (self.low, self.high);
-        Cell {
+        Aabb32 {
             low: [a, b, c],
             high: [d, e, f],
         }
     }
 
     #[inline(always)]
-    fn add(&mut self, other: &Wide) {
+    fn add(&mut self, other: &Aabb4) {
         for lane in 0..4 {
             self.low[lane] = smaller(other.low[lane], self.low[lane]);
             self.high[lane] = larger(other.high[lane], self.high[lane]);
@@ -223,7 +224,7 @@ impl Wide {
 
     #[inline(always)]
     fn add_point(&mut self, point: [f32; 4]) {
-        self.add(&Wide {
+        self.add(&Aabb4 {
             low: point,
             high: point,
         });
@@ -239,7 +240,7 @@ impl Wide {
             low[lane] = f32::from_bits(point | f32::INFINITY.to_bits() & !chosen);
             high[lane] = f32::from_bits(point | f32::NEG_INFINITY.to_bits() & !chosen);
         }
-        self.add(&Wide { low, high });
+        self.add(&Aabb4 { low, high });
     }
 
     /// Whether it has no size on any axis.
@@ -259,7 +260,7 @@ impl Entry {
     /// Set where the item is a ball.
     const BALL: u32 = 1 << 31;
 
-    pub(super) fn new(cell: Cell, item: u32, is_ball: bool) -> Self {
+    pub(super) fn new(cell: Aabb32, item: u32, is_ball: bool) -> Self {
         // Of a ball without end nothing is known.
         let is_known = || {
             cell.low
@@ -289,7 +290,7 @@ impl Entry {
     /// Twice the middle of the box, finite.
     #[inline(always)]
     pub(super) fn middle(&self) -> [f32; 4] {
-        let wide = Wide::of(&self.cell);
+        let wide = Aabb4::of(&self.cell);
         let mut middle = [0.0; 4];
         for (lane, middle) in middle.iter_mut().enumerate() {
             *middle = smaller(
@@ -301,23 +302,23 @@ impl Entry {
     }
 }
 
-impl<'e> Part<'e> {
+impl<'e> BuildRange<'e> {
     pub(super) fn new(entries: &'e mut [Entry]) -> Self {
         let around = |entries: &[Entry]| {
-            let (mut whole, mut middles) = (Wide::EMPTY, Wide::EMPTY);
+            let (mut whole, mut middles) = (Aabb4::EMPTY, Aabb4::EMPTY);
             for entry in entries {
-                whole.add(&Wide::of(&entry.cell));
+                whole.add(&Aabb4::of(&entry.cell));
                 middles.add_point(entry.middle());
             }
             (whole, middles)
         };
         let (whole, middles) = if entries.len() > VERY_MANY {
             let parts = entries.par_chunks(VERY_MANY / 2).map(around);
-            parts.reduce(|| (Wide::EMPTY, Wide::EMPTY), both)
+            parts.reduce(|| (Aabb4::EMPTY, Aabb4::EMPTY), both)
         } else {
             around(entries)
         };
-        Part {
+        BuildRange {
             entries,
             whole,
             middles,
@@ -326,7 +327,7 @@ impl<'e> Part<'e> {
 
     /// Splits it in two, by the cheapest of the bins' borders, or in the middle of the list if the bins cannot tell the
     /// items apart.
-    fn halve(self, depth: u32) -> [Part<'e>; 2] {
+    fn halve(self, depth: u32) -> [BuildRange<'e>; 2] {
         let split = if depth >= MAX_DEPTH {
             None
         } else if self.entries.len() <= FEW {
@@ -339,7 +340,7 @@ impl<'e> Part<'e> {
             None => {
                 let middle = self.entries.len() / 2;
                 let (lower, upper) = self.entries.split_at_mut(middle);
-                [Part::new(lower), Part::new(upper)]
+                [BuildRange::new(lower), BuildRange::new(upper)]
             }
         }
     }
@@ -347,7 +348,7 @@ impl<'e> Part<'e> {
     /// The split with the least sum of surface times number; none if all middles are the same.
     fn cheapest<const COUNT: usize>(&self) -> Option<(Bins, Split)> {
         let bins = Bins::new::<COUNT>(&self.middles);
-        let Filled { cells, counts } = &Filled::<COUNT>::new(&bins, self.entries);
+        let BinTotals { cells, counts } = &BinTotals::<COUNT>::new(&bins, self.entries);
         let mut best: Option<Split> = None;
         for axis in (0..3).filter(|&axis| bins.per_length[axis] > 0.0) {
             let least = best.as_ref().map_or(f32::INFINITY, |best| best.cost);
@@ -360,9 +361,9 @@ impl<'e> Part<'e> {
 
     /// Brings the items below the split to the front. On which side an item lies is as good as chance, so that nothing
     /// here depends on it but numbers.
-    fn split_at(self, bins: &Bins, split: &Split) -> [Part<'e>; 2] {
+    fn split_at(self, bins: &Bins, split: &Split) -> [BuildRange<'e>; 2] {
         let entries = self.entries;
-        let (mut lower, mut upper) = (Wide::EMPTY, Wide::EMPTY);
+        let (mut lower, mut upper) = (Aabb4::EMPTY, Aabb4::EMPTY);
         let mut front = 0;
         for at in 0..entries.len() {
             let entry = entries[at];
@@ -376,12 +377,12 @@ impl<'e> Part<'e> {
         }
         let (below, above) = entries.split_at_mut(front);
         [
-            Part {
+            BuildRange {
                 entries: below,
                 whole: split.lower,
                 middles: lower,
             },
-            Part {
+            BuildRange {
                 entries: above,
                 whole: split.upper,
                 middles: upper,
@@ -391,16 +392,16 @@ impl<'e> Part<'e> {
 }
 
 /// Both pairs of boxes in one.
-fn both(mut all: (Wide, Wide), more: (Wide, Wide)) -> (Wide, Wide) {
+fn both(mut all: (Aabb4, Aabb4), more: (Aabb4, Aabb4)) -> (Aabb4, Aabb4) {
     all.0.add(&more.0);
     all.1.add(&more.1);
     all
 }
 
-impl<const COUNT: usize> Filled<COUNT> {
+impl<const COUNT: usize> BinTotals<COUNT> {
     fn empty() -> Self {
-        Filled {
-            cells: [[Wide::EMPTY; COUNT]; 3],
+        BinTotals {
+            cells: [[Aabb4::EMPTY; COUNT]; 3],
             counts: [[0; COUNT]; 3],
         }
     }
@@ -409,7 +410,7 @@ impl<const COUNT: usize> Filled<COUNT> {
     fn new(bins: &Bins, entries: &[Entry]) -> Self {
         let mut filled = Self::empty();
         for entry in entries {
-            let wide = Wide::of(&entry.cell);
+            let wide = Aabb4::of(&entry.cell);
             let [x, y, z, _] = bins.of(entry);
             for (axis, bin) in [x, y, z].into_iter().enumerate() {
                 let bin = bin as usize % COUNT;
@@ -423,7 +424,7 @@ impl<const COUNT: usize> Filled<COUNT> {
 
 impl Bins {
     #[allow(clippy::cast_precision_loss, reason = "16 is exact")]
-    fn new<const COUNT: usize>(middles: &Wide) -> Self {
+    fn new<const COUNT: usize>(middles: &Aabb4) -> Self {
         let last = (COUNT - 1) as f32;
         let mut per_length = [0.0; 4];
         for (axis, per_length) in per_length[..3].iter_mut().enumerate() {
@@ -461,18 +462,18 @@ impl Bins {
 )]
 fn cheapest_border<const COUNT: usize>(
     axis: usize,
-    cells: &[Wide; COUNT],
+    cells: &[Aabb4; COUNT],
     counts: &[u32; COUNT],
     mut least: f32,
 ) -> Option<Split> {
-    let mut above = [(0.0, Wide::EMPTY); COUNT];
-    let (mut cell, mut count) = (Wide::EMPTY, 0);
+    let mut above = [(0.0, Aabb4::EMPTY); COUNT];
+    let (mut cell, mut count) = (Aabb4::EMPTY, 0);
     for bin in (1..COUNT).rev() {
         cell.add(&cells[bin]);
         count += counts[bin];
         above[bin] = (cell.area() * count as f32, cell);
     }
-    let (mut cell, mut count) = (Wide::EMPTY, 0);
+    let (mut cell, mut count) = (Aabb4::EMPTY, 0);
     let mut best = None;
     for bin in 1..COUNT {
         cell.add(&cells[bin - 1]);

@@ -6,17 +6,18 @@
 //! being met. What remains is a short list of pairs of an item and a ray, which the caller tries exactly. So the answers
 //! are those of one ray at a time, to the bit.
 
-use super::ball::Ball;
-use super::beam::{Beam, BeamAndBox, BeamAndBoxes, BoxesOfNode};
-use super::group::{
-    Cones, ConesAndBall, DOUBT, Group, GroupAndBall, GroupAndBox, LANES, Slab, frame_end,
+use super::bounding_sphere::BoundingSphere;
+use super::frustum::{Frustum, FrustumAndNode, FrustumAndSphereLeaf};
+use super::node::{Aabb32, Child, ChildKind, Node, WIDTH, larger, smaller};
+use super::packet::{
+    ConesAndSphere, DOUBT, LANES, PacketAndBox, PacketAndSphere, PacketCones, RayPacket8, ViewBox,
+    frame_end,
 };
-use super::node::{Cell, Child, Kind, Node, WIDTH, larger, smaller};
-use super::pyramid::{Pyramid, PyramidAndBlock, PyramidAndNode};
+use super::packet_interval::{DirInterval, IntervalAndBox, IntervalAndBoxes, NodeBoxes};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Bounds;
-use crate::math::lanes::{Lanes, eight};
 use crate::math::rounding::{f32_above, f32_below, nearest};
+use crate::math::simd::{SimdLevel, eight};
 use glam::{DVec3, Vec3};
 
 /// Rays must not spread farther from their middle than this cosine, or a pyramid is no use.
@@ -41,13 +42,13 @@ const NOWHERE: u32 = u32::MAX;
 pub struct Bundle {
     /// In the frame of the tree.
     origin: DVec3,
-    groups: Vec<Group>,
+    groups: Vec<RayPacket8>,
     /// How many rays there are; the last group may have room for more.
     count: usize,
-    cones: Vec<Cones>,
+    cones: Vec<PacketCones>,
     /// One for each group, made when first asked for.
-    beams: Vec<Beam>,
-    pyramid: Pyramid,
+    beams: Vec<DirInterval>,
+    pyramid: Frustum,
     /// Frame lengths of world lengths.
     scale: f64,
 }
@@ -75,7 +76,7 @@ impl Bundle {
         self.beams.clear();
         let last = (count - 1) / 4;
         for number in 0..count.div_ceil(LANES) {
-            let mut group = Group::EMPTY;
+            let mut group = RayPacket8::EMPTY;
             for half in 0..2 {
                 let (dir, end) = four((2 * number + half).min(last));
                 group.take(half, (&dir, &end), self.scale);
@@ -93,7 +94,7 @@ impl Bundle {
     fn gather_cones(&mut self) {
         self.cones.clear();
         for groups in self.groups.chunks(LANES) {
-            let mut cones = Cones {
+            let mut cones = PacketCones {
                 middle: [[0.0; LANES]; 3],
                 spread: [f32::NEG_INFINITY; LANES],
             };
@@ -200,15 +201,15 @@ impl Bundle {
     #[inline(always)]
     fn try_item(
         &mut self,
-        lanes: Lanes,
-        (ball, cell): (&Ball, Option<&Cell>),
-        mut visit: impl FnMut(usize, u32, &mut Ended),
+        lanes: SimdLevel,
+        (ball, cell): (&BoundingSphere, Option<&Aabb32>),
+        mut visit: impl FnMut(usize, u32, &mut NewEnds),
     ) -> bool {
         let (centre, radius, distance) = ball.seen_from(self.origin);
-        let slab = cell.map(|cell| Slab::new(cell, self.origin));
+        let slab = cell.map(|cell| ViewBox::new(cell, self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
-            let asked = ConesAndBall {
+            let asked = ConesAndSphere {
                 cones: &self.cones[cones],
                 centre,
                 radius,
@@ -221,7 +222,7 @@ impl Bundle {
                 let Some(group) = self.groups.get(place) else {
                     break;
                 };
-                let asked = GroupAndBall {
+                let asked = PacketAndSphere {
                     group,
                     centre,
                     radius,
@@ -230,13 +231,13 @@ impl Bundle {
                 if rays != 0
                     && let Some(slab) = &slab
                 {
-                    rays &= eight(lanes, &GroupAndBox { group, slab });
+                    rays &= eight(lanes, &PacketAndBox { group, slab });
                 }
                 rays &= self.there(place);
                 if rays == 0 {
                     continue;
                 }
-                let mut ended = Ended::default();
+                let mut ended = NewEnds::default();
                 visit(place * LANES, rays, &mut ended);
                 is_shortened |= ended.lanes != 0;
                 self.end(place, ended);
@@ -250,22 +251,22 @@ impl Bundle {
     #[inline(always)]
     fn try_items(
         &mut self,
-        lanes: Lanes,
-        (node, around, items): (&Node, Option<&Cell>, u32),
-        ball: impl Fn(u32) -> Option<Ball>,
-        mut visit: impl FnMut(u32, usize, u32, &mut Ended),
+        lanes: SimdLevel,
+        (node, around, items): (&Node, Option<&Aabb32>, u32),
+        ball: impl Fn(u32) -> Option<BoundingSphere>,
+        mut visit: impl FnMut(u32, usize, u32, &mut NewEnds),
     ) -> bool {
         if self.beams.is_empty() {
-            self.beams.extend(self.groups.iter().map(Beam::new));
+            self.beams.extend(self.groups.iter().map(DirInterval::new));
         }
         let pyramid = &self.pyramid;
-        let boxes = &eight(lanes, &BoxesOfNode { pyramid, node });
-        let around = around.map(|cell| Ball::around(cell).seen_from(self.origin));
+        let boxes = &eight(lanes, &NodeBoxes { pyramid, node });
+        let around = around.map(|cell| BoundingSphere::around(cell).seen_from(self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
             let mut met = match around {
                 Some((centre, radius, distance)) => {
-                    let asked = ConesAndBall {
+                    let asked = ConesAndSphere {
                         cones: &self.cones[cones],
                         centre,
                         radius,
@@ -282,7 +283,7 @@ impl Bundle {
                     break;
                 };
                 let (beam, end) = (&self.beams[place], group.farthest());
-                let mut some = items & eight(lanes, &BeamAndBoxes { beam, boxes, end });
+                let mut some = items & eight(lanes, &IntervalAndBoxes { beam, boxes, end });
                 while some != 0 {
                     let at = some.trailing_zeros() as usize % WIDTH;
                     some &= some - 1;
@@ -291,12 +292,12 @@ impl Bundle {
                     };
                     let (group, beam) = (&self.groups[place], &self.beams[place]);
                     let slab = &boxes.slab(at);
-                    let mut rays = eight(lanes, &BeamAndBox { group, beam, slab });
+                    let mut rays = eight(lanes, &IntervalAndBox { group, beam, slab });
                     if rays != 0
                         && let Some(ball) = ball(item)
                     {
                         let (centre, radius, _) = ball.seen_from(self.origin);
-                        let asked = GroupAndBall {
+                        let asked = PacketAndSphere {
                             group,
                             centre,
                             radius,
@@ -305,7 +306,7 @@ impl Bundle {
                     }
                     rays &= self.there(place);
                     if rays != 0 {
-                        let mut ended = Ended::default();
+                        let mut ended = NewEnds::default();
                         visit(item, place * LANES, rays, &mut ended);
                         is_shortened |= ended.lanes != 0;
                         self.end(place, ended);
@@ -325,7 +326,7 @@ impl Bundle {
 
     /// Lets rays of a group end sooner.
     #[inline(always)]
-    fn end(&mut self, group: usize, mut ended: Ended) {
+    fn end(&mut self, group: usize, mut ended: NewEnds) {
         while ended.lanes != 0 {
             let lane = ended.lanes.trailing_zeros() as usize % LANES;
             ended.lanes &= ended.lanes - 1;
@@ -336,12 +337,12 @@ impl Bundle {
 
 /// The new ends of some of eight rays.
 #[derive(Debug, Default)]
-pub struct Ended {
+pub struct NewEnds {
     lanes: u32,
     ends: [f64; LANES],
 }
 
-impl Ended {
+impl NewEnds {
     /// Notes the new end of a ray: the distance of a hit, or a negative number for a ray that is done.
     #[inline(always)]
     pub fn note(&mut self, lane: usize, end: f64) {
@@ -367,9 +368,9 @@ impl Bvh {
     #[must_use]
     pub(crate) fn together(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         bundle: &mut Bundle,
-        mut visit: impl FnMut(u32, usize, u32, &mut Ended),
+        mut visit: impl FnMut(u32, usize, u32, &mut NewEnds),
     ) -> bool {
         let mut patience = LEAST_PATIENCE + PATIENCE * bundle.count;
         let mut end = bundle.farthest();
@@ -384,9 +385,9 @@ impl Bvh {
             patience -= usize::from(child.item().is_none());
             // Items to be tried: those from the first on that are marked, one bit each.
             let (first, mut met, block) = match child.kind() {
-                Kind::Node(number) => {
+                ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
-                    let asked = PyramidAndNode {
+                    let asked = FrustumAndNode {
                         pyramid: &bundle.pyramid,
                         node,
                         end,
@@ -418,9 +419,9 @@ impl Bvh {
                     next = nearest_child((&near_sq, met), (&mut pending, bottom), name);
                     (0, 0, None)
                 }
-                Kind::Block(number) => {
+                ChildKind::Block(number) => {
                     let block = &self.blocks[number as usize];
-                    let asked = PyramidAndBlock {
+                    let asked = FrustumAndSphereLeaf {
                         pyramid: &bundle.pyramid,
                         block,
                         end,
@@ -428,7 +429,7 @@ impl Bvh {
                     let met = eight(lanes, &asked);
                     (self.firsts[number as usize], met, Some(block))
                 }
-                Kind::Item(item) => (item, 1, None),
+                ChildKind::Item(item) => (item, 1, None),
             };
             while met != 0 {
                 let place = met.trailing_zeros();
@@ -462,21 +463,21 @@ impl Bvh {
 
     /// The box in this place of all nodes.
     #[inline(always)]
-    fn box_at(&self, at: u32) -> Option<Cell> {
+    fn box_at(&self, at: u32) -> Option<Aabb32> {
         let node = self.nodes.get(at as usize / WIDTH)?;
         Some(node.cell(at as usize % WIDTH))
     }
 
     /// A ball that holds an item, whose box is at this place of all nodes, and that box if it tells more.
     #[inline(always)]
-    fn ball_or_box(&self, item: u32, at: u32) -> (Ball, Option<Cell>) {
+    fn ball_or_box(&self, item: u32, at: u32) -> (BoundingSphere, Option<Aabb32>) {
         let cell = || self.nodes[at as usize / WIDTH].cell(at as usize % WIDTH);
         match self.balls.get(item as usize).copied().flatten() {
             Some(ball) if ball.is_filled => (ball, None),
             Some(ball) => (ball, Some(cell())),
             None => {
                 let cell = cell();
-                (Ball::around(&cell), Some(cell))
+                (BoundingSphere::around(&cell), Some(cell))
             }
         }
     }

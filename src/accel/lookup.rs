@@ -1,11 +1,13 @@
 //! Rays that have the point of a [`Vista`] in common look up what they may meet.
 
-use super::group::{DOUBT, Group, GroupAndBall, GroupAndBox, LANES, all, dot, frame_end, load};
-use super::raster::Grid;
-use super::rod::GroupAndRod;
-use super::vista::{NONE, Vista};
-use crate::math::lanes::{Eight, Kernel, Lanes, eight};
+use super::bounding_cylinder::PacketAndCylinder;
+use super::grid::Grid;
+use super::light_buffer::{LightBuffer, NONE};
+use super::packet::{
+    DOUBT, LANES, PacketAndBox, PacketAndSphere, RayPacket8, all, dot, frame_end, load,
+};
 use crate::math::rounding::nearest;
+use crate::math::simd::{Eight, Kernel, SimdLevel, eight};
 use glam::{DVec3, Vec3};
 
 /// Adding and subtracting this rounds a small number, negative or not, to a whole one: 1.5 times 2 to the 23.
@@ -13,8 +15,8 @@ const WHOLE: f32 = 12_582_912.0;
 
 /// Eight rays from the point of a vista, or to it.
 #[derive(Debug)]
-pub(crate) struct EightRays {
-    group: Group,
+pub(crate) struct Rays8 {
+    group: RayPacket8,
     scale: f64,
     /// Where the last of them ends, as far as that is known.
     farthest: f32,
@@ -24,7 +26,7 @@ pub(crate) struct EightRays {
     there: u32,
 }
 
-impl EightRays {
+impl Rays8 {
     /// Lets a ray end sooner: at this distance, or before it begins if that is negative.
     #[inline(always)]
     pub(crate) fn end(&mut self, ray: usize, end: f64) {
@@ -33,13 +35,13 @@ impl EightRays {
     }
 }
 
-impl Vista {
+impl LightBuffer {
     /// Rays from here of these unit directions, which end at such distances, four and four, of which those marked in `there`
     /// are there.
     #[inline(always)]
-    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> EightRays {
-        let mut rays = EightRays {
-            group: Group::EMPTY,
+    pub(crate) fn rays(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> Rays8 {
+        let mut rays = Rays8 {
+            group: RayPacket8::EMPTY,
             scale: self.frame.scale(),
             farthest: 0.0,
             have_new_ends: false,
@@ -58,11 +60,7 @@ impl Vista {
 
     /// The same for rays to here, of which the distances tell where they begin.
     #[inline(always)]
-    pub(crate) fn rays_back(
-        &self,
-        halves: [(&[[f64; 4]; 3], &[f64; 4]); 2],
-        there: u32,
-    ) -> EightRays {
+    pub(crate) fn rays_back(&self, halves: [(&[[f64; 4]; 3], &[f64; 4]); 2], there: u32) -> Rays8 {
         let mut rays = self.rays(halves, there);
         for dir in &mut rays.group.dir {
             for dir in dir {
@@ -77,13 +75,13 @@ impl Vista {
     #[inline(always)]
     pub(crate) fn each(
         &self,
-        lanes: Lanes,
-        rays: &mut EightRays,
-        mut visit: impl FnMut(u32, u32, &mut EightRays),
+        lanes: SimdLevel,
+        rays: &mut Rays8,
+        mut visit: impl FnMut(u32, u32, &mut Rays8),
     ) -> u32 {
         let vista = self;
         let group = &rays.group;
-        let (cells, inside) = eight(lanes, &CellsOf { vista, group });
+        let (cells, inside) = eight(lanes, &CellsOfRays { vista, group });
         let there = rays.there;
         let mut left = inside & there;
         // One place that visits: what it does is compiled into it.
@@ -107,7 +105,7 @@ impl Vista {
             }
             let cell = cells[left.trailing_zeros() as usize % LANES];
             let cells = &cells;
-            asked = left & eight(lanes, &Alike { cells, cell });
+            asked = left & eight(lanes, &EqualCells { cells, cell });
             left &= !asked;
             items = self.raster.items(number_of(cell));
         }
@@ -116,9 +114,9 @@ impl Vista {
 
     /// Which rays of a group may meet an item, one bit each.
     #[inline(always)]
-    fn may_meet(&self, lanes: Lanes, item: u32, group: &Group) -> u32 {
+    fn may_meet(&self, lanes: SimdLevel, item: u32, group: &RayPacket8) -> u32 {
         let known = &self.known[item as usize];
-        let ball = GroupAndBall {
+        let ball = PacketAndSphere {
             group,
             centre: Vec3::from_array(known.centre),
             radius: known.radius,
@@ -130,11 +128,11 @@ impl Vista {
         let form = self.form(item);
         if form.slab != NONE {
             let slab = &self.slabs[form.slab as usize];
-            may_meet &= eight(lanes, &GroupAndBox { group, slab });
+            may_meet &= eight(lanes, &PacketAndBox { group, slab });
         }
         if may_meet != 0 && form.rod != NONE {
             let rod = &self.rods[form.rod as usize];
-            may_meet &= eight(lanes, &GroupAndRod { group, rod });
+            may_meet &= eight(lanes, &PacketAndCylinder { group, rod });
         }
         may_meet
     }
@@ -213,12 +211,12 @@ fn as_number(size: u32) -> f32 {
 }
 
 /// In which cells eight rays are, and which of them are in any, one bit each.
-struct CellsOf<'a> {
-    vista: &'a Vista,
-    group: &'a Group,
+struct CellsOfRays<'a> {
+    vista: &'a LightBuffer,
+    group: &'a RayPacket8,
 }
 
-impl Kernel for CellsOf<'_> {
+impl Kernel for CellsOfRays<'_> {
     type Answer = ([f32; LANES], u32);
 
     #[inline(always)]
@@ -245,12 +243,12 @@ impl Kernel for CellsOf<'_> {
 }
 
 /// Which of eight cells are this one, one bit each.
-struct Alike<'a> {
+struct EqualCells<'a> {
     cells: &'a [f32; LANES],
     cell: f32,
 }
 
-impl Kernel for Alike<'_> {
+impl Kernel for EqualCells<'_> {
     type Answer = u32;
 
     #[inline(always)]

@@ -7,37 +7,37 @@
 //! The tree promises never to lose a hit and to visit a box that begins exactly where the search ends. So a caller who
 //! decides ties by a rule of its own gets the same answer whatever the order of the visits.
 
-mod ball;
-mod beam;
-mod block;
+mod bounding_cylinder;
+mod bounding_sphere;
 mod build;
 mod bundle;
-mod clusters;
-mod group;
+mod frustum;
+mod grid;
+mod light_buffer;
 mod lookup;
 mod node;
-mod pyramid;
-mod raster;
-mod rod;
+mod packet;
+mod packet_interval;
+mod projection;
+mod sphere_leaf;
 mod stream;
-mod view;
-mod vista;
+mod treelets;
 
-pub use bundle::{Bundle, Ended};
+pub use bundle::{Bundle, NewEnds};
 
-pub use rod::Rod;
+pub use bounding_cylinder::BoundingCylinder;
+pub use light_buffer::LightBuffer;
 pub(crate) use stream::STREAM;
-pub use vista::Vista;
 
-use crate::math::lanes::{Lanes, with_widest};
+use crate::math::simd::{SimdLevel, with_widest};
 use crate::math::{Bounds, Ray};
 use arrayvec::ArrayVec;
-use ball::Ball;
-use block::Block;
-use build::{Entry, Grown};
+use bounding_sphere::BoundingSphere;
+use build::{Entry, GrowingBvh};
 use glam::DVec3;
-use node::{Cell, Child, Frame, Kind, Node, WIDTH};
+use node::{Aabb32, Child, ChildKind, Frame, Node, WIDTH};
 use rayon::prelude::*;
+use sphere_leaf::SphereLeaf;
 
 /// A tree over items, which it knows by their position in the list it was built from.
 #[derive(Clone, Debug)]
@@ -45,12 +45,12 @@ pub struct Bvh {
     root: Option<Child>,
     nodes: Vec<Node>,
     /// Leaves of balls, in place of nodes that hold nothing else.
-    blocks: Vec<Block>,
+    blocks: Vec<SphereLeaf>,
     /// The first item of each block; the others follow.
     firsts: Vec<u32>,
     frame: Frame,
     /// For bundles, the balls of items that are or nearly fill one; empty if no item does, and where blocks hold all.
-    balls: Vec<Option<Ball>>,
+    balls: Vec<Option<BoundingSphere>>,
 }
 
 /// A place still to be visited, with the earliest parameter of the ray in it.
@@ -69,7 +69,7 @@ struct Stack<T> {
 }
 
 /// The items of a block, as they were called before the order of the tree was known.
-type Held = [u32; WIDTH];
+type LeafItems = [u32; WIDTH];
 
 /// So many nodes have their items counted at a time.
 const PIECE: usize = 1 << 12;
@@ -148,7 +148,10 @@ impl Bvh {
 
     /// The tree, and the items of its blocks. `bounds` also says whether an item is the ball that touches all sides of its
     /// box.
-    fn grow(count: usize, bounds: impl Fn(usize) -> (Bounds, bool) + Sync) -> (Self, Vec<Held>) {
+    fn grow(
+        count: usize,
+        bounds: impl Fn(usize) -> (Bounds, bool) + Sync,
+    ) -> (Self, Vec<LeafItems>) {
         assert!(count <= Child::MOST, "items are counted in 30 bits");
         let around = (0..count).into_par_iter().map(|item| {
             let (bounds, _) = bounds(item);
@@ -170,7 +173,7 @@ impl Bvh {
         if has_empty {
             entries.retain(|entry| !bounds(entry.item() as usize).0.is_empty());
         }
-        let Grown {
+        let GrowingBvh {
             root,
             nodes,
             blocks,
@@ -232,20 +235,20 @@ impl Bvh {
 
     /// Takes in balls that hold items, by centre and radius, and whether the item is the ball: that helps bundles of rays.
     /// `ball` gives that of each of the tree's items, of which there are `count`.
-    pub fn know_balls(
+    pub fn set_bounding_spheres(
         &mut self,
         count: usize,
         ball: impl Fn(usize) -> Option<(DVec3, f64, bool)> + Sync,
     ) {
-        if !self.holds_balls_alone() && (0..count).any(|item| ball(item).is_some()) {
+        if !self.has_only_spheres() && (0..count).any(|item| ball(item).is_some()) {
             let frame = &self.frame;
-            let known = |item| ball(item).map(|ball| Ball::new(frame, ball));
+            let known = |item| ball(item).map(|ball| BoundingSphere::new(frame, ball));
             self.balls = (0..count).into_par_iter().map(known).collect();
         }
     }
 
     /// Whether blocks hold all items: those that nodes hold come first.
-    pub fn holds_balls_alone(&self) -> bool {
+    pub fn has_only_spheres(&self) -> bool {
         self.firsts.first() == Some(&0)
     }
 
@@ -265,7 +268,7 @@ impl Bvh {
     #[inline(always)]
     pub(crate) fn nearest_in(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         ray: &Ray,
         (from, to): (f64, f64),
         mut visit: impl FnMut(u32, f64) -> f64,
@@ -277,14 +280,14 @@ impl Bvh {
         let mut next = self.root;
         while let Some(child) = next {
             next = match child.kind() {
-                Kind::Node(node) => {
+                ChildKind::Node(node) => {
                     let node = &self.nodes[node as usize];
                     let bottom = pending.make_room();
                     let (enter, met) = node.meet(lanes, &ray, (from, frame_end));
                     let name = |place: usize| node.child(place);
                     nearest_child((&enter, met), (&mut pending, bottom), name)
                 }
-                Kind::Block(number) => {
+                ChildKind::Block(number) => {
                     let block = &self.blocks[number as usize];
                     let bottom = pending.make_room();
                     let (enter, met) = block.meet(lanes, &ray, (from, frame_end));
@@ -293,7 +296,7 @@ impl Bvh {
                     let name = |place: usize| Some(Child::of_item(first + place as u32));
                     nearest_child((&enter, met), (&mut pending, bottom), name)
                 }
-                Kind::Item(item) => {
+                ChildKind::Item(item) => {
                     let hit = visit(item, end);
                     if hit < end {
                         (end, frame_end) = (hit, ray.to(hit));
@@ -323,7 +326,7 @@ impl Bvh {
     #[inline(always)]
     pub(crate) fn any_in(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         ray: &Ray,
         (from, to): (f64, f64),
         visit: impl FnMut(u32) -> bool,
@@ -357,7 +360,7 @@ impl Bvh {
     /// Visits the items whose boxes hold a point, in no order, until `visit` says to stop. Says whether it did.
     /// Boxes are compared in single precision: some that only nearly hold the point are visited as well.
     pub fn around(&self, point: DVec3, visit: impl FnMut(u32) -> bool) -> bool {
-        let cell: Cell = self.frame.point(point);
+        let cell: Aabb32 = self.frame.point(point);
         self.search(
             |node| node.overlap(&cell),
             |block| block.overlap(&cell),
@@ -370,18 +373,18 @@ impl Bvh {
     pub fn bytes(&self) -> usize {
         size_of::<Self>()
             + self.nodes.capacity() * size_of::<Node>()
-            + self.blocks.capacity() * size_of::<Block>()
+            + self.blocks.capacity() * size_of::<SphereLeaf>()
             + self.firsts.capacity() * size_of::<u32>()
-            + self.balls.capacity() * size_of::<Option<Ball>>()
+            + self.balls.capacity() * size_of::<Option<BoundingSphere>>()
     }
 
     /// Calls `visit` with each item and its box.
-    fn each_item(&self, visit: impl FnMut(u32, Cell)) {
+    fn each_item(&self, visit: impl FnMut(u32, Aabb32)) {
         self.some_items(1, visit);
     }
 
     /// The same with the items of one in so many nodes and blocks.
-    fn some_items(&self, step: usize, mut visit: impl FnMut(u32, Cell)) {
+    fn some_items(&self, step: usize, mut visit: impl FnMut(u32, Aabb32)) {
         for node in self.nodes.iter().step_by(step) {
             for place in 0..WIDTH {
                 if let Some(item) = node.child(place).and_then(Child::item) {
@@ -393,7 +396,7 @@ impl Bvh {
     }
 
     /// Calls `visit` with the items of one in so many blocks, and their balls.
-    fn some_balls(&self, step: usize, mut visit: impl FnMut(u32, Ball)) {
+    fn some_balls(&self, step: usize, mut visit: impl FnMut(u32, BoundingSphere)) {
         let blocks = self.blocks.iter().zip(&self.firsts);
         for (block, &first) in blocks.step_by(step) {
             for (item, place) in (first..).zip(0..block.count()) {
@@ -407,14 +410,14 @@ impl Bvh {
     fn search(
         &self,
         choose: impl Fn(&Node) -> u32,
-        choose_balls: impl Fn(&Block) -> u32,
+        choose_balls: impl Fn(&SphereLeaf) -> u32,
         mut visit: impl FnMut(u32) -> bool,
     ) -> bool {
         let mut pending = Stack::new();
         let mut next = self.root;
         while let Some(child) = next {
             match child.kind() {
-                Kind::Node(number) => {
+                ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
                     pending.make_room();
                     let mut chosen = choose(node);
@@ -431,7 +434,7 @@ impl Bvh {
                         chosen &= chosen - 1;
                     }
                 }
-                Kind::Block(number) => {
+                ChildKind::Block(number) => {
                     let mut chosen = choose_balls(&self.blocks[number as usize]);
                     let first = self.firsts[number as usize];
                     while chosen != 0 {
@@ -441,7 +444,7 @@ impl Bvh {
                         chosen &= chosen - 1;
                     }
                 }
-                Kind::Item(_) => unreachable!("only nodes and blocks are pending"),
+                ChildKind::Item(_) => unreachable!("only nodes and blocks are pending"),
             }
             next = pending.pop();
         }

@@ -4,8 +4,8 @@
 //! of three roundings at either end. Whatever a box holds in double precision is never lost.
 
 use crate::math::conditioning::power_of_two;
-use crate::math::lanes::{Eight, Kernel, Lanes, eight, with_widest};
 use crate::math::rounding::{loose_above, loose_below, nearest};
+use crate::math::simd::{Eight, Kernel, SimdLevel, eight, with_widest};
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -43,7 +43,7 @@ pub(super) struct Child(u32);
 
 /// What a child is; an unused place is an item of no meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ChildKind {
     Node(u32),
     Block(u32),
     Item(u32),
@@ -51,7 +51,7 @@ pub(super) enum Kind {
 
 /// A box in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cell {
+pub(super) struct Aabb32 {
     pub(super) low: [f32; 3],
     pub(super) high: [f32; 3],
 }
@@ -109,13 +109,13 @@ impl Child {
     }
 
     #[inline(always)]
-    pub(super) fn kind(self) -> Kind {
+    pub(super) fn kind(self) -> ChildKind {
         if self.0 & Child::ITEM != 0 {
-            Kind::Item(self.0 & !Child::ITEM)
+            ChildKind::Item(self.0 & !Child::ITEM)
         } else if self.0 & Child::BLOCK != 0 {
-            Kind::Block(self.0 & !Child::BLOCK)
+            ChildKind::Block(self.0 & !Child::BLOCK)
         } else {
-            Kind::Node(self.0)
+            ChildKind::Node(self.0)
         }
     }
 
@@ -128,9 +128,9 @@ impl Child {
     /// The same with the indices of nodes and blocks moved by so much.
     pub(super) fn shifted(self, nodes: u32, blocks: u32) -> Self {
         match self.kind() {
-            Kind::Node(node) => Child::of_node(node + nodes),
-            Kind::Block(block) => Child::of_block(block + blocks),
-            Kind::Item(_) => self,
+            ChildKind::Node(node) => Child::of_node(node + nodes),
+            ChildKind::Block(block) => Child::of_block(block + blocks),
+            ChildKind::Item(_) => self,
         }
     }
 }
@@ -147,7 +147,7 @@ pub(super) fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-impl Cell {
+impl Aabb32 {
     /// The corners with the smallest and the largest coordinates.
     pub(super) fn ends(&self) -> (DVec3, DVec3) {
         let corner = |of: [f32; 3]| DVec3::from(of.map(f64::from));
@@ -185,13 +185,13 @@ impl Frame {
 
     /// A box rounded outward; unknown ends become infinite.
     #[inline]
-    pub(super) fn cell(&self, bounds: &Bounds) -> Cell {
+    pub(super) fn cell(&self, bounds: &Bounds) -> Aabb32 {
         let low = self.place(bounds.min);
         let high = self.place(bounds.max);
         // Spelt out: `map` is not always inlined.
         let below = |axis: usize| larger(loose_below(low[axis]), f32::NEG_INFINITY);
         let above = |axis: usize| smaller(loose_above(high[axis]), f32::INFINITY);
-        Cell {
+        Aabb32 {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
         }
@@ -221,12 +221,12 @@ impl Frame {
     }
 
     /// A box that holds a point; unknown ends are infinite.
-    pub(super) fn point(&self, point: DVec3) -> Cell {
+    pub(super) fn point(&self, point: DVec3) -> Aabb32 {
         let place = self.place(point);
         let known = |end: f32, unknown: f32| if end.is_nan() { unknown } else { end };
         let below = |axis: usize| known(loose_below(place[axis]), f32::NEG_INFINITY);
         let above = |axis: usize| known(loose_above(place[axis]), f32::INFINITY);
-        Cell {
+        Aabb32 {
             low: [below(0), below(1), below(2)],
             high: [above(0), above(1), above(2)],
         }
@@ -314,7 +314,7 @@ impl Node {
         }
     }
 
-    pub(super) fn set(&mut self, place: usize, cell: &Cell, child: Child) {
+    pub(super) fn set(&mut self, place: usize, cell: &Aabb32, child: Child) {
         for axis in 0..3 {
             self.planes[axis][0][place] = cell.low[axis];
             self.planes[axis][1][place] = cell.high[axis];
@@ -330,10 +330,10 @@ impl Node {
 
     /// One of the boxes.
     #[inline(always)]
-    pub(super) fn cell(&self, place: usize) -> Cell {
+    pub(super) fn cell(&self, place: usize) -> Aabb32 {
         // Spelt out: `map` is not always inlined.
         let [x, y, z] = &self.planes;
-        Cell {
+        Aabb32 {
             low: [x[0][place], y[0][place], z[0][place]],
             high: [x[1][place], y[1][place], z[1][place]],
         }
@@ -400,7 +400,7 @@ impl Node {
     #[inline(always)]
     pub(super) fn meet(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         ray: &FrameRay,
         (from, to): (f32, f32),
     ) -> ([f32; WIDTH], u32) {
@@ -418,21 +418,21 @@ impl Node {
 
     /// Which boxes share a point with a box, one bit each.
     #[inline]
-    pub(super) fn overlap(&self, cell: &Cell) -> u32 {
+    pub(super) fn overlap(&self, cell: &Aabb32) -> u32 {
         with_widest(
             #[inline(always)]
-            |lanes| eight(lanes, &NodeAndCell { node: self, cell }),
+            |lanes| eight(lanes, &NodeAndBox { node: self, cell }),
         )
     }
 }
 
 /// The boxes of a node against another.
-struct NodeAndCell<'a> {
+struct NodeAndBox<'a> {
     node: &'a Node,
-    cell: &'a Cell,
+    cell: &'a Aabb32,
 }
 
-impl Kernel for NodeAndCell<'_> {
+impl Kernel for NodeAndBox<'_> {
     type Answer = u32;
 
     #[inline(always)]
@@ -508,8 +508,8 @@ mod tests {
             node.planes = [(); 3].map(|()| [(); 2].map(|()| [(); 8].map(|()| number())));
             let from = [f32::NEG_INFINITY, 0.0][usize::from(round % 3 > 0)];
             let to = [1.0, f32::INFINITY][round % 2];
-            let wide = node.meet(Lanes::widest(), &ray, (from, to));
-            let narrow = node.meet(Lanes::NARROW, &ray, (from, to));
+            let wide = node.meet(SimdLevel::widest(), &ray, (from, to));
+            let narrow = node.meet(SimdLevel::NARROW, &ray, (from, to));
             assert_eq!(wide.1, narrow.1);
             assert!((0..8).all(|i| wide.0[i].to_bits() == narrow.0[i].to_bits()
                 || wide.0[i].is_nan() && narrow.0[i].is_nan()));

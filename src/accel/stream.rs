@@ -2,17 +2,17 @@
 //! once with all rays that may meet it. Rays that share an origin and a direction are better walked as a
 //! [`super::Bundle`]; these need have nothing in common.
 
-use super::bundle::Ended;
-use super::node::{Child, FrameRay, Kind, WIDTH};
+use super::bundle::NewEnds;
+use super::node::{Child, ChildKind, FrameRay, WIDTH};
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::math::Ray;
-use crate::math::lanes::Lanes;
+use crate::math::simd::SimdLevel;
 
 /// The most rays of a stream.
 pub(crate) const STREAM: usize = 8;
 
 /// The boxes of a node that some rays may meet.
-struct Met {
+struct NodeHits {
     /// Where the first ray enters each.
     enter: [f32; WIDTH],
     /// The rays that may meet each, one bit each.
@@ -21,8 +21,8 @@ struct Met {
     boxes: u32,
 }
 
-impl Met {
-    const NONE: Met = Met {
+impl NodeHits {
+    const NONE: NodeHits = NodeHits {
         enter: [f32::INFINITY; WIDTH],
         rays: [0; WIDTH],
         boxes: 0,
@@ -50,10 +50,10 @@ impl Bvh {
     #[inline(always)]
     pub(crate) fn stream(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         asked: u32,
         ray: impl Fn(usize) -> (Ray, f64),
-        mut visit: impl FnMut(u32, u32, &mut Ended),
+        mut visit: impl FnMut(u32, u32, &mut NewEnds),
     ) {
         let mut rays = [FrameRay::BLIND; STREAM];
         let (mut from, mut to) = ([0.0; STREAM], [f32::NEG_INFINITY; STREAM]);
@@ -71,9 +71,9 @@ impl Bvh {
             let asked = asked & alive;
             next = match child.kind() {
                 _ if asked == 0 => None,
-                Kind::Node(number) => {
+                ChildKind::Node(number) => {
                     let node = &self.nodes[number as usize];
-                    let mut met = Met::NONE;
+                    let mut met = NodeHits::NONE;
                     for lane in lanes_of(asked) {
                         met.by(lane, node.meet(lanes, &rays[lane], (from[lane], to[lane])));
                     }
@@ -81,9 +81,9 @@ impl Bvh {
                     let name = |place: usize| Some((node.child(place)?, met.rays[place]));
                     nearest_child((&met.enter, met.boxes), (&mut pending, bottom), name)
                 }
-                Kind::Block(number) => {
+                ChildKind::Block(number) => {
                     let block = &self.blocks[number as usize];
-                    let mut met = Met::NONE;
+                    let mut met = NodeHits::NONE;
                     for lane in lanes_of(asked) {
                         met.by(lane, block.meet(lanes, &rays[lane], (from[lane], to[lane])));
                     }
@@ -95,8 +95,8 @@ impl Bvh {
                     };
                     nearest_child((&met.enter, met.boxes), (&mut pending, bottom), name)
                 }
-                Kind::Item(item) => {
-                    let mut ended = Ended::default();
+                ChildKind::Item(item) => {
+                    let mut ended = NewEnds::default();
                     visit(item, asked, &mut ended);
                     ended.each(|lane, end| {
                         to[lane] = rays[lane].to(end);

@@ -1,10 +1,10 @@
 //! The tree against a plain search through all boxes.
 
-use super::{Bundle, Bvh, Vista};
+use super::{Bundle, Bvh, LightBuffer};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::Eased;
-use crate::math::lanes::Lanes;
+use crate::math::conditioning::RescaledRay;
 use crate::math::random::Random;
+use crate::math::simd::SimdLevel;
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -19,7 +19,7 @@ impl Sphere {
     }
 
     fn hit(&self, ray: &Ray) -> Option<f64> {
-        let eased = Eased::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
+        let eased = RescaledRay::new(&Ray::new(ray.origin - self.centre, ray.dir), self.radius)?;
         let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
         [enter, leave]
             .map(|t| eased.t(t))
@@ -293,8 +293,8 @@ fn balls_in_wide_and_narrow_lanes_give_the_same_bits() {
         for _ in 0..20 {
             let ray = tree.frame.ray(&rng.ray_near(&bounds_of(&spheres)[round]));
             let ends = [(0.0, f32::INFINITY), (f32::NEG_INFINITY, 1.0)][round % 2];
-            let wide = block.meet(Lanes::widest(), &ray, ends);
-            let narrow = block.meet(Lanes::NARROW, &ray, ends);
+            let wide = block.meet(SimdLevel::widest(), &ray, ends);
+            let narrow = block.meet(SimdLevel::NARROW, &ray, ends);
             assert_eq!(wide.1, narrow.1);
             assert_eq!(wide.0.map(f32::to_bits), narrow.0.map(f32::to_bits));
             met += wide.1.count_ones();
@@ -312,7 +312,7 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
     ] {
         let spheres = spheres(700, size, at);
         for (mut tree, order) in trees(&spheres, at) {
-            tree.know_balls(order.len(), |place| {
+            tree.set_bounding_spheres(order.len(), |place| {
                 let item = order[place];
                 let sphere = &spheres[item as usize];
                 (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
@@ -351,7 +351,7 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
                 }
                 let mut best = vec![None; rays.len()];
                 let is_done = tree.together(
-                    Lanes::widest(),
+                    SimdLevel::widest(),
                     &mut bundle,
                     |place, first, lanes, ended| {
                         for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
@@ -387,7 +387,7 @@ fn rays_from_one_point_find_together_what_they_find_alone() {
 /// What eight rays that have a point in common find of spheres by looking up their cells: `towards` it, from so far
 /// away, or from it.
 fn looked_up(
-    vista: &Vista,
+    vista: &LightBuffer,
     (spheres, order): (&[Sphere], &[u32]),
     rays: &[Ray; 8],
     ends: Option<[f64; 8]>,
@@ -405,7 +405,7 @@ fn looked_up(
         None => vista.rays(halves, 0xff),
         Some(_) => vista.rays_back(halves, 0xff),
     };
-    let beside = vista.each(Lanes::widest(), &mut eight, |place, lanes, eight| {
+    let beside = vista.each(SimdLevel::widest(), &mut eight, |place, lanes, eight| {
         for lane in (0..8).filter(|lane| lanes >> lane & 1 == 1) {
             let Some(t) = spheres[order[place as usize] as usize].hit(&rays[lane]) else {
                 continue;
@@ -434,7 +434,7 @@ fn rays_find_by_their_cells_what_they_find_alone() {
     ] {
         let spheres = spheres(700, size, at);
         for (mut tree, order) in trees(&spheres, at) {
-            tree.know_balls(order.len(), |place| {
+            tree.set_bounding_spheres(order.len(), |place| {
                 let item = order[place];
                 let sphere = &spheres[item as usize];
                 (!item.is_multiple_of(3)).then_some((sphere.centre, sphere.radius, item % 3 == 1))
@@ -455,7 +455,8 @@ fn rays_find_by_their_cells_what_they_find_alone() {
                 let along = (at - from).normalize();
                 let (right, up) = along.any_orthonormal_pair();
                 let axes = [right, up, along];
-                let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
+                let vista =
+                    LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), rod).unwrap();
                 let rays = [(); 8].map(|()| {
                     let [x, y] = [(); 2].map(|()| rng.share() - 0.5);
                     Ray::new(from, (along + x * right + y * up).normalize())
@@ -465,7 +466,7 @@ fn rays_find_by_their_cells_what_they_find_alone() {
                     assert_eq!(best, nearest_of_all(&spheres, ray).map(|(_, t)| t));
                     seen += u32::from(best.is_some());
                 }
-                let lamp = Vista::from_outside(&tree, from, rod).unwrap();
+                let lamp = LightBuffer::from_outside(&tree, from, rod).unwrap();
                 // Behind something, or just beside it.
                 let points = [(); 8].map(|()| {
                     let pick = usize::try_from(rng.bits() % 700).expect("small");
@@ -499,7 +500,7 @@ fn where_a_view_is_empty_no_ray_meets_anything() {
     let spheres = spheres(60, 1.0, DVec3::ZERO);
     let bounds = bounds_of(&spheres);
     let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
-    tree.know_balls(order.len(), |place| {
+    tree.set_bounding_spheres(order.len(), |place| {
         let sphere = &spheres[order[place] as usize];
         Some((sphere.centre, sphere.radius, true))
     });
@@ -510,7 +511,7 @@ fn where_a_view_is_empty_no_ray_meets_anything() {
         let along = -from.normalize();
         let (right, up) = along.any_orthonormal_pair();
         let axes = [right, up, along];
-        let vista = Vista::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
+        let vista = LightBuffer::of_picture(&tree, from, (axes, [0.01, 0.005]), |_| None).unwrap();
         for _ in 0..60 {
             let low = [(); 2].map(|()| 0.95 * rng.share() - 0.5);
             let high = low.map(|low| low + 0.05 * rng.share());
@@ -539,8 +540,8 @@ fn where_a_view_is_empty_no_ray_meets_anything() {
 #[test]
 fn no_flat_view_is_had_from_among_the_items() {
     let tree = Bvh::build(&bounds_of(&spheres(100, 1.0, DVec3::ZERO)));
-    assert!(Vista::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
-    assert!(Vista::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
+    assert!(LightBuffer::from_outside(&tree, DVec3::ZERO, |_| None).is_none());
+    assert!(LightBuffer::from_outside(&tree, DVec3::splat(f64::NAN), |_| None).is_none());
 }
 
 #[test]
@@ -552,11 +553,11 @@ fn what_lies_around_a_lamp_is_asked_about_by_every_ray() {
     });
     let bounds = bounds_of(&spheres);
     let (mut tree, order) = Bvh::build_in_order(bounds.len(), |item| (bounds[item], false));
-    tree.know_balls(order.len(), |place| {
+    tree.set_bounding_spheres(order.len(), |place| {
         let sphere = &spheres[order[place] as usize];
         Some((sphere.centre, sphere.radius, true))
     });
-    let lamp = Vista::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
+    let lamp = LightBuffer::from_outside(&tree, 6.0 * DVec3::X, |_| None).unwrap();
     for point in [DVec3::ZERO, 40.0 * DVec3::X, 60.0 * DVec3::Y] {
         assert!(lamp.between(point, |place| order[place as usize] == 100));
     }

@@ -1,12 +1,12 @@
 //! How an element reads its parameters, whoever holds them: the language's cursor over tokens, a test, a caller in Rust.
 
-mod alike;
+mod intern;
 mod steps;
 #[cfg(test)]
 pub(crate) mod text;
 
 pub use crate::syntax::Word;
-pub use alike::{Alike, alike};
+pub use intern::{Interner, alike};
 pub use steps::transform_step;
 
 use crate::color::{Color, Gamma};
@@ -130,7 +130,7 @@ pub trait Args {
         Ok(None)
     }
     /// Where values are kept that many objects say alike, if anywhere.
-    fn alike(&self) -> Option<&Alike> {
+    fn alike(&self) -> Option<&Interner> {
         None
     }
     /// The place of the next token.

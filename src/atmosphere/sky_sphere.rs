@@ -3,7 +3,7 @@
 use crate::args::{Args, Parse, Word, declared, transform_step};
 use crate::color::{Color, Rgb};
 use crate::math::Step;
-use crate::pattern::{Settings, Spot};
+use crate::pattern::{Settings, SurfacePoint};
 use crate::source::Diagnostic;
 use crate::texture::{Pigment, PreparedPigment};
 use glam::DVec3;
@@ -140,7 +140,7 @@ impl PreparedSky {
     fn colors(&self, dir: DVec3) -> impl Iterator<Item = Color> + '_ {
         self.pigments
             .iter()
-            .map(move |pigment| pigment.color(&Spot::at(dir)))
+            .map(move |pigment| pigment.color(&SurfacePoint::at(dir)))
     }
 }
 

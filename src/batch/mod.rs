@@ -9,16 +9,16 @@ mod error;
 mod find;
 mod fingerprint;
 mod journal;
+mod message_buffer;
 mod queue;
 mod run;
 mod shard;
-mod told;
 mod watchdog;
 
 pub use contact::{Figure, escaped, page, pasted, write_index};
 pub use error::BatchError;
 pub use find::{Globs, scenes_below};
+pub use message_buffer::MessageBuffer;
 pub use queue::in_order;
 pub use run::{Batch, News, Outcome, Picture, Status, run};
 pub use shard::Shard;
-pub use told::Told;

@@ -17,8 +17,8 @@ use super::fingerprint::{Fingerprints, now};
 use super::journal::Journal;
 use super::watchdog::Watchdog;
 use super::{BatchError, Shard};
-use crate::Series;
-use crate::options::{Event, Failure, Input, ReadOptions, RenderOptions, Stop};
+use crate::RenderSession;
+use crate::options::{CancelToken, Event, Failure, Input, ReadOptions, RenderOptions};
 use crate::output::{self, EncodeOptions};
 use crate::source::{Code, Dependency, Message, Severity};
 
@@ -168,7 +168,7 @@ struct State {
 #[derive(Debug)]
 struct Task {
     pictures: VecDeque<usize>,
-    series: Arc<Series>,
+    series: Arc<RenderSession>,
     /// Whether frames before these were drawn on the understanding that the scene writes no files.
     follows: bool,
 }
@@ -221,8 +221,8 @@ impl Run<'_> {
                 let task = Task {
                     pictures: frames.iter().copied().collect(),
                     series: Arc::new(match frames {
-                        [_] => Series::of_one(pool),
-                        _ => Series::new(pool),
+                        [_] => RenderSession::of_one(pool),
+                        _ => RenderSession::new(pool),
                     }),
                     follows: false,
                 };
@@ -301,7 +301,7 @@ impl Run<'_> {
     /// Draws a picture and puts it into its place.
     fn attempt(&self, index: usize, task: &Task, beside: Beside) -> Ended {
         let started = Instant::now();
-        let stop = Stop::default();
+        let stop = CancelToken::default();
         self.watchdog.watch(&stop);
         let heard = Mutex::new(Heard::default());
         let drawn = catch_unwind(AssertUnwindSafe(|| {
@@ -350,7 +350,7 @@ impl Run<'_> {
         picture: &Picture,
         task: &Task,
         beside: Beside,
-        stop: &Stop,
+        stop: &CancelToken,
         heard: &Mutex<Heard>,
     ) -> Result<(), Option<String>> {
         let since = now();

@@ -3,7 +3,7 @@
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use crate::options::Stop;
+use crate::options::CancelToken;
 
 /// Watches over what is under way, if there is a limit.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub(super) struct Watchdog {
 
 #[derive(Debug, Default)]
 struct State {
-    watched: Vec<(Instant, Stop)>,
+    watched: Vec<(Instant, CancelToken)>,
     is_over: bool,
 }
 
@@ -29,7 +29,7 @@ impl Watchdog {
     }
 
     /// From now on `stop` is watched; it is asked to stop when the time is over, unless it is dropped before.
-    pub(super) fn watch(&self, stop: &Stop) {
+    pub(super) fn watch(&self, stop: &CancelToken) {
         let deadline = self
             .limit
             .and_then(|limit| Instant::now().checked_add(limit));
@@ -84,10 +84,10 @@ mod tests {
         let watchdog = Watchdog::new(Some(Duration::from_millis(40)));
         std::thread::scope(|scope| {
             scope.spawn(|| watchdog.run());
-            let first = Stop::default();
+            let first = CancelToken::default();
             watchdog.watch(&first);
             std::thread::sleep(Duration::from_millis(30));
-            let second = Stop::default();
+            let second = CancelToken::default();
             watchdog.watch(&second);
             assert!(!first.is_asked());
             while !first.is_asked() {

@@ -2,7 +2,7 @@
 //! measure of the camera; behind a lens that of the sample.
 
 use crate::math::Ray;
-use crate::pattern::{Settings, Spot};
+use crate::pattern::{Settings, SurfacePoint};
 use crate::texture::{Normal, PreparedNormal};
 use glam::DVec2;
 use std::sync::Arc;
@@ -42,7 +42,7 @@ impl Bumps {
     pub(super) fn bent(&self, place: DVec2, ray: Ray) -> Ray {
         let point = place.extend(0.0);
         let dir = match &self.prepared {
-            Some(bumps) => bumps.tilted(point, ray.dir, &Spot::at(point)),
+            Some(bumps) => bumps.tilted(point, ray.dir, &SurfacePoint::at(point)),
             None => ray.dir,
         };
         Ray { dir, ..ray }

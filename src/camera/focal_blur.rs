@@ -11,7 +11,7 @@ use crate::color::Rgb;
 use crate::math::chi_square::chi_square;
 use crate::math::hash::hashed;
 use crate::math::{Ray, jitter};
-use crate::pattern::{Settings, Spot};
+use crate::pattern::{Settings, SurfacePoint};
 use crate::source::Diagnostic;
 use crate::texture::{Pigment, PreparedPigment};
 use glam::DVec3;
@@ -241,7 +241,7 @@ impl Lens {
             Some(pigment) => {
                 let pigment = PreparedPigment::new(pigment, &[], settings);
                 let brightness = |at: glam::DVec2| {
-                    let color = pigment.color(&Spot::at(at.extend(0.0)));
+                    let color = pigment.color(&SurfacePoint::at(at.extend(0.0)));
                     f64::from(color.rgb.grey())
                 };
                 LensPoints::shaped(count, brightness)

@@ -2,8 +2,8 @@
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
-use crate::math::lanes::three::{Three, dot, plus, same, scaled, sizes, store};
-use crate::math::lanes::{Four, FourWork, Lanes, Row, fours};
+use crate::math::simd::three::{Vec3Lanes, dot, plus, same, scaled, sizes, store};
+use crate::math::simd::{F64Lanes, F64x4, FourWork, SimdLevel, fours};
 
 /// The directions of four rays.
 type FourDirs = [[f64; 4]; 3];
@@ -22,7 +22,7 @@ impl<T: FnMut(usize, FourDirs)> FourWork for Points<'_, T> {
 
     /// Hands the directions to `take`; false as soon as one needs care.
     #[inline(always)]
-    fn run<F: Row>(mut self) -> bool {
+    fn run<F: F64x4>(mut self) -> bool {
         for (number, places) in self.places.chunks(4).enumerate() {
             let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
             for lane in 0..4 {
@@ -41,7 +41,7 @@ impl<T: FnMut(usize, FourDirs)> FourWork for Points<'_, T> {
 impl<T> Points<'_, T> {
     /// The directions, and which of them need no care.
     #[inline(always)]
-    fn dirs<F: Four>(&self, x: F, y: F) -> (Three<F>, F::Mask) {
+    fn dirs<F: F64Lanes>(&self, x: F, y: F) -> (Vec3Lanes<F>, F::Mask) {
         let half = F::all(0.5);
         let (width, height) = (F::all(self.width), F::all(self.height));
         let u = x.plus(half).over(width).minus(half);
@@ -79,7 +79,7 @@ impl Camera {
     #[inline(always)]
     pub(crate) fn aim_all(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         places: &[(f64, f64)],
         (width, height): (u32, u32),
         take: impl FnMut(usize, FourDirs),
@@ -108,7 +108,7 @@ mod tests {
     /// The directions at four points.
     fn dirs(
         camera: &Camera,
-        lanes: Lanes,
+        lanes: SimdLevel,
         (x, y): (&[f64; 4], &[f64; 4]),
         size: (u32, u32),
     ) -> Option<FourDirs> {
@@ -129,7 +129,7 @@ mod tests {
             camera.frame.up = vector();
             let x = [0.0, 1.25, 2.0, 800.0];
             let y = [f64::from(case), 0.75, -0.5, 3.0];
-            for lanes in [Lanes::widest(), Lanes::NARROW] {
+            for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
                 let found = dirs(&camera, lanes, (&x, &y), (801, 604)).unwrap();
                 for lane in 0..4 {
                     let ray = camera.primary_ray(x[lane], y[lane], 801, 604).unwrap();
@@ -149,7 +149,7 @@ mod tests {
         let (x, y) = ([0.5, 1.5, 2.5, 20.0], [35.5; 4]);
         let ray = camera.primary_ray(x[0], y[0], 160, 120).expect("a ray");
         assert_eq!(ray.dir.y, 0.0);
-        for lanes in [Lanes::widest(), Lanes::NARROW] {
+        for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
             let found = dirs(&camera, lanes, (&x, &y), (160, 120)).unwrap();
             assert_eq!(found[1], [0.0; 4]);
             assert_eq!(found[0][0], ray.dir.x);
@@ -163,11 +163,17 @@ mod tests {
             ..Camera::default()
         };
         let at = [0.0; 4];
-        assert_eq!(dirs(&camera, Lanes::widest(), (&at, &at), (10, 10)), None);
+        assert_eq!(
+            dirs(&camera, SimdLevel::widest(), (&at, &at), (10, 10)),
+            None
+        );
         let mut camera = Camera::default();
         camera.frame.direction = DVec3::ZERO;
         camera.frame.right = DVec3::ZERO;
         camera.frame.up = DVec3::ZERO;
-        assert_eq!(dirs(&camera, Lanes::widest(), (&at, &at), (10, 10)), None);
+        assert_eq!(
+            dirs(&camera, SimdLevel::widest(), (&at, &at), (10, 10)),
+            None
+        );
     }
 }

@@ -20,9 +20,11 @@ use super::progress::Progress;
 use super::report::{Reporter, say};
 use super::settings::Settings;
 use super::streams::Files;
-use crate::Series;
-use crate::batch::{Told, in_order};
-use crate::options::{Event, Failure, Input, Listen, Picture, RenderOptions, Sampling, Statistics};
+use crate::RenderSession;
+use crate::batch::{MessageBuffer, in_order};
+use crate::options::{
+    Event, EventHandler, Failure, Input, Picture, RenderOptions, Sampling, Statistics,
+};
 use crate::output::{self, EncodeOptions, OutputError, Target};
 use crate::source::Code;
 
@@ -38,7 +40,7 @@ pub(super) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliE
             Err(_) => return Ok(ExitCode::FAILURE),
         },
     };
-    let series = Series::new(pool);
+    let series = RenderSession::new(pool);
     let heed = Once::new();
     carry_out(settings, frames, &|input, read, render, listen| {
         heed.call_once(|| interrupt::heed(&render.stop));
@@ -167,7 +169,7 @@ impl Run<'_> {
             }
             let rest = &numbers[at..];
             let work = |number: usize| {
-                let told = Told::default();
+                let told = MessageBuffer::default();
                 let done = self.draw(rest[number], Writing::Refused, &|event| told.hear(event));
                 (told, done)
             };
@@ -237,7 +239,12 @@ impl Run<'_> {
     }
 
     /// Draws a frame and makes the bytes of its file.
-    fn draw(&self, number: u32, writing: Writing, listen: &Listen<'_>) -> Result<Drawn, Failure> {
+    fn draw(
+        &self,
+        number: u32,
+        writing: Writing,
+        listen: &EventHandler<'_>,
+    ) -> Result<Drawn, Failure> {
         let mut read = self.frames.tell(number, &self.settings.read);
         if writing == Writing::Refused {
             read.writable.clear();

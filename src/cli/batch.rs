@@ -15,12 +15,12 @@ use clap::Parser;
 use self::list::List;
 use self::tell::Teller;
 use super::Command;
+use super::arg_words;
+use super::environment::Environment;
 use super::error::CliError;
-use super::modern::{self, Size};
+use super::long_options::{self, Size};
 use super::report::{MessageFormat, say};
-use super::surroundings::Surroundings;
 use super::values::{bytes, duration};
-use super::words;
 use crate::batch::{self, Batch, Figure, Shard};
 
 pub(super) const COMMAND: Command = Command {
@@ -104,7 +104,7 @@ struct Wanted {
     format: Option<MessageFormat>,
 }
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let mut wanted = match read_arguments(arguments)? {
         Ok(wanted) => wanted,
         Err(help) => {
@@ -158,19 +158,19 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             wanted.names.extend_from_slice(others);
             break;
         }
-        let long = modern::length::<Face>(rest);
+        let long = long_options::length::<Face>(rest);
         if long == 0 {
             wanted.word(first);
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match modern::parse::<Face>(option) {
+        match long_options::parse::<Face>(option) {
             Ok(face) => {
                 out = face.output.clone().or(out);
                 wanted.take_in(face);
             }
-            Err(said) => return modern::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }
@@ -188,11 +188,11 @@ impl Wanted {
     /// A folder, a pattern or a scene; all else is as on POV-Ray's command line.
     fn word(&mut self, argument: &str) {
         let is_switch = argument.starts_with(['+', '-'])
-            || words::assignment(argument).is_some()
+            || arg_words::assignment(argument).is_some()
             || argument.ends_with(']') && argument.contains(".ini[")
-            || words::has_ending(argument, ".ini");
+            || arg_words::has_ending(argument, ".ini");
         if is_switch {
-            self.switches.extend(words::of_argument(argument));
+            self.switches.extend(arg_words::of_argument(argument));
         } else {
             self.names.push(argument.to_owned());
         }

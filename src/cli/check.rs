@@ -10,14 +10,14 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use super::Command;
+use super::arg_words;
+use super::environment::Environment;
 use super::error::CliError;
 use super::ini::Reader;
-use super::modern;
+use super::long_options;
+use super::raw_args::RawArgs;
 use super::report::{Line, MessageFormat, Reporter, Stream, counted, say};
 use super::settings::{Scene, find_scene, read_options};
-use super::surroundings::Surroundings;
-use super::typed::Typed;
-use super::words;
 use crate::batch::scenes_below;
 use crate::options::{Event, ReadOptions};
 use crate::source::{Diagnostic, Message, Sources};
@@ -60,7 +60,7 @@ struct Wanted {
     is_quiet: bool,
 }
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let standard_folders = around.standard_folders()?;
     let mut typed = around.typed(&standard_folders)?;
     let wanted = match read_arguments(arguments, &mut typed, &standard_folders)? {
@@ -97,7 +97,7 @@ fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError
 /// What the arguments say, or the help they ask for.
 fn read_arguments(
     arguments: &[String],
-    typed: &mut Typed,
+    typed: &mut RawArgs,
     standard_folders: &[PathBuf],
 ) -> Result<Result<Wanted, String>, CliError> {
     let mut wanted = Wanted::default();
@@ -108,19 +108,19 @@ fn read_arguments(
             wanted.scenes.extend_from_slice(others);
             break;
         }
-        let long = modern::length::<Face>(rest);
+        let long = long_options::length::<Face>(rest);
         if long == 0 {
             read_word(first, &mut reader, &mut wanted.scenes)?;
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match modern::parse::<Face>(option) {
+        match long_options::parse::<Face>(option) {
             Ok(face) => {
                 wanted.is_quiet |= face.quiet;
                 wanted.format = face.message_format.or(wanted.format);
             }
-            Err(said) => return modern::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }
@@ -141,17 +141,19 @@ fn read_word(
     reader: &mut Reader<'_>,
     scenes: &mut Vec<String>,
 ) -> Result<(), CliError> {
-    let is_ini = argument.ends_with(']') || words::has_ending(argument, ".ini");
+    let is_ini = argument.ends_with(']') || arg_words::has_ending(argument, ".ini");
     let is_scene = argument == "-"
         || Path::new(argument).exists() && !is_ini
-        || !argument.starts_with(['+', '-']) && words::assignment(argument).is_none() && !is_ini;
+        || !argument.starts_with(['+', '-'])
+            && arg_words::assignment(argument).is_none()
+            && !is_ini;
     if is_scene {
         scenes.push(argument.to_owned());
         return Ok(());
     }
-    words::of_argument(argument)
+    arg_words::of_argument(argument)
         .iter()
-        .try_for_each(|word| words::read(reader, word))
+        .try_for_each(|word| arg_words::read(reader, word))
 }
 
 /// The scenes that the names stand for: files in the order given, those of a folder sorted, none twice.

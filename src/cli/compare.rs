@@ -19,14 +19,14 @@ use self::page::About;
 use self::row::Row;
 use self::table::Total;
 use super::Command;
+use super::arg_words;
 use super::check::find_scenes;
+use super::environment::Environment;
 use super::error::CliError;
-use super::modern;
+use super::long_options;
 use super::report::say;
 use super::settings::Scene;
-use super::surroundings::Surroundings;
 use super::values::duration;
-use super::words;
 use crate::compare::{self, Bench, Case, Renderer, Thresholds};
 
 pub(super) const COMMAND: Command = Command {
@@ -119,7 +119,7 @@ struct Wanted {
     is_quiet: bool,
 }
 
-fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let wanted = match read_arguments(arguments)? {
         Ok(wanted) => wanted,
         Err(help) => {
@@ -127,7 +127,7 @@ fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let is_scene = |name: &String| Path::new(name).is_dir() || words::has_ending(name, ".pov");
+    let is_scene = |name: &String| Path::new(name).is_dir() || arg_words::has_ending(name, ".pov");
     let (rows, about) = if wanted.names.iter().all(is_scene) {
         if wanted.output.is_some() {
             return Err(CliError::new("`--output` is for two pictures")
@@ -187,16 +187,16 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
             wanted.names.extend_from_slice(others);
             break;
         }
-        let long = modern::length::<Face>(rest);
+        let long = long_options::length::<Face>(rest);
         if long == 0 {
             wanted.word(first);
             rest = others;
             continue;
         }
         let (option, others) = rest.split_at(long);
-        match modern::parse::<Face>(option) {
+        match long_options::parse::<Face>(option) {
             Ok(face) => wanted.set(face),
-            Err(said) => return modern::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
         }
         rest = others;
     }
@@ -210,15 +210,16 @@ fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliErr
 impl Wanted {
     /// A name, or switches for both renderers. Files that switches name are seen from here, wherever renderers run.
     fn word(&mut self, argument: &str) {
-        let is_switch = argument.starts_with(['+', '-']) || words::assignment(argument).is_some();
-        if !is_switch && !words::has_ending(argument, ".ini") && !argument.ends_with(']') {
+        let is_switch =
+            argument.starts_with(['+', '-']) || arg_words::assignment(argument).is_some();
+        if !is_switch && !arg_words::has_ending(argument, ".ini") && !argument.ends_with(']') {
             return self.names.push(argument.to_owned());
         }
         let absolute = |name: &str| match std::path::absolute(name) {
             Ok(path) => path.display().to_string(),
             Err(_) => name.to_owned(),
         };
-        for word in words::of_argument(argument) {
+        for word in arg_words::of_argument(argument) {
             let folder = word.strip_prefix("+L").or_else(|| word.strip_prefix("+l"));
             self.switches.push(match folder {
                 Some(folder) => format!("+L{}", absolute(folder)),

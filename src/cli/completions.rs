@@ -6,11 +6,11 @@ use clap::Parser;
 use clap_complete::Shell;
 
 use super::Command;
+use super::environment::Environment;
 use super::error::CliError;
+use super::long_options;
 use super::man::put;
-use super::modern;
 use super::report::say;
-use super::surroundings::Surroundings;
 use super::switches;
 
 pub(super) const COMMAND: Command = Command {
@@ -35,11 +35,11 @@ struct Face {
     shell: Shell,
 }
 
-fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr completions".to_owned());
     match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => put(&script(face.shell)),
-        Err(said) => say(modern::printed::<Face>(&said)?.trim_end()),
+        Err(said) => say(long_options::printed::<Face>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -47,7 +47,7 @@ fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
 /// The script: clap's, and behind it POV-Ray's switches, of which clap knows nothing.
 fn script(shell: Shell) -> String {
     let mut bytes = Vec::new();
-    clap_complete::generate(shell, &mut modern::everything(), "povr", &mut bytes);
+    clap_complete::generate(shell, &mut long_options::everything(), "povr", &mut bytes);
     let mut script = String::from_utf8_lossy(&bytes).into_owned();
     let names: Vec<String> = switches::described().map(|one| one.name).collect();
     match shell {

@@ -10,11 +10,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Command;
 use super::draw::{Request, request, request_of};
+use super::environment::Environment;
 use super::error::CliError;
-use super::modern;
+use super::long_options;
 use super::report::{Reporter, Stream, say};
 use super::settings::{Scene, Settings};
-use super::surroundings::Surroundings;
 use crate::curve::{self, CurveError, Drawn, Family, Report, Setting, Step, Sweep, Task};
 use crate::options::{Event, Input, RenderOptions, Sampling};
 
@@ -70,7 +70,7 @@ struct Wanted {
     is_fresh: bool,
 }
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let (wanted, rest) = match read_arguments(arguments)? {
         Ok(read) => read,
         Err(help) => {
@@ -123,7 +123,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             .contains(&name)
         });
         let length = if is_own {
-            modern::length::<Face>(rest)
+            long_options::length::<Face>(rest)
         } else {
             0
         };
@@ -133,7 +133,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match modern::parse::<Face>(option) {
+        match long_options::parse::<Face>(option) {
             Ok(face) => {
                 wanted.out = face.out.or(wanted.out);
                 wanted.settings = face.settings.or(wanted.settings);
@@ -142,7 +142,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
                 wanted.truth = face.truth.or(wanted.truth);
                 wanted.is_fresh |= face.fresh;
             }
-            Err(said) => return modern::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
         }
         rest = behind;
     }
@@ -154,7 +154,7 @@ fn sweep(
     wanted: &Wanted,
     settings: &Settings,
     file: &Path,
-    around: &Surroundings,
+    around: &Environment,
 ) -> Result<Sweep, CliError> {
     let list = match &wanted.settings {
         Some(list) => list.split(';').map(str::trim).map(str::to_owned).collect(),
@@ -207,7 +207,7 @@ fn sweep(
 }
 
 /// A setting by its switches, which are read as those of drawing are.
-fn setting(switches: &str, file: &Path, around: &Surroundings) -> Result<Setting, CliError> {
+fn setting(switches: &str, file: &Path, around: &Environment) -> Result<Setting, CliError> {
     let mut arguments: Vec<String> = switches.split_whitespace().map(str::to_owned).collect();
     arguments.push(format!("+I{}", file.display()));
     let Request::Draw(settings) = request(&arguments, around)? else {

@@ -9,27 +9,28 @@ use std::time::Instant;
 use clap::error::ErrorKind::DisplayVersion;
 
 use super::animate;
+use super::arg_words;
 use super::console::{self, Console};
 use super::done;
+use super::environment::Environment;
 use super::error::CliError;
 use super::ini::Reader;
 use super::interrupt;
-use super::modern::{self, Modern};
+use super::long_options::{self, LongOptions};
 use super::progress::{Progress, ProgressKind};
 use super::report::{Line, MessageFormat, Reporter, Stream, say};
 use super::settings::{self, Scene, Settings, Talk};
 use super::streams::{self, Files};
-use super::surroundings::Surroundings;
 use super::unfinished;
-use super::words;
 use crate::options::{
-    Event, Failure, Input, Listen, Picture, Reached, ReadOptions, RenderOptions, Statistics,
+    AdaptiveOutcome, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
+    Statistics,
 };
 use crate::output::{self, OutputError};
 use crate::source::MAX_FILE_BYTES;
 
 /// Draws a scene: what the stages do together.
-pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &Listen<'_>) -> Result<Picture, Failure>
+pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &EventHandler<'_>) -> Result<Picture, Failure>
     + Sync
     + 'a;
 
@@ -44,7 +45,7 @@ pub enum Request {
 
 /// Does what the arguments ask for. Every message goes to standard error; standard output takes the picture, if that
 /// is where it is to go, and nothing else.
-pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     match request(arguments, around)? {
         Request::Print(text) => {
             say(text.trim_end());
@@ -71,7 +72,7 @@ pub(super) fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCod
 ///
 /// # Errors
 /// When an option is unknown, has no sense, or asks for what is not built; when a named file is not there.
-pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, CliError> {
+pub fn request(arguments: &[String], around: &Environment) -> Result<Request, CliError> {
     request_of("povr", arguments, around)
 }
 
@@ -79,7 +80,7 @@ pub fn request(arguments: &[String], around: &Surroundings) -> Result<Request, C
 pub(super) fn request_of(
     command: &str,
     arguments: &[String],
-    around: &Surroundings,
+    around: &Environment,
 ) -> Result<Request, CliError> {
     let standard_folders: Vec<PathBuf> = around.standard_folders()?;
     let mut typed = around.typed(&standard_folders)?;
@@ -92,20 +93,22 @@ pub(super) fn request_of(
             }
             break;
         }
-        let modern = modern::length::<Modern>(rest);
+        let modern = long_options::length::<LongOptions>(rest);
         if modern > 0 {
             let (option, others) = rest.split_at(modern);
-            match modern::parse::<Modern>(option) {
+            match long_options::parse::<LongOptions>(option) {
                 Ok(given) => given.set(reader.typed),
                 Err(said) if said.kind() == DisplayVersion && around.is_povray => {
                     return Ok(Request::Print(console::version()));
                 }
-                Err(said) => return modern::printed::<Modern>(&said).map(Request::Print),
+                Err(said) => {
+                    return long_options::printed::<LongOptions>(&said).map(Request::Print);
+                }
             }
             rest = others;
         } else {
-            for word in words::of_argument(first) {
-                words::read(&mut reader, &word)?;
+            for word in arg_words::of_argument(first) {
+                arg_words::read(&mut reader, &word)?;
             }
             rest = others;
         }
@@ -243,10 +246,10 @@ impl Scene {
 }
 
 /// What a picture that was sampled until its error is small came to.
-pub(super) fn told(reached: &Reached, pixels: u64) -> String {
+pub(super) fn told(reached: &AdaptiveOutcome, pixels: u64) -> String {
     #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
     let samples = reached.samples as f64 / pixels.max(1) as f64;
-    let Reached {
+    let AdaptiveOutcome {
         target,
         largest,
         rms,

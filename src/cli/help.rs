@@ -4,11 +4,11 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
+use super::environment::Environment;
 use super::error::CliError;
 use super::nearest::nearest;
 use super::report::say;
-use super::surroundings::Surroundings;
-use super::{COMMANDS, Command, draw, modern};
+use super::{COMMANDS, Command, draw, long_options};
 
 pub(super) const COMMAND: Command = Command {
     name: "help",
@@ -25,12 +25,12 @@ struct Face {
     command: Option<String>,
 }
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr help".to_owned());
     let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => face,
         Err(said) => {
-            say(modern::printed::<Face>(&said)?.trim_end());
+            say(long_options::printed::<Face>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };

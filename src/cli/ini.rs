@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 use super::error::CliError;
 use super::nearest::nearest;
-use super::typed::Typed;
-use super::{COMMANDS, words};
+use super::raw_args::RawArgs;
+use super::{COMMANDS, arg_words};
 use crate::source::read_regular;
 
 /// A folder with more entries is not searched to its end for a file that may have been meant.
@@ -21,14 +21,14 @@ const DEEPEST: usize = 16;
 /// Takes words and files in, one after the other.
 pub(super) struct Reader<'a> {
     /// What has been typed so far.
-    pub(super) typed: &'a mut Typed,
+    pub(super) typed: &'a mut RawArgs,
     /// Folders searched for ini files after the current one and those of `Library_Path`.
     standard_folders: &'a [PathBuf],
     depth: usize,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(typed: &'a mut Typed, standard_folders: &'a [PathBuf]) -> Self {
+    pub(super) fn new(typed: &'a mut RawArgs, standard_folders: &'a [PathBuf]) -> Self {
         Reader {
             typed,
             standard_folders,
@@ -89,9 +89,9 @@ impl<'a> Reader<'a> {
     }
 
     fn read_line(&mut self, line: &str) -> Result<(), CliError> {
-        words::of_argument(line)
+        arg_words::of_argument(line)
             .iter()
-            .try_for_each(|word| words::read(self, word))
+            .try_for_each(|word| arg_words::read(self, word))
     }
 
     fn find(&self, name: &str) -> Option<PathBuf> {
@@ -107,7 +107,7 @@ impl<'a> Reader<'a> {
 
 /// Refuses a name that stands for nothing, and names what it may have been meant for.
 fn missing(name: &str, kinds: &str, commands: &[&str]) -> CliError {
-    let kinds = match words::has_ending(name, ".ini") {
+    let kinds = match arg_words::has_ending(name, ".ini") {
         true => "no ini file",
         false => kinds,
     };
@@ -142,7 +142,7 @@ pub(super) fn neighbour(missing: &Path) -> Option<String> {
     let names = names.filter(|name| {
         [".pov", ".ini"]
             .iter()
-            .any(|end| words::has_ending(name, end))
+            .any(|end| arg_words::has_ending(name, end))
     });
     let names: Vec<String> = names.collect();
     let name = missing.file_name()?.to_string_lossy();

@@ -5,14 +5,14 @@
 
 use super::report::say;
 use super::settings::Settings;
-use crate::options::Stop;
+use crate::options::CancelToken;
 
 /// The exit code of a drawing that was stopped.
 pub(super) const INTERRUPTED: u8 = 2;
 
 /// Has the signals stop a drawing from now on. `tell` says what is kept at that moment.
 #[cfg(unix)]
-pub(super) fn heed(stop: &Stop) {
+pub(super) fn heed(stop: &CancelToken) {
     use signal_hook::consts::{SIGINT, SIGTERM};
     use signal_hook::flag;
     for signal in [SIGINT, SIGTERM] {
@@ -24,7 +24,7 @@ pub(super) fn heed(stop: &Stop) {
 
 /// Signals are left to the system.
 #[cfg(not(unix))]
-pub(super) fn heed(_: &Stop) {}
+pub(super) fn heed(_: &CancelToken) {}
 
 /// Says that a drawing was stopped, and how to go on with it. `kept` is the number of pixels that can be gone on with.
 pub(super) fn tell(settings: &Settings, kept: u64, of: u64) {

@@ -5,18 +5,18 @@
 
 use super::error::CliError;
 use super::nearest::nearest;
+use super::raw_args::{Output, RawArgs, Unbuilt};
 use super::streams::Stream;
-use super::typed::{Output, Typed, Unbuilt};
 use super::values::{
     duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
 };
 use crate::options::Method;
 
 /// What an option does with its value. The third text is what was typed, for messages.
-pub(super) type Set = fn(&mut Typed, &str, &str) -> Result<(), CliError>;
+pub(super) type Set = fn(&mut RawArgs, &str, &str) -> Result<(), CliError>;
 
 /// Sets an option by its ini name.
-pub(super) fn set(typed: &mut Typed, key: &str, value: &str, said: &str) -> Result<(), CliError> {
+pub(super) fn set(typed: &mut RawArgs, key: &str, value: &str, said: &str) -> Result<(), CliError> {
     match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
         Some((_, set)) => set(typed, value, said),
         None => {
@@ -161,7 +161,7 @@ fn above_zero(value: &str, said: &str) -> Result<f64, CliError> {
 }
 
 /// Method 3 is a second name of method 2, as in POV-Ray; method 4 is one of this program and turns antialiasing on.
-fn method(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
+fn method(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
     typed.converges = false;
     match whole(value, said)? {
         1 => typed.antialias.method = Method::One,
@@ -212,7 +212,7 @@ fn frame(value: &str, said: &str) -> Result<i64, CliError> {
     number(value, said).map(|frame| frame as i64)
 }
 
-fn declare(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
+fn declare(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
     let example = || {
         CliError::new(format!("`{said}` declares no number"))
             .with_hint("write `Declare=Name=2.5`, without spaces around the name")
@@ -240,11 +240,11 @@ fn acts(set: Set) -> bool {
     ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
         .iter()
         .any(|value| {
-            let mut typed = Typed::default();
+            let mut typed = RawArgs::default();
             let done = set(&mut typed, value, "");
             typed.idle.clear();
             typed.has_console = false;
-            done.is_err() || typed != Typed::default()
+            done.is_err() || typed != RawArgs::default()
         })
 }
 
@@ -260,12 +260,12 @@ mod tests {
 
     #[test]
     fn a_misspelt_option_names_its_neighbour() {
-        let refused = set(&mut Typed::default(), "Widht", "3", "Widht=3").unwrap_err();
+        let refused = set(&mut RawArgs::default(), "Widht", "3", "Widht=3").unwrap_err();
         assert_eq!(
             refused.to_string(),
             "unknown option `Widht`\n  hint: did you mean `Width`?"
         );
-        let refused = set(&mut Typed::default(), "Foo", "3", "Foo=3").unwrap_err();
+        let refused = set(&mut RawArgs::default(), "Foo", "3", "Foo=3").unwrap_err();
         assert_eq!(
             refused.to_string(),
             "unknown option `Foo`\n  hint: `povr --help` tells which options there are"
@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn a_declared_name_keeps_its_last_value() {
-        let mut typed = Typed::default();
+        let mut typed = RawArgs::default();
         for text in ["A=1", "b_2= -1.5e3", "A=2"] {
             set(&mut typed, "Declare", text, text).unwrap();
         }
@@ -295,7 +295,7 @@ mod tests {
 
     #[test]
     fn what_is_beyond_a_scale_is_its_end() {
-        let mut typed = Typed::default();
+        let mut typed = RawArgs::default();
         set(&mut typed, "Quality", "12", "+Q12").unwrap();
         assert_eq!(typed.quality, 11);
         set(&mut typed, "quality", "-1", "+Q-1").unwrap();

@@ -7,10 +7,10 @@ use clap::Parser;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 
+use super::environment::Environment;
 use super::error::CliError;
 use super::report::say;
-use super::surroundings::Surroundings;
-use super::{COMMANDS, Command, help, keys, modern, switches};
+use super::{COMMANDS, Command, help, keys, long_options, switches};
 
 pub(super) const COMMAND: Command = Command {
     name: "man",
@@ -30,11 +30,11 @@ struct Face {
     command: Option<String>,
 }
 
-fn run(arguments: &[String], _: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], _: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr man".to_owned());
     match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => put(&page(face.command.as_deref())?),
-        Err(said) => say(modern::printed::<Face>(&said)?.trim_end()),
+        Err(said) => say(long_options::printed::<Face>(&said)?.trim_end()),
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -60,7 +60,7 @@ fn page(command: Option<&str>) -> Result<String, CliError> {
 /// The page of the program: its own options, POV-Ray's switches and ini options, the commands.
 fn whole(to: &mut Vec<u8>) -> std::io::Result<()> {
     // The commands and the switches have sections of their own.
-    let man = Man::new(modern::everything().after_help(""));
+    let man = Man::new(long_options::everything().after_help(""));
     man.render_title(to)?;
     man.render_name_section(to)?;
     man.render_synopsis_section(to)?;
@@ -69,7 +69,7 @@ fn whole(to: &mut Vec<u8>) -> std::io::Result<()> {
     let mut roff = Roff::new();
     roff.control("SH", ["POV-RAY'S SWITCHES"]);
     roff.control("nf", []);
-    for line in modern::SWITCHES.lines() {
+    for line in long_options::SWITCHES.lines() {
         roff.text([roman(line)]);
     }
     roff.control("fi", []);
@@ -124,7 +124,7 @@ mod tests {
         for (name, _) in keys::names() {
             assert!(text.contains(name), "{name}");
         }
-        for argument in modern::everything().get_arguments() {
+        for argument in long_options::everything().get_arguments() {
             if let Some(long) = argument.get_long() {
                 assert!(text.contains(&format!("--{long}")), "{long}");
             }

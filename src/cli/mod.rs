@@ -6,6 +6,7 @@
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
 mod animate;
+mod arg_words;
 mod batch;
 mod check;
 mod compare;
@@ -14,6 +15,7 @@ mod console;
 mod curve;
 mod done;
 mod draw;
+mod environment;
 mod error;
 mod frames;
 mod help;
@@ -21,30 +23,28 @@ mod ini;
 mod interrupt;
 mod keys;
 mod limits;
+mod long_options;
 mod man;
-mod modern;
 mod nearest;
 mod progress;
+mod raw_args;
 mod report;
 mod settings;
 mod sheet;
 mod streams;
-mod surroundings;
 mod switches;
-mod typed;
 mod unfinished;
 mod unknown;
 mod values;
 mod watch;
-mod words;
 
 pub use draw::{Request, request};
+pub use environment::Environment;
 pub use error::CliError;
 pub use frames::Frames;
 pub use progress::{Progress, ProgressKind};
 pub use report::MessageFormat;
 pub use settings::{Scene, Settings, Talk};
-pub use surroundings::Surroundings;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -63,7 +63,7 @@ struct Command {
     face: fn() -> clap::Command,
 }
 
-type Run = fn(&[String], &Surroundings) -> Result<ExitCode, CliError>;
+type Run = fn(&[String], &Environment) -> Result<ExitCode, CliError>;
 
 /// The commands beside drawing.
 const COMMANDS: &[Command] = &[
@@ -88,9 +88,9 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
     let mut arguments = arguments.into_iter();
     let program = arguments.next().unwrap_or_default();
     let arguments: Vec<String> = arguments.collect();
-    let around = Surroundings {
+    let around = Environment {
         is_povray: is_povray(&program),
-        ..Surroundings::of_this_process()
+        ..Environment::of_this_process()
     };
     let (done, refused) = match named(&arguments).filter(|_| !around.is_povray) {
         Some((command, rest)) => ((command.run)(rest, &around), ExitCode::from(MISUSED)),

@@ -4,15 +4,15 @@ use std::env;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::environment::Environment;
 use super::error::CliError;
 use super::frames::Frames;
 use super::ini::neighbour;
+use super::raw_args::{Output, RawArgs};
 use super::report::MessageFormat;
 use super::streams::Stream;
-use super::surroundings::Surroundings;
-use super::typed::{Output, Typed};
 use super::values::{format_of_ending, has_grey};
-use crate::options::{Antialias, Converging, ReadOptions, RenderOptions, Sampling, Stop};
+use crate::options::{Adaptive, Antialias, CancelToken, ReadOptions, RenderOptions, Sampling};
 use crate::output::{EncodeOptions, Format, Target};
 
 /// The most pixels of a picture: a film of 8 GiB.
@@ -83,9 +83,9 @@ pub struct Talk {
 
 /// Decides. `command` is the one to name in a remedy: `povr`, or `povr watch`.
 pub(super) fn settle(
-    typed: Typed,
+    typed: RawArgs,
     standard_folders: &[PathBuf],
-    around: &Surroundings,
+    around: &Environment,
     command: &str,
 ) -> Result<Settings, CliError> {
     if let Some((unbuilt, said)) = typed.unbuilt.first() {
@@ -138,7 +138,7 @@ pub(super) fn settle(
     })
 }
 
-fn talk(typed: &Typed, around: &Surroundings) -> Talk {
+fn talk(typed: &RawArgs, around: &Environment) -> Talk {
     let format = match typed.message_format {
         Some(format) => format,
         None if typed.has_console => MessageFormat::Povray,
@@ -161,7 +161,7 @@ fn talk(typed: &Typed, around: &Surroundings) -> Talk {
 }
 
 /// What reading takes from what was typed.
-pub(super) fn read_options(typed: &Typed, library_paths: Vec<PathBuf>) -> ReadOptions {
+pub(super) fn read_options(typed: &RawArgs, library_paths: Vec<PathBuf>) -> ReadOptions {
     ReadOptions {
         library_paths,
         // As Debian's povray.conf has it.
@@ -177,7 +177,7 @@ pub(super) fn read_options(typed: &Typed, library_paths: Vec<PathBuf>) -> ReadOp
     }
 }
 
-fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
+fn render_options(typed: &RawArgs) -> Result<RenderOptions, CliError> {
     let (width, height) = (typed.width, typed.height);
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         return Err(CliError::new(format!(
@@ -198,11 +198,11 @@ fn render_options(typed: &Typed) -> Result<RenderOptions, CliError> {
         sampling: sampling(typed),
         keep: None,
         only_for: None,
-        stop: Stop::default(),
+        stop: CancelToken::default(),
     })
 }
 
-fn sampling(typed: &Typed) -> Sampling {
+fn sampling(typed: &RawArgs) -> Sampling {
     let jitter = if typed.is_jittered {
         typed.antialias.jitter
     } else {
@@ -210,12 +210,12 @@ fn sampling(typed: &Typed) -> Sampling {
     };
     match typed.is_antialiased {
         false => Sampling::Centres,
-        true if typed.converges => Sampling::Converging(Converging {
+        true if typed.converges => Sampling::Converging(Adaptive {
             error: match (typed.error, typed.time) {
                 (Some(error), _) => error,
                 // The smaller the better, as long as there is time.
                 (None, Some(_)) => 0.0,
-                (None, None) => Converging::default().error,
+                (None, None) => Adaptive::default().error,
             },
             time: typed.time,
         }),
@@ -292,7 +292,7 @@ pub(super) fn find_scene(name: &str, folders: &[PathBuf]) -> Result<PathBuf, Cli
 }
 
 fn output(
-    typed: &Typed,
+    typed: &RawArgs,
     scene: &str,
     warnings: &mut Vec<String>,
 ) -> Result<Option<(Target, EncodeOptions)>, CliError> {
@@ -334,7 +334,7 @@ fn output(
 }
 
 /// The type that was named, or that of the ending of a name given with `-o`, or PNG.
-fn format(typed: &Typed) -> Result<Format, CliError> {
+fn format(typed: &RawArgs) -> Result<Format, CliError> {
     match (&typed.output, typed.format) {
         (_, Some(format)) => Ok(format),
         (Output::Exact(name), None) => match ending(name) {

@@ -16,16 +16,16 @@ use std::process::ExitCode;
 use clap::Parser;
 use rayon::prelude::*;
 
-use self::judge::{Judge, Verdict};
+use self::judge::{Comparer, Verdict};
 use self::scene::Subject;
 use self::shapes::{HEIGHTS, SHAPES};
 use self::transforms::Move;
 use super::Command;
 use super::draw::{self, Request};
+use super::environment::Environment;
 use super::error::CliError;
-use super::modern::{self, Size};
+use super::long_options::{self, Size};
 use super::report::say;
-use super::surroundings::Surroundings;
 
 pub(super) const COMMAND: Command = Command {
     name: "sheet",
@@ -78,17 +78,17 @@ const OVERVIEW: (&str, u32) = ("overview", 2);
 /// POV-Ray spends most of the time of a small picture asleep, so many run at once on each processor.
 const AT_ONCE: usize = 8;
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let name = std::iter::once("povr sheet".to_owned());
     let face = match Face::try_parse_from(name.chain(arguments.iter().cloned())) {
         Ok(face) => face,
         Err(said) => {
-            say(modern::printed::<Face>(&said)?.trim_end());
+            say(long_options::printed::<Face>(&said)?.trim_end());
             return Ok(ExitCode::SUCCESS);
         }
     };
     let subjects = subjects(&face)?;
-    let judge = (!face.alone).then(Judge::find).flatten();
+    let judge = (!face.alone).then(Comparer::find).flatten();
     if judge.is_none() && !face.alone {
         say("povr: POV-Ray is not installed, so nothing is compared");
     }
@@ -191,7 +191,7 @@ struct Drawn {
 }
 
 /// Writes and draws all pictures of one shape.
-fn drawn(face: &Face, subject: &Subject, around: &Surroundings) -> Result<Vec<Drawn>, CliError> {
+fn drawn(face: &Face, subject: &Subject, around: &Environment) -> Result<Vec<Drawn>, CliError> {
     let folder = face.output.join(&subject.name);
     make_folder(&folder)?;
     if let Some((name, text)) = &subject.file {
@@ -225,7 +225,7 @@ fn drawn(face: &Face, subject: &Subject, around: &Surroundings) -> Result<Vec<Dr
 }
 
 /// Compares pictures with POV-Ray's.
-fn judged(pictures: Vec<Drawn>, judge: Option<&Judge>) -> Result<Vec<Entry>, CliError> {
+fn judged(pictures: Vec<Drawn>, judge: Option<&Comparer>) -> Result<Vec<Entry>, CliError> {
     let processors = std::thread::available_parallelism().map_or(1, usize::from);
     let at_once = judge.map_or(1, |_| AT_ONCE * processors);
     let pool = rayon::ThreadPoolBuilder::new()
@@ -254,7 +254,7 @@ fn judged(pictures: Vec<Drawn>, judge: Option<&Judge>) -> Result<Vec<Entry>, Cli
 }
 
 /// Draws a scene beside itself.
-fn draw(scene: &Path, size: Size, around: &Surroundings) -> Result<(), CliError> {
+fn draw(scene: &Path, size: Size, around: &Environment) -> Result<(), CliError> {
     let arguments = [
         format!("+I{}", scene.display()),
         format!("+O{}", scene.with_extension("png").display()),

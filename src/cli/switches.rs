@@ -5,7 +5,7 @@
 
 use super::error::CliError;
 use super::keys;
-use super::typed::Typed;
+use super::raw_args::RawArgs;
 use super::values::{file_type_switch, unquoted};
 
 /// How a switch is written and what it sets.
@@ -147,7 +147,7 @@ pub(super) fn key_of(said: &str) -> Option<&'static str> {
 }
 
 /// Sets what a switch stands for. `None` if this is no switch.
-pub(super) fn set(typed: &mut Typed, said: &str) -> Option<Result<(), CliError>> {
+pub(super) fn set(typed: &mut RawArgs, said: &str) -> Option<Result<(), CliError>> {
     let body = said.strip_prefix(['+', '-'])?;
     let state = if said.starts_with('+') { "on" } else { "off" };
     let (form, text) = meaning(body)?;
@@ -226,7 +226,7 @@ mod tests {
                 FileType | Idle => vec![],
             };
             for key in named {
-                let refused = keys::set(&mut Typed::default(), key, "1", name).err();
+                let refused = keys::set(&mut RawArgs::default(), key, "1", name).err();
                 assert!(refused.is_none(), "{name}: {refused:?}");
             }
         }

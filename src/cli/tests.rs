@@ -8,7 +8,7 @@ use super::*;
 use crate::color::Gamma;
 use crate::film::{Film, Pixel};
 use crate::options::{
-    Antialias, Converging, Event, Failure, Input, Method, Picture, ReadOptions, Sampling,
+    Adaptive, Antialias, Event, Failure, Input, Method, Picture, ReadOptions, Sampling,
 };
 use crate::output::{EncodeOptions, Format, Target};
 
@@ -22,7 +22,7 @@ fn settings(arguments: &[&str]) -> Settings {
 
 fn try_settings(arguments: &[&str]) -> Result<Settings, String> {
     let arguments: Vec<String> = arguments.iter().map(|&a| a.to_owned()).collect();
-    match request(&arguments, &Surroundings::default()) {
+    match request(&arguments, &Environment::default()) {
         Ok(Request::Draw(settings)) => Ok(*settings),
         Ok(Request::Print(text)) => Err(format!("printed: {text}")),
         Err(refused) => Err(refused.to_string()),
@@ -418,10 +418,10 @@ fn the_system_gives_folders_and_the_user_settings() {
         ("user.ini", "Width=33\nLibrary_Path=/mine\n"),
         ("s.pov", ""),
     ]);
-    let around = Surroundings {
+    let around = Environment {
         system_ini: Some(here.path().join("system.ini")),
         user_ini: Some(here.path().join("user.ini")),
-        ..Surroundings::default()
+        ..Environment::default()
     };
     let scene = here.path().join("s.pov").display().to_string();
     let Ok(Request::Draw(settings)) = request(&[scene, "+La".to_owned()], &around) else {
@@ -505,7 +505,7 @@ fn quality_of_files_and_gamma_reach_the_encoder() {
 
 #[test]
 fn help_and_version_are_texts() {
-    let text = |argument: &str| match request(&[argument.to_owned()], &Surroundings::default()) {
+    let text = |argument: &str| match request(&[argument.to_owned()], &Environment::default()) {
         Ok(Request::Print(text)) => text,
         other => panic!("{other:?}"),
     };
@@ -582,7 +582,7 @@ fn an_error_or_a_time_chooses_the_method_that_converges() {
         settings(&arguments).render.sampling
     };
     let converging = |error, seconds: Option<u64>| {
-        Sampling::Converging(Converging {
+        Sampling::Converging(Adaptive {
             error,
             time: seconds.map(Duration::from_secs),
         })

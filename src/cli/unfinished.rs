@@ -12,7 +12,7 @@ use std::time::UNIX_EPOCH;
 
 use super::report::say;
 use super::settings::Settings;
-use crate::options::Keep;
+use crate::options::CheckpointOptions;
 use crate::output::Target;
 
 /// What is appended to the name of the picture.
@@ -36,7 +36,7 @@ pub(super) fn is_done(settings: &Settings) -> bool {
 /// Has the drawing keep what it has done.
 pub(super) fn keep(settings: &mut Settings) {
     if let Some(picture) = picture(settings) {
-        settings.render.keep = Some(Keep {
+        settings.render.keep = Some(CheckpointOptions {
             file: state(picture),
             continues: settings.continues,
             build: build(),

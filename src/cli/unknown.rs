@@ -3,7 +3,7 @@
 use clap::CommandFactory;
 
 use super::error::CliError;
-use super::modern::Modern;
+use super::long_options::LongOptions;
 use super::nearest::nearest;
 use super::{COMMANDS, keys, switches};
 
@@ -53,7 +53,7 @@ impl AsRef<str> for Of {
 
 /// Drawing, and the commands, with their options.
 fn every_command() -> impl Iterator<Item = (String, clap::Command)> {
-    let drawing = std::iter::once(("povr".to_owned(), Modern::command()));
+    let drawing = std::iter::once(("povr".to_owned(), LongOptions::command()));
     drawing.chain(COMMANDS.iter().map(|command| {
         let face = (command.face)();
         (format!("povr {}", command.name), face)
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn options_of_other_commands_and_of_povray_are_named() {
-        let own = Modern::command();
+        let own = LongOptions::command();
         for (said, expected) in [
             ("--serve", "`--serve` is an option of `povr watch`"),
             ("--port=80", "`--port` is an option of `povr watch`"),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use super::error::CliError;
-use super::typed::Typed;
+use super::raw_args::RawArgs;
 use crate::color::Gamma;
 use crate::output::Format;
 
@@ -103,7 +103,7 @@ pub(super) fn size(value: &str, said: &str) -> Result<u32, CliError> {
 }
 
 /// On or off. POV-Ray takes anything it does not know for off; so do we, and say so.
-pub(super) fn flag(typed: &mut Typed, value: &str, said: &str) -> bool {
+pub(super) fn flag(typed: &mut RawArgs, value: &str, said: &str) -> bool {
     match value.to_ascii_lowercase().as_str() {
         "on" | "yes" | "true" | "1" => true,
         "off" | "no" | "false" | "0" => false,
@@ -130,14 +130,18 @@ pub(super) fn path(value: &str, said: &str) -> Result<PathBuf, CliError> {
 }
 
 /// A letter of `+F`, as `Output_File_Type` takes it. POV-Ray looks at no more than the first.
-pub(super) fn file_type(typed: &mut Typed, value: &str, said: &str) -> Result<(), CliError> {
+pub(super) fn file_type(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
     let letter = value.chars().next().unwrap_or(' ');
     typed.format = Some(format_of(letter).ok_or_else(|| no_type(said))?);
     Ok(())
 }
 
 /// What stands behind `+F`: a letter, bits a channel, `g` for grey.
-pub(super) fn file_type_switch(typed: &mut Typed, text: &str, said: &str) -> Result<(), CliError> {
+pub(super) fn file_type_switch(
+    typed: &mut RawArgs,
+    text: &str,
+    said: &str,
+) -> Result<(), CliError> {
     let mut rest = text.chars();
     let format = rest
         .next()

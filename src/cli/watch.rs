@@ -24,12 +24,12 @@ use self::painter::Painter;
 use self::shown::Shown;
 use super::Command;
 use super::draw::{Request, reporter, request_of};
+use super::environment::Environment;
 use super::error::CliError;
-use super::modern;
+use super::long_options;
 use super::report::say;
 use super::settings::Scene;
-use super::surroundings::Surroundings;
-use crate::options::{Input, Stop};
+use crate::options::{CancelToken, Input};
 
 pub(super) const COMMAND: Command = Command {
     name: "watch",
@@ -88,7 +88,7 @@ enum Happened {
     End,
 }
 
-fn run(arguments: &[String], around: &Surroundings) -> Result<ExitCode, CliError> {
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
     let (wanted, rest) = match read_arguments(arguments)? {
         Ok(read) => read,
         Err(help) => {
@@ -156,7 +156,7 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
     while let Some((first, behind)) = rest.split_first() {
         let name = first.split('=').next().unwrap_or_default();
         let length = match OWN.contains(&name) {
-            true => modern::length::<Face>(rest),
+            true => long_options::length::<Face>(rest),
             false => 0,
         };
         if length == 0 {
@@ -165,14 +165,14 @@ fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), 
             continue;
         }
         let (option, behind) = rest.split_at(length);
-        match modern::parse::<Face>(option) {
+        match long_options::parse::<Face>(option) {
             Ok(face) => {
                 wanted.is_served |= face.serve;
                 wanted.port = face.port.or(wanted.port);
                 wanted.is_silent |= face.no_terminal;
                 wanted.times = face.times.or(wanted.times);
             }
-            Err(said) => return modern::printed::<Face>(&said).map(Err),
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
         }
         rest = behind;
     }
@@ -244,7 +244,7 @@ impl Watch {
     /// Draws once. `false` if files changed before it was done.
     fn drawn_in_peace(&mut self) -> bool {
         let began = SystemTime::now();
-        let stop = Stop::default();
+        let stop = CancelToken::default();
         let read: Mutex<Option<Known>> = Mutex::new(None);
         let take = || read.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut is_changed = false;

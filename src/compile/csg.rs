@@ -10,10 +10,10 @@
 //! of its other children; an intersection those inside of all its other children. Surfaces at exactly the same `t`
 //! are taken together, and one is shown if the node as a whole is entered or left there: no skin, no hole.
 
-use super::leaf::Leaf;
-use super::query::Departure;
-use super::simplify::Order;
-use super::state::{Rest, State};
+use super::csg_inside::{InsideInit, InsideState};
+use super::csg_simplify::OperandOrder;
+use super::primitive::Leaf;
+use super::query::SpawnSurface;
 use crate::math::Ray;
 use crate::shape::{Crossing, Geometry, Root, Start};
 use glam::DVec3;
@@ -85,7 +85,7 @@ pub(super) struct Operand {
 /// A combination of the leaves `first .. first + operands.len()` of a model. There may be many of a few parts, which keep
 /// them in place.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Program {
+pub(super) struct CsgProgram {
     /// The nodes, parents before children.
     pub(super) nodes: SmallVec<[Node; 1]>,
     /// The leaves in order.
@@ -93,30 +93,30 @@ pub(super) struct Program {
     /// The number of the first leaf.
     pub(super) first: u32,
     /// What `bounded_by` says.
-    pub(super) gates: Vec<Gate>,
+    pub(super) gates: Vec<BoundGate>,
     /// What a ray is inside of where it is outside of all leaves.
-    pub(super) rest: Rest,
+    pub(super) rest: InsideInit,
     /// Patches that are inverse, in order, which changes nothing but the side their normals are on.
     pub(super) turned: SmallVec<[u32; 4]>,
     /// The order in which operands are asked.
-    pub(super) order: Order,
+    pub(super) order: OperandOrder,
 }
 
 /// A ray on its way through a program.
 #[derive(Clone, Copy)]
-struct Passing<'a> {
+struct SweepContext<'a> {
     leaves: &'a [Leaf],
     ray: &'a Ray,
-    departure: Option<&'a Departure>,
+    departure: Option<&'a SpawnSurface>,
 }
 
 /// A stretch of operands that a ray meets only if it meets a bounding object first.
 #[derive(Clone, Debug)]
-pub(super) struct Gate {
+pub(super) struct BoundGate {
     /// The operands.
     pub(super) operands: Range<u32>,
     /// The bounding object.
-    pub(super) bound: Program,
+    pub(super) bound: CsgProgram,
 }
 
 /// A root and the leaf it belongs to.
@@ -132,7 +132,7 @@ struct Event {
 pub(super) struct Sweep {
     roots: Vec<Root>,
     events: Vec<Event>,
-    state: State,
+    state: InsideState,
     before: Vec<u32>,
     kept: Vec<bool>,
     /// Operands whose boxes are met.
@@ -147,7 +147,7 @@ pub(super) struct Sweep {
 
 /// A surface of a combination that a ray meets.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct RawHit {
     /// The root.
     pub(super) root: Root,
     /// The number of the leaf.
@@ -156,7 +156,7 @@ pub(super) struct Found {
     pub(super) surface: u32,
 }
 
-impl Program {
+impl CsgProgram {
     /// Whether inside and outside of an operand are exchanged, by itself or by what it is part of; no operand of that
     /// number is not.
     pub(super) fn is_inverse(&self, operand: u32) -> bool {
@@ -199,12 +199,12 @@ impl Program {
         leaves: &[Leaf],
         ray: &Ray,
         span: (f64, f64),
-        departure: Option<&Departure>,
+        departure: Option<&SpawnSurface>,
         sweep: &mut Sweep,
-        mut wanted: impl FnMut(&Found) -> bool,
-    ) -> Option<Found> {
+        mut wanted: impl FnMut(&RawHit) -> bool,
+    ) -> Option<RawHit> {
         let from = span.0;
-        let passing = Passing {
+        let passing = SweepContext {
             leaves,
             ray,
             departure,
@@ -238,7 +238,7 @@ impl Program {
                 let event = sweep.events[index];
                 let is_seen = sweep.kept[index - at] && event.root.is_visible && t > from;
                 let leaf = self.first + event.leaf;
-                let found = Found {
+                let found = RawHit {
                     root: event.root,
                     leaf,
                     surface: leaves[leaf as usize].surface,
@@ -254,7 +254,12 @@ impl Program {
 
     /// Gathers the roots of the leaves and the state before the first of them. Gives where to stop looking, or `None`
     /// if nothing is shown in the stretch from `from` to `to`. Outside of that stretch neither need be right.
-    fn collect(&self, passing: Passing, (from, to): (f64, f64), sweep: &mut Sweep) -> Option<f64> {
+    fn collect(
+        &self,
+        passing: SweepContext,
+        (from, to): (f64, f64),
+        sweep: &mut Sweep,
+    ) -> Option<f64> {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
         if !self.try_gates(passing.leaves, passing.ray, sweep) {
@@ -291,7 +296,7 @@ impl Program {
     fn ask(
         &self,
         number: u32,
-        passing: Passing,
+        passing: SweepContext,
         (from, to): (f64, f64),
         sweep: &mut Sweep,
     ) -> Start {
@@ -408,7 +413,7 @@ impl Program {
     }
 
     /// A child of `node` has been entered or left: counts it, and goes on as long as nodes change.
-    fn climb(&self, mut node: u32, mut enters: bool, state: &mut State) {
+    fn climb(&self, mut node: u32, mut enters: bool, state: &mut InsideState) {
         let nodes = &self.nodes[..];
         // There is none of the number `NONE`.
         while let Some(own) = nodes.get(node as usize) {
@@ -422,7 +427,7 @@ impl Program {
         }
     }
 
-    fn toggle(&self, event: &Event, state: &mut State) {
+    fn toggle(&self, event: &Event, state: &mut InsideState) {
         let enters = match event.root.crossing {
             Crossing::Touch => return,
             Crossing::Enter => true,
@@ -527,7 +532,7 @@ fn sort(events: &mut [Event]) {
     }
 }
 
-impl Gate {
+impl BoundGate {
     /// Whether a ray meets the bounding object or starts inside of it.
     fn is_met(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
         let span = (0.0, f64::INFINITY);
@@ -552,7 +557,7 @@ fn sides(roots: &[Root], start: Start) -> (bool, bool) {
 /// Gives where that is, if one is hidden.
 pub(super) fn hide_departure(
     roots: &mut [Root],
-    left: &Departure,
+    left: &SpawnSurface,
     leaf: &Leaf,
     dir: DVec3,
 ) -> Option<f64> {

@@ -7,12 +7,12 @@
 //!
 //! Missing: the textures of single components of a blob or triangles of a mesh that a difference cuts.
 
-use super::flatten::{Flat, index};
-use super::looks::{Heritage, Placed, joined, texture_steps};
+use super::flatten::{Lowering, index};
+use super::inherit::{Inherited, PlacedTexture, joined, texture_steps};
 use super::probe::compiled;
 use super::world::World;
 use crate::scene::{Kind, Object, Operation};
-use crate::shape::{Share, Shares};
+use crate::shape::{TextureWeight, TextureWeights};
 use crate::texture::PreparedTexture;
 use glam::DVec3;
 use std::sync::Arc;
@@ -21,12 +21,12 @@ use std::sync::Arc;
 #[derive(Debug, Default)]
 pub(super) struct Cutaway {
     /// Parents before children.
-    parts: Vec<Part>,
+    parts: Vec<CutPart>,
     textures: Vec<Arc<PreparedTexture>>,
 }
 
 #[derive(Debug)]
-struct Part {
+struct CutPart {
     solid: World,
     /// Its texture, unless it is a combination.
     texture: Option<u32>,
@@ -41,8 +41,8 @@ impl Cutaway {
     }
 
     /// The shares of the textures at a world point.
-    pub(super) fn shares(&self, point: DVec3) -> Shares {
-        let mut shares = Shares::new();
+    pub(super) fn shares(&self, point: DVec3) -> TextureWeights {
+        let mut shares = TextureWeights::new();
         let mut at = 0;
         while let Some(part) = self.parts.get(at) {
             if !part.solid.holds(point) {
@@ -50,7 +50,7 @@ impl Cutaway {
                 continue;
             }
             at += 1;
-            let share = |skin| Share { weight: 1.0, skin };
+            let share = |skin| TextureWeight { weight: 1.0, skin };
             shares.extend(part.texture.map(share));
         }
         let count = f64::from(index(shares.len()));
@@ -61,20 +61,20 @@ impl Cutaway {
     }
 }
 
-impl Flat {
+impl Lowering {
     /// What lends its texture to the parts of a combination, which is inverse or not, with what is handed down to them.
     pub(super) fn cutaway(
         &mut self,
         combination: &Object,
         is_inverse: bool,
-        below: &Heritage,
+        below: &Inherited,
     ) -> Cutaway {
         let mut cutaway = Cutaway::default();
         self.gather(combination, is_inverse, below, &mut cutaway);
         cutaway
     }
 
-    fn gather(&mut self, around: &Object, is_inverse: bool, above: &Heritage, into: &mut Cutaway) {
+    fn gather(&mut self, around: &Object, is_inverse: bool, above: &Inherited, into: &mut Cutaway) {
         let Kind::Csg {
             operation,
             children,
@@ -87,16 +87,16 @@ impl Flat {
         for (at, child) in children.iter().enumerate().take(counted) {
             let is_cut = *operation == Operation::Difference && at > 0;
             let is_inverse = child.is_inverse != (is_inverse != is_cut);
-            let below = Heritage {
+            let below = Inherited {
                 texture: match &child.texture {
-                    Some(own) => Some(Placed {
+                    Some(own) => Some(PlacedTexture {
                         texture: Arc::clone(&own.what),
                         steps: texture_steps(child, own.after, above),
                     }),
                     None => above.texture.clone(),
                 },
                 steps: joined(&child.steps, &above.steps),
-                ..Heritage::default()
+                ..Inherited::default()
             };
             let first = into.parts.len();
             let texture = match (&child.kind, &below.texture) {
@@ -108,7 +108,7 @@ impl Flat {
                 _ => continue,
             };
             let solid = compiled(&Arc::new(child.as_solid(is_inverse, &above.steps)));
-            into.parts.push(Part {
+            into.parts.push(CutPart {
                 solid,
                 texture,
                 end: first,

@@ -1,14 +1,14 @@
 //! From the objects of a scene to leaves, combinations and lights: transforms folded, unions taken apart, texture and
 //! interior handed down to the children that have none of their own.
 
-use super::again::Ready;
-use super::combine::is_gated;
+use super::csg_memo::CsgMemo;
+use super::inherit::Inherited;
+use super::instancing::{SharedModel, SlotTable};
 use super::interiors::Interiors;
-use super::leaf::{Absorb, Extent, Leaf};
 use super::lights::Lights;
-use super::looks::Heritage;
-use super::model::{Part, Parts};
-use super::share::{Shared, Slots};
+use super::lower_csg::is_gated;
+use super::model::{ModelBuilder, PendingItem};
+use super::primitive::{Absorb, Extent, Leaf};
 use super::surface::Surface;
 use super::targets::Targets;
 use crate::light::Light;
@@ -23,13 +23,13 @@ use std::sync::Arc;
 
 /// Everything the objects of a scene come to.
 #[derive(Debug, Default)]
-pub(super) struct Flat {
+pub(super) struct Lowering {
     /// What the model at hand is made from: the world, or what copies share.
-    pub(super) parts: Parts,
+    pub(super) parts: ModelBuilder,
     /// The looks in the model at hand, unless that is the world.
-    pub(super) slots: Option<Slots>,
+    pub(super) slots: Option<SlotTable>,
     /// What copies share, by the address of their list of parts, and by whether they may ask for texture coordinates.
-    pub(super) shared: FxHashMap<(usize, bool), Box<Shared>>,
+    pub(super) shared: FxHashMap<(usize, bool), Box<SharedModel>>,
     /// How many copies each list of parts had when the first was met, by its address.
     pub(super) copies: FxHashMap<usize, usize>,
     /// Whether the model at hand is one for copies that may ask for texture coordinates.
@@ -52,17 +52,17 @@ pub(super) struct Flat {
     pub(super) plain: Option<Arc<PreparedTexture>>,
     pub(super) last_surface: Option<u32>,
     /// A surface by its number, with the looks that it came of.
-    pub(super) last_looks: Option<(u32, Heritage)>,
+    pub(super) last_looks: Option<(u32, Inherited)>,
     /// The last combination that was made ready.
-    pub(super) ready: Option<Box<Ready>>,
+    pub(super) ready: Option<Box<CsgMemo>>,
     /// Bounding objects of the combination being built, with the operands they bound and where they stand.
-    pub(super) gates: Vec<(Range<u32>, Arc<Object>, Heritage)>,
+    pub(super) gates: Vec<(Range<u32>, Arc<Object>, Inherited)>,
     /// Parts of it that have boxes of their own: their operands, and boxes around what is inside of them and what shows.
     pub(super) boxed: Vec<(Range<u32>, Bounds)>,
     /// Bounds of the operands of the combination being built.
     pub(super) operand_bounds: Vec<Bounds>,
     /// What the lights of the object being taken in hold.
-    held: Vec<(Holds, Arc<Object>, Heritage)>,
+    held: Vec<(Holds, Arc<Object>, Inherited)>,
 }
 
 /// Why a light holds an object.
@@ -74,12 +74,12 @@ enum Holds {
     Projector(u32),
 }
 
-impl Flat {
+impl Lowering {
     /// Nothing yet; `settings` are what patterns take from the whole scene.
     pub(super) fn new(settings: Settings) -> Self {
-        Flat {
+        Lowering {
             settings,
-            ..Flat::default()
+            ..Lowering::default()
         }
     }
 
@@ -120,7 +120,7 @@ impl Flat {
 
     /// Takes in one object of the scene's top level.
     pub(super) fn add(&mut self, object: &Object) {
-        let nothing = Heritage::default();
+        let nothing = Inherited::default();
         self.add_below(object, &nothing);
         while let Some((holds, object, around)) = self.held.pop() {
             match holds {
@@ -133,7 +133,7 @@ impl Flat {
         }
     }
 
-    pub(super) fn add_below(&mut self, object: &Object, above: &Heritage) {
+    pub(super) fn add_below(&mut self, object: &Object, above: &Inherited) {
         let targets = self.targets.as_ref().map_or(0, Targets::len);
         let below = self.heritage(object, above);
         if let Some(children) = object.plain_union() {
@@ -162,7 +162,7 @@ impl Flat {
         }
     }
 
-    fn add_shape(&mut self, shape: &Shape, below: &Heritage) {
+    fn add_shape(&mut self, shape: &Shape, below: &Inherited) {
         let (surface, absorb) = self.surface_of(shape, below);
         self.add_leaf(shape.clone(), (&below.steps, absorb), surface);
     }
@@ -177,7 +177,7 @@ impl Flat {
             bounds = Bounds::EVERYTHING;
         }
         let number = index(self.parts.leaves.len());
-        self.parts.push(Part::Leaf(number), bounds);
+        self.parts.push(PendingItem::Leaf(number), bounds);
         self.parts.leaves.push(leaf);
     }
 
@@ -186,9 +186,9 @@ impl Flat {
     pub(super) fn add_light(
         &mut self,
         light: &Kind,
-        above: &Heritage,
-        below: Heritage,
-    ) -> Option<(Arc<Object>, Heritage)> {
+        above: &Inherited,
+        below: Inherited,
+    ) -> Option<(Arc<Object>, Inherited)> {
         let Kind::Light {
             light,
             looks_like,

@@ -1,11 +1,11 @@
 //! A model in its place: what rays find of one copy of a union that a scene shows again and again.
 
-use super::csg::Found;
-use super::find::{Search, Start, Wants};
+use super::csg::RawHit;
+use super::intersect::{HitPolicy, IndexBase, Search};
 use super::model::Model;
-use super::query::{Departure, Scratch};
-use crate::math::lanes::with_widest;
+use super::query::{Scratch, SpawnSurface};
 use crate::math::normal_from_inverse;
+use crate::math::simd::with_widest;
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
@@ -25,24 +25,24 @@ pub(super) struct Instance {
 impl Instance {
     /// The first surface of the model up to and including `far` that is wanted.
     #[inline(never)]
-    pub(super) fn find<W: Wants>(
+    pub(super) fn find<W: HitPolicy>(
         &self,
         search: &Search,
         far: f64,
         scratch: &mut Scratch,
         wants: &mut W,
-    ) -> Option<Found> {
+    ) -> Option<RawHit> {
         let ray = search.ray.to_object(&self.object_from_world);
         let from = search
-            .from
+            .origin_surface
             .and_then(|left| self.departure(left, search.ray.dir, ray.dir));
         let inner = Search {
             ray: &ray,
-            behind: self.model.left_for_good(from.as_ref(), &ray),
-            from: from.as_ref(),
-            least: search.least,
-            blur: search.blur,
-            start: Start {
+            exited_leaf: self.model.exited_convex(from.as_ref(), &ray),
+            origin_surface: from.as_ref(),
+            t_min: search.t_min,
+            origin_error: search.origin_error,
+            start: IndexBase {
                 leaf: search.start.leaf + self.first,
                 surface: search.start.surface + self.surface,
             },
@@ -55,10 +55,10 @@ impl Instance {
 
     /// What the model knows of the root that a ray left. All that is asked of the normal is on which side of it the ray
     /// goes.
-    fn departure(&self, left: &Departure, dir: DVec3, own_dir: DVec3) -> Option<Departure> {
+    fn departure(&self, left: &SpawnSurface, dir: DVec3, own_dir: DVec3) -> Option<SpawnSurface> {
         let leaf = left.leaf.checked_sub(self.first)?;
         let goes_out = left.normal.dot(dir) > 0.0;
-        (leaf < self.model.len()).then_some(Departure {
+        (leaf < self.model.len()).then_some(SpawnSurface {
             leaf,
             normal: if goes_out { own_dir } else { -own_dir },
             ..*left

@@ -1,7 +1,7 @@
 //! The lights of a world: which of them shine on a surface, and what they are projected through.
 
-use super::csg::{Found, Program};
-use super::leaf::Leaf;
+use super::csg::{CsgProgram, RawHit};
+use super::primitive::Leaf;
 use super::query::{Query, Scratch};
 use crate::light::Light;
 
@@ -33,7 +33,7 @@ pub struct Lights {
     /// For each light, whether it is on all lists.
     is_global: Vec<bool>,
     /// What lights are projected through, by the numbers of the lights.
-    projectors: Vec<(u32, Program)>,
+    projectors: Vec<(u32, CsgProgram)>,
 }
 
 impl Default for Lights {
@@ -74,12 +74,12 @@ impl Lights {
     }
 
     /// What lights are projected through.
-    pub(super) fn projectors_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+    pub(super) fn projectors_mut(&mut self) -> impl Iterator<Item = &mut CsgProgram> {
         self.projectors.iter_mut().map(|(_, program)| program)
     }
 
     /// Says what a light is projected through.
-    pub(super) fn project(&mut self, light: u32, program: Program) {
+    pub(super) fn project(&mut self, light: u32, program: CsgProgram) {
         self.projectors.push((light, program));
     }
 
@@ -149,7 +149,7 @@ impl Lights {
         self.projector(light).is_some()
     }
 
-    fn projector(&self, light: u32) -> Option<&Program> {
+    fn projector(&self, light: u32) -> Option<&CsgProgram> {
         let mut projectors = self.projectors.iter();
         projectors
             .find(|(projected, _)| *projected == light)
@@ -163,14 +163,14 @@ impl Lights {
         light: u32,
         leaves: &[Leaf],
         (query, least): (&Query, f64),
-        wanted: impl FnMut(&Found) -> bool,
+        wanted: impl FnMut(&RawHit) -> bool,
         scratch: &mut Scratch,
     ) -> Option<f64> {
         let Some(program) = self.projector(light) else {
-            return Some(query.far);
+            return Some(query.t_max);
         };
-        let span = (least, query.far);
-        let (from, sweep) = (query.from.as_ref(), &mut scratch.sweep);
+        let span = (least, query.t_max);
+        let (from, sweep) = (query.origin_surface.as_ref(), &mut scratch.sweep);
         program
             .nearest(leaves, &query.ray, span, from, sweep, wanted)
             .map(|found| found.root.t)

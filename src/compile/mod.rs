@@ -1,64 +1,64 @@
 //! From the description of a scene to the world that rays need.
 
-mod again;
-mod around;
-mod balls;
-mod chance;
-mod cluster;
-mod combine;
+mod bvh_items;
+mod closest;
 mod csg;
+mod csg_bounds;
+mod csg_inside;
+mod csg_memo;
+mod csg_simplify;
 mod cutaway;
-mod find;
 mod flatten;
-mod four;
-mod four_of_copy;
-mod four_of_leaf;
-mod four_of_tree;
-mod hits;
+mod inherit;
 mod instance;
+mod instancing;
 mod interiors;
-mod leaf;
+mod intersect;
+mod light_buffers;
 mod lights;
-mod limits;
-mod looks;
-mod lot;
-mod meshes;
+mod lower_csg;
 mod model;
-mod order;
-mod passed;
+mod occlusion;
+mod packet_bundle;
+mod packet_csg;
+mod packet_csg_tree;
+mod packet_grid;
+mod packet_hits;
+mod packet_instance;
+mod packet_mesh;
+mod packet_primitive;
+mod packet_rays;
+mod parallel;
 mod plan;
+mod primitive;
 mod probe;
 mod query;
-mod rays;
-mod row;
-mod search;
+mod ray_counts;
 mod seen_in;
-mod shadow;
-mod share;
-mod simplify;
-mod state;
+mod sphere_soa;
+mod spheres;
 mod surface;
+mod surface_flags;
 mod targets;
-mod together;
-mod traits;
-mod vistas;
+mod transmission;
+mod uses_random;
 mod world;
 
-pub use hits::{FourHits, FourWays, NO_LEAF};
 pub use interiors::{InteriorId, Interiors};
-pub use leaf::{Extent, Leaf};
 pub use lights::{LightList, Lights};
-pub use passed::{Passed, Passing};
-pub use probe::{Probed, solid_of};
-pub use query::{Departure, Hit, Query, Scratch, Seen, Way};
-pub use rays::Rays;
-pub use surface::{Kept, Surface};
+pub use packet_hits::{HitPacket4, NO_LEAF, ShadowPacket4};
+pub use primitive::{Extent, Leaf};
+pub use probe::{ProbeModel, solid_of};
+pub use query::{Hit, Occlusion, Query, RayKind, Scratch, SpawnSurface};
+pub use ray_counts::RayCounts;
+pub use surface::{OwnedOrShared, Surface};
+pub use transmission::{TransmissiveHit, TransmissiveHits};
 pub use world::{Globals, World};
 
 use crate::options::RenderOptions;
 use crate::pattern::Settings;
 use crate::scene::{Object, Scene};
-use flatten::Flat;
+use flatten::Lowering;
 use std::sync::Arc;
 use targets::Targets;
 
@@ -79,17 +79,17 @@ pub fn compile_apart(
     options: &RenderOptions,
     let_go: &mut dyn FnMut(Arc<Object>),
 ) -> World {
-    let mut scene = scene.near_the_origin().in_comfort();
-    let mut flat = Flat::new(Settings {
+    let mut scene = scene.recentered().rescaled();
+    let mut flat = Lowering::new(Settings {
         solid_of: Some(solid_of),
         ..scene.pattern_settings()
     });
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
     // What has been taken in is needed no more; in large scenes the room is.
-    flat.take_all(std::mem::take(&mut scene.objects), let_go);
+    flat.lower_all(std::mem::take(&mut scene.objects), let_go);
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);
-    world.look_around(options);
+    world.build_light_buffers(options);
     world
 }

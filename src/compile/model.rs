@@ -4,16 +4,16 @@
 //! Numbers of leaves go on from the model's own ones through its instances, one stretch for each, so that a number
 //! tells every copy of every primitive apart however deep instances lie in each other.
 
-use super::balls::Balls;
-use super::cluster::Cluster;
-use super::csg::Program;
-use super::four::Way;
+use super::bvh_items::ItemBvh;
+use super::csg::CsgProgram;
 use super::instance::Instance;
-use super::leaf::Leaf;
-use super::order::Finder;
+use super::packet_csg::PacketStrategy;
+use super::primitive::Leaf;
+use super::sphere_soa::SphereSoa;
+use super::spheres::DeferredSpheres;
 use super::surface::Surface;
 use crate::math::Bounds;
-use crate::shape::{Shape, Shares};
+use crate::shape::{Shape, TextureWeights};
 use glam::DVec3;
 
 /// What a tree holds.
@@ -29,7 +29,7 @@ pub(super) enum Item {
 
 /// What becomes an [`Item`].
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Part {
+pub(super) enum PendingItem {
     /// A shape by itself.
     Leaf(u32),
     /// A shape by itself that is no leaf yet: one of [`Parts::balls`].
@@ -42,18 +42,18 @@ pub(super) enum Part {
 
 /// What a model is made from, in the order of the file.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
+pub(super) struct ModelBuilder {
     pub(super) leaves: Vec<Leaf>,
-    pub(super) programs: Vec<Program>,
+    pub(super) programs: Vec<CsgProgram>,
     pub(super) instances: Vec<Instance>,
-    pub(super) items: Vec<Part>,
-    pub(super) balls: Balls,
+    pub(super) items: Vec<PendingItem>,
+    pub(super) balls: DeferredSpheres,
     /// The bounds of the items.
     pub(super) bounds: Vec<Bounds>,
 }
 
-impl Parts {
-    pub(super) fn push(&mut self, item: Part, bounds: Bounds) {
+impl ModelBuilder {
+    pub(super) fn push(&mut self, item: PendingItem, bounds: Bounds) {
         self.items.push(item);
         self.bounds.push(bounds);
     }
@@ -63,25 +63,25 @@ impl Parts {
 #[derive(Debug)]
 pub(super) struct Model {
     pub(super) leaves: Vec<Leaf>,
-    pub(super) programs: Vec<Program>,
+    pub(super) programs: Vec<CsgProgram>,
     /// In the order of their numbers.
     pub(super) instances: Vec<Instance>,
-    pub(super) finder: Finder,
+    pub(super) finder: ItemBvh,
     /// All items, if they are leaves, few and round; four rays can then be asked about them at once.
-    pub(super) cluster: Option<Cluster>,
+    pub(super) cluster: Option<SphereSoa>,
     /// For each program, in which way four rays can be asked about it at once.
-    ways_of_four: Vec<Way>,
+    ways_of_four: Vec<PacketStrategy>,
 }
 
 impl Model {
     /// Builds the tree over these parts, and brings them into its order; the looks of its balls are added to `surfaces`,
     /// and `projectors` are the programs that use leaves of theirs besides.
     pub(super) fn new<'p>(
-        mut parts: Parts,
+        mut parts: ModelBuilder,
         surfaces: &mut Vec<Surface>,
-        projectors: impl Iterator<Item = &'p mut Program>,
+        projectors: impl Iterator<Item = &'p mut CsgProgram>,
     ) -> Model {
-        let finder = Finder::new(&mut parts, surfaces, projectors);
+        let finder = ItemBvh::new(&mut parts, surfaces, projectors);
         let cluster = finder.cluster(&parts);
         let ways_of_four = parts.programs.iter();
         Model {
@@ -106,7 +106,7 @@ impl Model {
 
     /// In which way four rays can be asked about a program at once.
     #[inline(always)]
-    pub(super) fn way_of_four(&self, program: u32) -> Way {
+    pub(super) fn way_of_four(&self, program: u32) -> PacketStrategy {
         self.ways_of_four[program as usize]
     }
 
@@ -114,7 +114,7 @@ impl Model {
     #[inline(always)]
     pub(super) fn suits_four(&self, item: Item) -> bool {
         match item {
-            Item::Program(program) => self.way_of_four(program) != Way::Singly,
+            Item::Program(program) => self.way_of_four(program) != PacketStrategy::Scalar,
             Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
@@ -145,7 +145,7 @@ impl Model {
     }
 
     /// The shares of the shape's own textures at a point of a leaf.
-    pub(super) fn shares(&self, leaf: u32, point: DVec3, face: u32) -> Shares {
+    pub(super) fn shares(&self, leaf: u32, point: DVec3, face: u32) -> TextureWeights {
         match self.instance_of(leaf) {
             Some(instance) => {
                 let point = instance.object_from_world.transform_point3(point);

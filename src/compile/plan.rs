@@ -2,8 +2,8 @@
 //! made, not asked about at every ray.
 
 use super::instance::Instance;
-use super::leaf::Leaf;
 use super::model::Model;
+use super::primitive::Leaf;
 use super::surface::Surface;
 use super::world::World;
 use crate::accel::Bvh;

@@ -1,7 +1,7 @@
 //! Rays and points at single objects, before there is a world.
 
-use super::flatten::Flat;
-use super::query::{Query, Scratch, Seen};
+use super::flatten::Lowering;
+use super::query::{Query, RayKind, Scratch};
 use super::surface::Surface;
 use super::world::World;
 use crate::atmosphere::Atmosphere;
@@ -20,13 +20,13 @@ const KEPT: usize = 32;
 
 /// Objects compiled for questions of the scene that makes them.
 #[derive(Debug, Default)]
-pub struct Probed {
+pub struct ProbeModel {
     /// The object asked last comes last.
     worlds: Vec<(Arc<Object>, World)>,
     scratch: Scratch,
 }
 
-impl Probed {
+impl ProbeModel {
     /// The first surface of an object on a ray: the point, and the unit normal there before any `normal` pattern,
     /// which points out of the solid. What hides from some rays (`no_image`) is met.
     ///
@@ -45,9 +45,9 @@ impl Probed {
         let (_, world) = self.worlds.last()?;
         let query = Query {
             ray: Ray::new(from, dir),
-            from: None,
-            far: f64::INFINITY,
-            seen: Seen::Image,
+            origin_surface: None,
+            t_max: f64::INFINITY,
+            kind: RayKind::Camera,
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.departure.leaf;
@@ -86,9 +86,9 @@ impl Probed {
 
 /// An object as patterns ask for it.
 #[derive(Debug)]
-struct Asked(World);
+struct ProbedObject(World);
 
-impl Solid for Asked {
+impl Solid for ProbedObject {
     fn holds(&self, point: DVec3) -> bool {
         point.is_finite() && self.0.holds(point)
     }
@@ -97,12 +97,12 @@ impl Solid for Asked {
 /// An object of a scene ready for points.
 pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
     let object = Arc::clone(object).downcast::<Object>().ok()?;
-    Some(Arc::new(Asked(compiled(&object))))
+    Some(Arc::new(ProbedObject(compiled(&object))))
 }
 
 /// A world of one object that hides from nobody.
 pub(super) fn compiled(object: &Arc<Object>) -> World {
-    let mut flat = Flat::default();
+    let mut flat = Lowering::default();
     flat.asks_insides = true;
     flat.add(object);
     flat.surfaces.iter_mut().for_each(Surface::show);

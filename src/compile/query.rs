@@ -1,12 +1,12 @@
 //! What rays ask the world, what they get, and what a thread keeps between two questions.
 
-use super::csg::{Found, Sweep};
-use super::hits::FourWays;
-use super::lot::Lot;
-use super::meshes::MeshScratch;
-use super::order::Numbered;
-use super::passed::Items;
-use super::rays::Rays;
+use super::bvh_items::IndexedItem;
+use super::csg::{RawHit, Sweep};
+use super::packet_hits::ShadowPacket4;
+use super::packet_mesh::MeshScratch;
+use super::packet_rays::RayStream;
+use super::ray_counts::RayCounts;
+use super::transmission::ItemSet;
 use crate::accel::Bundle;
 use crate::color::Rgb;
 use crate::math::Ray;
@@ -19,7 +19,7 @@ use smallvec::SmallVec;
 
 /// The root that a spawned ray left, so that it does not find it again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
+pub struct SpawnSurface {
     /// The leaf.
     pub leaf: u32,
     /// The piece of its surface.
@@ -44,31 +44,31 @@ pub struct Hit {
     /// Index into [`super::World::surfaces`].
     pub surface: u32,
     /// For the rays that leave from here.
-    pub departure: Departure,
+    pub departure: SpawnSurface,
 }
 
 /// Who looks: decides between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum RayKind {
     /// A camera ray, or its straight or refracted continuation.
-    Image,
+    Camera,
     /// A reflected ray and what comes of it.
     Reflection,
     /// A ray that gathers light from other surfaces, or its straight or refracted continuation.
-    Gathering,
+    Radiosity,
     /// What such a ray sees in a mirror.
-    GatheringReflection,
+    RadiosityReflection,
     /// A ray to a light.
     Shadow,
 }
 
-impl Seen {
+impl RayKind {
     /// Who looks after a mirror.
     #[must_use]
-    pub fn mirrored(self) -> Seen {
+    pub fn mirrored(self) -> RayKind {
         match self {
-            Seen::Image | Seen::Reflection | Seen::Shadow => Seen::Reflection,
-            Seen::Gathering | Seen::GatheringReflection => Seen::GatheringReflection,
+            RayKind::Camera | RayKind::Reflection | RayKind::Shadow => RayKind::Reflection,
+            RayKind::Radiosity | RayKind::RadiosityReflection => RayKind::RadiosityReflection,
         }
     }
 }
@@ -79,11 +79,11 @@ pub struct Query {
     /// The ray; its direction has length 1.
     pub ray: Ray,
     /// The root it left, for all but camera rays.
-    pub from: Option<Departure>,
+    pub origin_surface: Option<SpawnSurface>,
     /// Nothing at or beyond this distance counts; infinite for none.
-    pub far: f64,
+    pub t_max: f64,
     /// Who asks.
-    pub seen: Seen,
+    pub kind: RayKind,
 }
 
 /// Buffers that a thread keeps between questions.
@@ -92,9 +92,9 @@ pub struct Scratch {
     /// The light that came from each lamp of the area light at hand, as far as it is known.
     pub lamps: Vec<Option<Rgb>>,
     /// The shadow rays from a point to the samples of an area light.
-    pub to_lamps: Vec<FourWays>,
+    pub to_lamps: Vec<ShadowPacket4>,
     /// How many rays were followed.
-    pub rays: Rays,
+    pub rays: RayCounts,
     /// The random numbers of lamps and rainbows for the sample at hand.
     pub stream: Stream,
     /// Those of media.
@@ -112,23 +112,23 @@ pub struct Scratch {
     pub(super) sweep: Sweep,
     pub(super) roots: Vec<Root>,
     /// For each light, the item that stood last in its way.
-    pub(super) blockers: SmallVec<[Option<Numbered>; 8]>,
+    pub(super) blockers: SmallVec<[Option<IndexedItem>; 8]>,
     pub(super) bundle: Bundle,
-    pub(super) bests: Vec<Option<Best>>,
-    pub(super) lot: Lot,
+    pub(super) bests: Vec<Option<ClosestHit>>,
+    pub(super) lot: RayStream,
     pub(super) mesh: MeshScratch,
     /// What the ray to a light meets that is being followed.
-    pub(super) among: Items,
+    pub(super) among: ItemSet,
     /// The surfaces of combinations among them, one combination after the other, each in order.
-    pub(super) passed: Vec<Found>,
+    pub(super) passed: Vec<RawHit>,
 }
 
 impl Scratch {
     /// Whether rays are to be followed in POV-Ray's order, since each changes what the next ones find.
     #[must_use]
-    pub fn minds_order(&self) -> bool {
+    pub fn order_dependent(&self) -> bool {
         let session = self.radiosity.as_ref();
-        self.goes_on || session.is_some_and(|session| session.minds_order())
+        self.goes_on || session.is_some_and(|session| session.order_dependent())
     }
 
     /// Starts all random numbers anew.
@@ -141,18 +141,18 @@ impl Scratch {
 
 /// What lies between a point and a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Occlusion {
     /// Nothing.
-    Free,
+    Clear,
     /// Only surfaces that may let light through.
-    Filtered,
+    Transmissive,
     /// Something opaque.
-    Blocked,
+    Opaque,
 }
 
 /// The best surface on a ray so far.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Best {
-    pub(super) found: Found,
+pub(super) struct ClosestHit {
+    pub(super) found: RawHit,
     pub(super) item: u32,
 }

@@ -1,9 +1,9 @@
 //! Boxes within which objects are seen (see `scene::seen_in`), as bounds of combinations that show more.
 
-use super::csg::{Combine, Gate, NONE, Node, Operand, Program};
-use super::flatten::{Flat, index};
-use super::leaf::{Absorb, Extent, Leaf};
-use super::looks::Heritage;
+use super::csg::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
+use super::flatten::{Lowering, index};
+use super::inherit::Inherited;
+use super::primitive::{Absorb, Extent, Leaf};
 use crate::math::{Bounds, Step, Transform};
 use crate::scene::{Kind, Object};
 use crate::shape::{Cuboid, Shape, Sphere};
@@ -13,7 +13,7 @@ use smallvec::smallvec;
 const SLACK: f64 = 1e-6;
 
 /// The box in the world within which an object is seen.
-pub(super) fn seen_in(object: &Object, above: &Heritage) -> Option<Bounds> {
+pub(super) fn seen_in(object: &Object, above: &Inherited) -> Option<Bounds> {
     let seen_in = object.seen_in()?;
     if above.is_moved && matches!(object.kind, Kind::Shape(_)) {
         return None;
@@ -34,9 +34,9 @@ pub(super) fn holds(seen_in: &Bounds, shown: &Bounds) -> bool {
     is_held.all()
 }
 
-impl Flat {
+impl Lowering {
     /// What shows a combination to those rays alone that meet a box.
-    pub(super) fn gate(&mut self, program: &Program, seen_in: Bounds) -> Gate {
+    pub(super) fn gate(&mut self, program: &CsgProgram, seen_in: Bounds) -> BoundGate {
         // No ray meets a box of which one side is negative, nor a ball of no size.
         let shape = if seen_in.is_empty() {
             Shape::Sphere(Sphere {
@@ -52,7 +52,7 @@ impl Flat {
             .map_or(0, |leaf| leaf.surface);
         let nowhere: (&[Step], Absorb) = (&[], Absorb::AllItCan);
         let (leaf, bounds) = Leaf::new(shape, nowhere, surface, Extent::Solid);
-        let mut bound = Program {
+        let mut bound = CsgProgram {
             nodes: smallvec![Node {
                 combine: Combine::Union,
                 is_inverse: false,
@@ -65,11 +65,11 @@ impl Flat {
                 is_hidden: false,
             }],
             first: index(leaves.len()),
-            ..Program::default()
+            ..CsgProgram::default()
         };
         leaves.push(leaf);
         bound.prepare(leaves, &[bounds], Vec::new());
-        Gate {
+        BoundGate {
             operands: 0..program.len(),
             bound,
         }

@@ -3,8 +3,8 @@
 use super::cutaway::Cutaway;
 use super::interiors::InteriorId;
 use super::lights::LightList;
-use super::query::Seen;
-use super::traits::{Flags, Traits};
+use super::query::RayKind;
+use super::surface_flags::{ObjectFlags, SurfaceFlags};
 use crate::color::{Color, Rgb};
 use crate::light::PhotonRole;
 use crate::math::{Step, Transform};
@@ -21,15 +21,15 @@ const FEW: usize = 4096;
 
 /// A shape before its transforms, where they have gone into its own numbers and texture coordinates are asked for.
 #[derive(Clone, Debug)]
-pub(super) struct Unmoved {
+pub(super) struct ObjectSpaceShape {
     shape: Shape,
     object_from_world: DAffine3,
 }
 
-impl Unmoved {
+impl ObjectSpaceShape {
     /// The shape that these steps will move.
     pub(super) fn new(shape: &Shape, steps: &[Step]) -> Self {
-        Unmoved {
+        ObjectSpaceShape {
             shape: shape.clone(),
             object_from_world: Transform::from_steps(steps).object_from_world,
         }
@@ -45,38 +45,38 @@ impl Unmoved {
 /// A texture as a surface keeps it: in itself, unless others have it too. There may be a million that nothing shares,
 /// and small pieces of memory among others that are let go hold on to all of it.
 #[derive(Debug)]
-pub enum Kept {
+pub enum OwnedOrShared {
     /// Of one surface alone.
     Own(PreparedTexture),
     /// Of any number of them.
     Shared(Arc<PreparedTexture>),
 }
 
-impl Deref for Kept {
+impl Deref for OwnedOrShared {
     type Target = PreparedTexture;
 
     #[inline(always)]
     fn deref(&self) -> &PreparedTexture {
         match self {
-            Kept::Own(texture) => texture,
-            Kept::Shared(texture) => texture,
+            OwnedOrShared::Own(texture) => texture,
+            OwnedOrShared::Shared(texture) => texture,
         }
     }
 }
 
-impl Kept {
+impl OwnedOrShared {
     /// The texture, to be shared.
     pub(super) fn shared(self) -> Arc<PreparedTexture> {
         match self {
-            Kept::Own(texture) => Arc::new(texture),
-            Kept::Shared(texture) => texture,
+            OwnedOrShared::Own(texture) => Arc::new(texture),
+            OwnedOrShared::Shared(texture) => texture,
         }
     }
 
     /// Whether both are the same, not only alike.
-    fn is_same(&self, other: &Kept) -> bool {
+    fn is_same(&self, other: &OwnedOrShared) -> bool {
         match (self, other) {
-            (Kept::Shared(a), Kept::Shared(b)) => Arc::ptr_eq(a, b),
+            (OwnedOrShared::Shared(a), OwnedOrShared::Shared(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
     }
@@ -87,23 +87,23 @@ impl Kept {
 #[repr(align(64))]
 pub struct Surface {
     /// The layers, with all transforms of the object taken in.
-    pub texture: Kept,
+    pub texture: OwnedOrShared,
     /// The interior of the object.
     pub interior: InteriorId,
     /// The lights that shine on it.
     pub lights: LightList,
     /// Its switches, and what follows from its textures.
-    traits: Traits,
+    traits: SurfaceFlags,
     /// What few surfaces have; of others there may be a million.
-    rare: Option<Box<Rare>>,
+    rare: Option<Box<RareSurface>>,
 }
 
 /// What few surfaces have.
 #[derive(Debug, Default)]
-struct Rare {
+struct RareSurface {
     inside_texture: Option<Arc<PreparedTexture>>,
     skins: Box<[Arc<PreparedTexture>]>,
-    unmoved: Option<Unmoved>,
+    unmoved: Option<ObjectSpaceShape>,
     cutaway: Option<Arc<Cutaway>>,
     /// How many of the rays that gather light and meet it count, if it says so.
     importance: Option<Importance>,
@@ -113,7 +113,7 @@ struct Rare {
 
 /// What holds of the surfaces of a world, found by looking at each once: there may be millions.
 #[derive(Debug)]
-pub(super) struct Overview {
+pub(super) struct SurfaceSummary {
     /// For each, whether nothing can be seen through it; empty if all are so.
     pub(super) opaque: Vec<bool>,
     /// For each, the share of light that passes its textures everywhere, if there is such; empty if all are opaque.
@@ -132,8 +132,8 @@ pub(super) struct Overview {
     pub(super) is_grainy: bool,
 }
 
-impl Overview {
-    pub(super) fn of(surfaces: &[Surface]) -> Overview {
+impl SurfaceSummary {
+    pub(super) fn of(surfaces: &[Surface]) -> SurfaceSummary {
         let surfaces = surfaces.par_iter().with_min_len(FEW);
         let is_some = surfaces.clone().map(|surface| {
             [
@@ -142,7 +142,7 @@ impl Overview {
                 surface.has_fresnel(),
                 surface.is_lit_from_behind() || surface.is_bumpy(),
                 !surface.takes_light(),
-                surface.traits.has(Traits::GRAINY),
+                surface.traits.has(SurfaceFlags::GRAINY),
             ]
         });
         let either = |mut all: [bool; 6], one: [bool; 6]| {
@@ -167,7 +167,7 @@ impl Overview {
                 .map(Surface::even_filter)
                 .collect_into_vec(&mut filters);
         }
-        Overview {
+        SurfaceSummary {
             opaque,
             filters,
             is_opaque: !shows_through,
@@ -180,15 +180,15 @@ impl Overview {
     }
 }
 
-impl Rare {
+impl RareSurface {
     /// Whether the two need not be told apart.
-    fn is_same(&self, other: &Rare) -> bool {
+    fn is_same(&self, other: &RareSurface) -> bool {
         let same_inside = match (&self.inside_texture, &other.inside_texture) {
             (None, None) => true,
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             _ => false,
         };
-        let has_more = |rare: &Rare| {
+        let has_more = |rare: &RareSurface| {
             !rare.skins.is_empty() || rare.unmoved.is_some() || rare.cutaway.is_some()
         };
         same_inside
@@ -202,11 +202,11 @@ impl Rare {
 impl Surface {
     /// A surface that looks so.
     pub(super) fn new(
-        texture: Kept,
+        texture: OwnedOrShared,
         inside_texture: Option<Arc<PreparedTexture>>,
         skins: Box<[Arc<PreparedTexture>]>,
         interior: InteriorId,
-        (lights, flags): (LightList, Flags),
+        (lights, flags): (LightList, ObjectFlags),
     ) -> Self {
         let textures = || {
             let others = inside_texture.iter().chain(&skins);
@@ -218,34 +218,37 @@ impl Surface {
         let uses_uv = flags.uv_mapping || textures().any(|texture| texture.uses_uv());
         let is_one = textures().count() == 1;
         let known = [
-            (Traits::USES_UV, uses_uv),
+            (SurfaceFlags::USES_UV, uses_uv),
             (
-                Traits::OPAQUE,
+                SurfaceFlags::OPAQUE,
                 textures().all(|texture| texture.is_opaque()),
             ),
             (
-                Traits::TAKES_LIGHT,
+                SurfaceFlags::TAKES_LIGHT,
                 has(&|layer| layer.finish.takes_light()),
             ),
             (
-                Traits::LIT_FROM_BEHIND,
+                SurfaceFlags::LIT_FROM_BEHIND,
                 has(&|layer| layer.finish.diffuse_back != 0.0),
             ),
             (
-                Traits::FRESNEL,
+                SurfaceFlags::FRESNEL,
                 has(&|layer| layer.finish.reflection.is_fresnel),
             ),
-            (Traits::PLAIN, is_one && texture.is_plain() && !uses_uv),
             (
-                Traits::NEARLY_PLAIN,
+                SurfaceFlags::PLAIN,
+                is_one && texture.is_plain() && !uses_uv,
+            ),
+            (
+                SurfaceFlags::NEARLY_PLAIN,
                 is_one && texture.is_nearly_plain() && !uses_uv,
             ),
-            (Traits::BUMPY, has(&|layer| layer.normal().is_some())),
-            (Traits::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
-            (Traits::FILTERS_EVENLY, is_one && texture.is_even()),
+            (SurfaceFlags::BUMPY, has(&|layer| layer.normal().is_some())),
+            (SurfaceFlags::GRAINY, has(&|layer| layer.finish.crand > 0.0)),
+            (SurfaceFlags::FILTERS_EVENLY, is_one && texture.is_even()),
         ];
-        let traits = Traits::new(&known, &flags);
-        let Flags {
+        let traits = SurfaceFlags::new(&known, &flags);
+        let ObjectFlags {
             importance,
             photons,
             ..
@@ -255,7 +258,7 @@ impl Surface {
             || importance.is_some()
             || photons != PhotonRole::default();
         let rare = is_rare.then(|| {
-            Box::new(Rare {
+            Box::new(RareSurface {
                 inside_texture,
                 skins,
                 unmoved: None,
@@ -277,7 +280,7 @@ impl Surface {
     /// this one does.
     pub(super) fn in_color(&self, color: Color, interior: InteriorId) -> Option<Self> {
         Some(Surface {
-            texture: Kept::Own(self.texture.in_color(color)?),
+            texture: OwnedOrShared::Own(self.texture.in_color(color)?),
             interior,
             lights: self.lights,
             traits: self.traits,
@@ -287,10 +290,10 @@ impl Surface {
 
     /// Keeps its texture in itself if nothing else has it.
     pub(super) fn take_texture(&mut self) {
-        if let Kept::Shared(texture) = &mut self.texture
+        if let OwnedOrShared::Shared(texture) = &mut self.texture
             && let Some(texture) = Arc::get_mut(texture)
         {
-            self.texture = Kept::Own(std::mem::take(texture));
+            self.texture = OwnedOrShared::Own(std::mem::take(texture));
         }
     }
 
@@ -314,12 +317,12 @@ impl Surface {
     }
 
     /// What gives its texture coordinates, if that is not the leaf as it is.
-    pub(super) fn unmoved(&self) -> Option<&Unmoved> {
+    pub(super) fn unmoved(&self) -> Option<&ObjectSpaceShape> {
         self.rare.as_ref()?.unmoved.as_ref()
     }
 
     /// Takes its texture coordinates from a shape that is not moved.
-    pub(super) fn set_unmoved(&mut self, unmoved: Unmoved) {
+    pub(super) fn set_unmoved(&mut self, unmoved: ObjectSpaceShape) {
         self.rare.get_or_insert_default().unmoved = Some(unmoved);
     }
 
@@ -335,7 +338,7 @@ impl Surface {
 
     /// Whether who looks sees it.
     #[inline]
-    pub(super) fn is_seen(&self, seen: Seen) -> bool {
+    pub(super) fn is_seen(&self, seen: RayKind) -> bool {
         self.traits.is_seen(seen)
     }
 
@@ -362,51 +365,51 @@ impl Surface {
     /// Whether all its patterns are asked at texture coordinates.
     #[must_use]
     pub fn is_mapped(&self) -> bool {
-        self.traits.has(Traits::UV_MAPPING)
+        self.traits.has(SurfaceFlags::UV_MAPPING)
     }
 
     /// Whether it is lit from both sides.
     #[must_use]
     pub fn is_double_illuminated(&self) -> bool {
-        self.traits.has(Traits::DOUBLE_ILLUMINATE)
+        self.traits.has(SurfaceFlags::DOUBLE_ILLUMINATE)
     }
 
     /// Whether something in its looks asks for texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
-        self.traits.has(Traits::USES_UV)
+        self.traits.has(SurfaceFlags::USES_UV)
     }
 
     /// Whether light of lamps can be seen on it.
     #[must_use]
     #[inline]
     pub fn takes_light(&self) -> bool {
-        self.traits.has(Traits::TAKES_LIGHT)
+        self.traits.has(SurfaceFlags::TAKES_LIGHT)
     }
 
     /// Whether light that comes from behind can be seen on it.
     #[must_use]
     pub fn is_lit_from_behind(&self) -> bool {
         self.traits
-            .has(Traits::DOUBLE_ILLUMINATE | Traits::LIT_FROM_BEHIND)
+            .has(SurfaceFlags::DOUBLE_ILLUMINATE | SurfaceFlags::LIT_FROM_BEHIND)
     }
 
     /// Whether it is one opaque layer all over, with nothing to it but light and highlights.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.traits.has(Traits::PLAIN)
+        self.traits.has(SurfaceFlags::PLAIN)
     }
 
     /// Whether it is that but for a mirror image and what shines through.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
-        self.traits.has(Traits::NEARLY_PLAIN)
+        self.traits.has(SurfaceFlags::NEARLY_PLAIN)
     }
 
     /// Whether bumps tilt its normal somewhere.
     #[must_use]
     pub fn is_bumpy(&self) -> bool {
-        self.traits.has(Traits::BUMPY)
+        self.traits.has(SurfaceFlags::BUMPY)
     }
 
     /// The share of light that passes its textures, if that is the same everywhere.
@@ -416,13 +419,15 @@ impl Surface {
             PreparedPigment::Plain(color) => light * color.transmission(),
             _ => light,
         });
-        self.traits.has(Traits::FILTERS_EVENLY).then_some(share)
+        self.traits
+            .has(SurfaceFlags::FILTERS_EVENLY)
+            .then_some(share)
     }
 
     /// Whether the view through it matters to its mirror images.
     #[must_use]
     pub fn has_fresnel(&self) -> bool {
-        self.traits.has(Traits::FRESNEL)
+        self.traits.has(SurfaceFlags::FRESNEL)
     }
 
     /// Whether the two need not be told apart. Into what is opaque no ray goes, so that all interiors are alike there
@@ -444,6 +449,6 @@ impl Surface {
     /// Whether nothing can be seen through it.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.traits.has(Traits::OPAQUE)
+        self.traits.has(SurfaceFlags::OPAQUE)
     }
 }

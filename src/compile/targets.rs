@@ -1,13 +1,13 @@
 //! What photons are sent to: objects that say `target`, each with its box.
 
-use super::looks::Heritage;
+use super::inherit::Inherited;
 use crate::light::PhotonRole;
-use crate::photons::Target;
+use crate::photons::PhotonTarget;
 use crate::scene::Object;
 
 /// The targets of a scene, in its order.
 #[derive(Debug, Default)]
-pub(super) struct Targets(Vec<Target>);
+pub(super) struct Targets(Vec<PhotonTarget>);
 
 impl Targets {
     /// How many there are.
@@ -21,12 +21,12 @@ impl Targets {
     }
 
     /// All of them.
-    pub(super) fn into_list(self) -> Vec<Target> {
+    pub(super) fn into_list(self) -> Vec<PhotonTarget> {
         self.0
     }
 
     /// What an object does with photons. A part of a target is no target of its own.
-    pub(super) fn role(&mut self, object: &Object, above: &Heritage) -> PhotonRole {
+    pub(super) fn role(&mut self, object: &Object, above: &Inherited) -> PhotonRole {
         let Some(own) = object.photons() else {
             return above.flags.photons;
         };
@@ -37,7 +37,7 @@ impl Targets {
             let mut placed = object.clone();
             placed.steps.extend_from_slice(&above.steps);
             role.target = u32::try_from(self.0.len()).ok();
-            self.0.push(Target {
+            self.0.push(PhotonTarget {
                 around: placed.stored_box(),
                 density: f64::from(single(density)),
                 role,

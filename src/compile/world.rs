@@ -1,15 +1,15 @@
 //! What rays need and no more: prepared surfaces, a tree over them, lights, camera, and the settings of shading.
 
-use super::csg::Found;
-use super::flatten::Flat;
+use super::bvh_items::{IndexedItem, ItemBvh};
+use super::csg::RawHit;
+use super::flatten::Lowering;
 use super::interiors::{InteriorId, Interiors};
-use super::leaf::Leaf;
+use super::light_buffers::LightBuffers;
 use super::lights::Lights;
 use super::model::{Item, Model};
-use super::order::{Finder, Numbered};
-use super::query::{Departure, Hit, Seen};
-use super::surface::{Overview, Surface};
-use super::vistas::Vistas;
+use super::primitive::Leaf;
+use super::query::{Hit, RayKind, SpawnSurface};
+use super::surface::{Surface, SurfaceSummary};
 use crate::atmosphere::{Fog, PreparedSky, Rainbow};
 use crate::camera::{Camera, Lens};
 use crate::color::{Color, Gamma, Rgb};
@@ -20,7 +20,7 @@ use crate::options::{LeastDistance, RenderOptions};
 use crate::photons::Photons;
 use crate::radiosity::Radiosity;
 use crate::scene::Scene;
-use crate::shape::{Shape, Shares};
+use crate::shape::{Shape, TextureWeights};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use smallvec::SmallVec;
@@ -88,14 +88,14 @@ pub struct World {
     /// All objects.
     pub(super) model: Model,
     /// The large meshes, if there are few.
-    pub(super) meshes: Vec<Numbered>,
+    pub(super) meshes: Vec<IndexedItem>,
     /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
     pub(super) boxes: Vec<SingleBox>,
     pub(super) ties_by_box: bool,
     /// What holds of its surfaces.
-    pub(super) overview: Overview,
+    pub(super) overview: SurfaceSummary,
     pub(super) least_distance: LeastDistance,
-    pub(super) vistas: Vistas,
+    pub(super) vistas: LightBuffers,
     /// True if unbounded items are intersected by packets of four incoherent rays: some are CSG programs that suit packets.
     pub(super) asks_in_fours: bool,
     /// True if streams of incoherent rays traverse the tree: most of its items are such programs. Other items are so cheap
@@ -104,7 +104,7 @@ pub struct World {
 }
 
 impl World {
-    pub(super) fn new(scene: &Scene, mut flat: Flat, options: &RenderOptions) -> World {
+    pub(super) fn new(scene: &Scene, mut flat: Lowering, options: &RenderOptions) -> World {
         let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
         let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
         let parts = std::mem::take(&mut flat.parts);
@@ -157,7 +157,7 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.least_distance,
-            overview: Overview::of(&flat.surfaces),
+            overview: SurfaceSummary::of(&flat.surfaces),
             radiosity: radiosity
                 .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             photons: flat.targets.and_then(|targets| {
@@ -170,7 +170,7 @@ impl World {
             interiors: flat.interiors,
             model,
             meshes: Vec::new(),
-            vistas: Vistas::default(),
+            vistas: LightBuffers::default(),
             asks_in_fours: false,
             streams: false,
         };
@@ -183,8 +183,8 @@ impl World {
     }
 
     /// Counts the CSG programs among these items that packets of four rays can intersect, and the other items.
-    fn combinations_for_four(&self, items: &[Numbered]) -> (usize, usize) {
-        let suits = |item: &&Numbered| {
+    fn combinations_for_four(&self, items: &[IndexedItem]) -> (usize, usize) {
+        let suits = |item: &&IndexedItem| {
             matches!(item.item, Item::Program(_)) && self.model.suits_four(item.item)
         };
         let suited = items.iter().filter(suits).count();
@@ -192,21 +192,21 @@ impl World {
     }
 
     #[inline(always)]
-    pub(super) fn finder(&self) -> &Finder {
+    pub(super) fn finder(&self) -> &ItemBvh {
         &self.model.finder
     }
 
     /// Whether the nearest surface of an item tells all about it: such rays see it, and if they go to a light it lets none
     /// through, or all of the item lets some through.
     #[inline(always)]
-    pub(super) fn tells_all(&self, item: Item, found: &Found, seen: Seen) -> bool {
+    pub(super) fn tells_all(&self, item: Item, found: &RawHit, seen: RayKind) -> bool {
         self.is_seen(found, seen)
-            && (seen != Seen::Shadow || self.ends_light(found) || self.is_clear(item))
+            && (seen != RayKind::Shadow || self.ends_light(found) || self.is_clear(item))
     }
 
     /// Whether a surface lets no light through.
     #[inline(always)]
-    pub(super) fn ends_light(&self, found: &Found) -> bool {
+    pub(super) fn ends_light(&self, found: &RawHit) -> bool {
         self.overview.is_opaque || self.overview.opaque[found.surface as usize]
     }
 
@@ -220,12 +220,12 @@ impl World {
 
     /// Whether such rays see nothing of an item; what is not known is false.
     #[inline(always)]
-    pub(super) fn is_hidden(&self, item: Item, seen: Seen) -> bool {
+    pub(super) fn is_hidden(&self, item: Item, seen: RayKind) -> bool {
         self.overview.hides_some && self.is_all_hidden(item, seen)
     }
 
     #[inline(never)]
-    fn is_all_hidden(&self, item: Item, seen: Seen) -> bool {
+    fn is_all_hidden(&self, item: Item, seen: RayKind) -> bool {
         let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(seen);
         let leaves = self.leaves_of(item);
         leaves.is_some_and(|leaves| !leaves.iter().any(is_seen))
@@ -269,7 +269,7 @@ impl World {
 
     /// Whether light that arrives from behind may matter to some surface.
     #[must_use]
-    pub fn minds_backs(&self) -> bool {
+    pub fn needs_backface_light(&self) -> bool {
         self.overview.minds_backs
     }
 
@@ -315,11 +315,11 @@ impl World {
 
     /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
     #[must_use]
-    pub fn shares(&self, hit: &Hit) -> Shares {
+    pub fn shares(&self, hit: &Hit) -> TextureWeights {
         if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {
             return cutaway.shares(hit.point);
         }
-        let Departure { leaf, face, .. } = hit.departure;
+        let SpawnSurface { leaf, face, .. } = hit.departure;
         self.model.shares(leaf, hit.point, face)
     }
 
@@ -334,7 +334,7 @@ impl World {
     /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
     #[must_use]
     pub fn uv(&self, hit: &Hit) -> DVec2 {
-        let Departure { leaf, face, .. } = hit.departure;
+        let SpawnSurface { leaf, face, .. } = hit.departure;
         let own = match self.surfaces[hit.surface as usize].unmoved() {
             Some(unmoved) => unmoved.uv(hit.point, face),
             None => self.model.uv(leaf, hit.point, face),
@@ -368,7 +368,7 @@ impl World {
     }
 
     #[inline(always)]
-    pub(super) fn is_seen(&self, found: &Found, seen: Seen) -> bool {
+    pub(super) fn is_seen(&self, found: &RawHit, seen: RayKind) -> bool {
         !self.overview.hides_some || self.surfaces[found.surface as usize].is_seen(seen)
     }
 }

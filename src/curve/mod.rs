@@ -24,7 +24,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::color::Gamma;
-use crate::options::{Picture, Reached, Sampling};
+use crate::options::{AdaptiveOutcome, Picture, Sampling};
 
 /// A picture and what it took.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub struct Drawn {
     /// The picture.
     pub picture: Linear,
     /// What sampling until the error is small came to.
-    pub reached: Option<Reached>,
+    pub reached: Option<AdaptiveOutcome>,
     /// Camera rays for each pixel.
     pub samples_a_pixel: f64,
     /// Seconds of tracing of all processors.

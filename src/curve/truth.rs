@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::Linear;
 use super::{CurveError, Draw, Drawn};
-use crate::options::{Converging, Sampling};
+use crate::options::{Adaptive, Sampling};
 
 /// The error asked of it, in steps of 1/255.
 pub const ERROR: f64 = 0.08;
@@ -45,7 +45,7 @@ pub(super) fn kept_or_drawn(
     if let Some(kept) = kept(&key, folder) {
         return Ok(kept);
     }
-    let sampling = Sampling::Converging(Converging { error, time: None });
+    let sampling = Sampling::Converging(Adaptive { error, time: None });
     let Drawn {
         picture,
         reached,

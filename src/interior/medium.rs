@@ -3,7 +3,7 @@
 use super::{Media, Phase, Sampling, Scattering};
 use crate::color::Rgb;
 use crate::math::Step;
-use crate::pattern::{Settings, Spot};
+use crate::pattern::{Settings, SurfacePoint};
 use crate::texture::PreparedPigment;
 use glam::DVec3;
 
@@ -99,7 +99,7 @@ impl PreparedMedia {
     }
 
     fn effect(&self, point: DVec3) -> Effect {
-        let spot = Spot::at(point);
+        let spot = SurfacePoint::at(point);
         let mut density = Rgb::WHITE;
         for factor in &self.densities {
             density *= factor.color(&spot).rgb;

@@ -3,7 +3,7 @@
 use super::cursor::Start;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Alike, Args, Parse, Sampled, Word};
+use crate::args::{Args, Interner, Parse, Sampled, Word};
 use crate::color::{Color, Gamma};
 use crate::math::Transform;
 use crate::scene;
@@ -19,7 +19,7 @@ use std::sync::Arc;
 const GAMMA_SINCE: f64 = 3.7;
 
 impl Args for Reader<'_> {
-    fn alike(&self) -> Option<&Alike> {
+    fn alike(&self) -> Option<&Interner> {
         Some(&self.memory.alike)
     }
 

@@ -135,7 +135,7 @@ impl Reader<'_> {
         if let Some(near) = self.similar_name(name, wanted) {
             return Some(format!("Did you mean `{near}`?"));
         }
-        if let Some(translated) = super::foreign::translated(name, wants_value(wanted)) {
+        if let Some(translated) = super::other_dialects::translated(name, wants_value(wanted)) {
             return Some(translated);
         }
         Some(match wants_word(wanted) && !wanted.contains("statement") {
@@ -169,7 +169,7 @@ impl Reader<'_> {
         let mut known: Vec<&str> = words.map(Word::spelling).collect();
         let declared = self.scopes.defined();
         known.extend(declared.map(|symbol| self.names.spelling(symbol)));
-        super::similar::nearest(name, known.into_iter()).map(str::to_owned)
+        super::did_you_mean::nearest(name, known.into_iter()).map(str::to_owned)
     }
 
     /// Adds the include file whose name is nearest to that of one which is not found.
@@ -177,7 +177,7 @@ impl Reader<'_> {
         let files = self.sources.include_files(self.here.tokens.file);
         let bare = |name: &str| name.strip_suffix(".inc").unwrap_or(name).to_owned();
         let names: Vec<String> = files.iter().map(|file| bare(file)).collect();
-        let near = super::similar::nearest(&bare(name), names.iter().map(String::as_str));
+        let near = super::did_you_mean::nearest(&bare(name), names.iter().map(String::as_str));
         // Who differs only in case has been named.
         if let Some(near) = near.filter(|near| !near.eq_ignore_ascii_case(&bare(name))) {
             error.hints = vec![format!("Did you mean `{near}.inc`?")];
@@ -187,7 +187,7 @@ impl Reader<'_> {
     /// The directive whose spelling is nearest.
     pub(super) fn similar_directive(wanted: &str) -> Option<&'static str> {
         let words = Word::all().filter(|word| word.class() == Class::Directive);
-        super::similar::nearest(wanted, words.map(Word::spelling))
+        super::did_you_mean::nearest(wanted, words.map(Word::spelling))
     }
 
     /// A sign in the parameters of the block at this depth that was probably meant to begin a value: `<0, 0, 0> -1`.
@@ -356,7 +356,7 @@ fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
     if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
         return Some(format!("Directives begin with `#`: `#{word}`."));
     }
-    if let Some(translated) = super::foreign::translated(word.spelling(), false) {
+    if let Some(translated) = super::other_dialects::translated(word.spelling(), false) {
         return Some(translated);
     }
     if word.class() == Class::Color && is_in("`texture`") {

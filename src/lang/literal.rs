@@ -5,7 +5,7 @@
 //! up, without a message: then the same text is read by its tokens, which have the whole of the language.
 
 use super::known::{Held, Known};
-use crate::args::{Alike, Args, Parse, Word};
+use crate::args::{Args, Interner, Parse, Word};
 use crate::color::Color;
 use crate::source::{Diagnostic, FileId, Span};
 use crate::syntax::{Class, number, word_end};
@@ -35,7 +35,7 @@ pub(super) struct Literal<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     words: [Cell<Option<Word>>; 32],
-    pub(super) alike: Alike,
+    pub(super) alike: Interner,
 }
 
 impl Memory {
@@ -315,7 +315,7 @@ fn is_letter(byte: u8) -> bool {
 }
 
 impl Args for Literal<'_> {
-    fn alike(&self) -> Option<&Alike> {
+    fn alike(&self) -> Option<&Interner> {
         Some(&self.memory.alike)
     }
 

@@ -1,6 +1,6 @@
 //! Objects and what they carry.
 
-use super::ahead::{Defaults, Taker};
+use super::parallel::{Defaults, Taker};
 use super::plain::Read;
 use super::reader::Reader;
 use super::value::Value;

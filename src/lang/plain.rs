@@ -5,7 +5,7 @@
 use super::limits;
 use super::literal::{Ground, Literal};
 use super::object::{baked, fold_steps};
-use super::parts::{Part, Parts};
+use super::part_cache::{Part, Parts};
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::color::Color;
 use crate::interior::Interior;

@@ -5,14 +5,14 @@ use super::budget::Budget;
 use super::cursor::{Declaring, Frame, Place, Start};
 use super::declare::Deprecation;
 use super::files::Files;
-use super::lexicon::Lexicon;
 use super::limits;
 use super::literal::Memory;
 use super::probe::Probe;
-use super::replay::{Recording, Replays};
+use super::replay::{Recording, ReplayCache};
 use super::scope::Scopes;
 use super::streams::Streams;
 use super::stretch::SHORTEST_PIECE;
+use super::token_cache::Lexicon;
 use super::value::{Number, Value};
 use crate::args::{Parse, Word};
 use crate::atmosphere::Atmosphere;
@@ -63,7 +63,7 @@ pub(super) struct Reader<'a> {
     pub(super) without_semicolon: Option<(Span, Place, usize)>,
     /// Of how many bytes of a stretch of data tokens are made next.
     pub(super) piece: usize,
-    pub(super) replays: Replays,
+    pub(super) replays: ReplayCache,
     /// The steps of the expression being read, if they can be kept.
     pub(super) recording: Option<Recording>,
     pub(super) budget: Budget,
@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
             has_faulty_directive: false,
             without_semicolon: None,
             piece: SHORTEST_PIECE,
-            replays: Replays::default(),
+            replays: ReplayCache::default(),
             recording: None,
             budget,
             is_over: false,

@@ -1,8 +1,8 @@
 //! The statements of a scene file, and going on after a faulty one.
 
-use super::ahead::{Defaults, Taker};
 use super::cursor::Entered;
 use super::limits;
+use super::parallel::{Defaults, Taker};
 use super::plain::Read;
 use super::reader::Reader;
 use super::recover::is_part;

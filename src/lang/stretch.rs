@@ -3,10 +3,10 @@
 //! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
 //! tokens are made for the piece at hand.
 
-use super::ahead::{self, Around, OfAll, Piece, Taker};
 use super::cursor::Place;
 use super::known::{Known, Told};
 use super::literal::Literal;
+use super::parallel::{self, Around, OfAll, Piece, Taker};
 use super::reader::Reader;
 use crate::args::Parse;
 use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
@@ -88,16 +88,16 @@ impl Reader<'_> {
             taker.take(reader, piece.read)
         };
         loop {
-            let first = *at..*at + ahead::FIRST;
+            let first = *at..*at + parallel::FIRST;
             let around = self.around(&told);
-            let piece = ahead::piece_of_objects::<T>(text, first.clone(), &around, &self.memory);
+            let piece = parallel::piece_of_objects::<T>(text, first.clone(), &around, &self.memory);
             if !piece.range.is_empty() {
                 take(self, piece, at)?;
             }
             if *at < first.end {
                 return Ok(());
             }
-            if !ahead::is_worth_while() {
+            if !parallel::is_worth_while() {
                 continue;
             }
             let (layer, texture) = (
@@ -110,7 +110,7 @@ impl Reader<'_> {
                 ..self.of_all()
             };
             let mut result = Ok(());
-            ahead::objects::<T>(text, *at, &told.borrow(), of_all, |piece| {
+            parallel::objects::<T>(text, *at, &told.borrow(), of_all, |piece| {
                 let follows = piece.range.start == *at;
                 if follows {
                     result = take(self, piece, at);
@@ -190,17 +190,17 @@ impl Reader<'_> {
         loop {
             let mut args = Literal::new(text, *at, &ground);
             let first = *at;
-            while *at < first + ahead::FIRST {
+            while *at < first + parallel::FIRST {
                 if !args.item(len).is_some_and(|vector| take(&vector[..len])) {
                     return;
                 }
                 *at = args.at();
             }
-            if !ahead::is_worth_while() {
+            if !parallel::is_worth_while() {
                 continue;
             }
             let mut is_wanted = true;
-            ahead::vectors(text, *at, (len, around.of_all.file), |piece| {
+            parallel::vectors(text, *at, (len, around.of_all.file), |piece| {
                 if piece.range.start != *at {
                     return false;
                 }
@@ -230,7 +230,7 @@ mod tests {
     use super::*;
     use crate::lang::evaluate;
     use crate::lang::literal::{Ground, Memory};
-    use crate::lang::parts::Parts;
+    use crate::lang::part_cache::Parts;
     use crate::lang::plain::literal_object;
     use crate::options::ReadOptions;
     use crate::scene::Kind;
@@ -347,7 +347,7 @@ mod tests {
             (0..6000).map(object).collect()
         };
         let (plain, commented) = (data(""), data(" /**/"));
-        assert!(plain.len() > 2 * crate::lang::ahead::LONG);
+        assert!(plain.len() > 2 * crate::lang::parallel::LONG);
         let (one, other) = (
             told(&(head.to_owned() + &plain)),
             told(&(head.to_owned() + &commented)),
@@ -366,7 +366,7 @@ mod tests {
                 "mesh2 {{ vertex_vectors {{ 12000, {vectors} }} face_indices {{ 9000, {faces} }} }}"
             )
         };
-        assert!(mesh("").len() > 2 * crate::lang::ahead::LONG);
+        assert!(mesh("").len() > 2 * crate::lang::parallel::LONG);
         assert!(told(&mesh("")) == told(&mesh(" /**/")));
     }
 }

@@ -10,7 +10,7 @@
 //! change is never missed that a polynomial farther than that rounding from this one must have. Error bound: that rounding
 //! is 4 roundings of the sum of the coefficients for each degree, and a place is off by as much over the slope there.
 
-use super::polynomial::{Places, bracketed};
+use super::polynomial::{Roots, bracketed};
 use smallvec::SmallVec;
 
 /// The coefficients of one stretch, up to `N` of them without the heap.
@@ -32,17 +32,17 @@ struct Halving<'c> {
     powers: &'c [f64],
     /// What may be taken for zero.
     noise: f64,
-    places: Places,
+    places: Roots,
 }
 
 /// The places in `-1 <= x <= 1` where a polynomial, by rising power, changes sign; in order.
-pub(super) fn sign_changes(powers: &[f64]) -> Places {
+pub(super) fn sign_changes(powers: &[f64]) -> Roots {
     let size: f64 = powers.iter().map(|c| c.abs()).sum();
     let degree = f64::from(u32::try_from(powers.len()).unwrap_or(u32::MAX));
     let mut halving = Halving {
         powers,
         noise: ROUNDINGS * degree * size,
-        places: Places::new(),
+        places: Roots::new(),
     };
     if powers.len() <= FEW {
         halving.search(bernstein_form::<FEW>(powers), -1.0, 1.0, MAX_HALVINGS);

@@ -49,7 +49,7 @@ pub(crate) fn is_comfortable_size(size: f64) -> bool {
 
 /// A ray moved near a body and rescaled, with the way back for its parameter.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Eased {
+pub(crate) struct RescaledRay {
     /// The ray about the body, in units of `size`.
     pub(crate) ray: Ray,
     /// The power of two by which lengths were divided.
@@ -58,7 +58,7 @@ pub(crate) struct Eased {
     dir_size: f64,
 }
 
-impl Eased {
+impl RescaledRay {
     /// Eases a ray whose origin is given from the body's centre. `None` for a ray that has no direction or cannot
     /// come near the body in finite numbers.
     pub(crate) fn new(about_body: &Ray, body_size: f64) -> Option<Self> {
@@ -76,7 +76,7 @@ impl Eased {
             0.0
         };
         let origin = (about_body.origin + start * dir) / size;
-        origin.is_finite().then_some(Eased {
+        origin.is_finite().then_some(RescaledRay {
             ray: Ray::new(origin, dir),
             size,
             start,
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn an_eased_ray_keeps_its_points() {
         let ray = Ray::new(DVec3::new(0.0, 0.0, -3e-200), DVec3::Z * 1e-90);
-        let eased = Eased::new(&ray, 1e-200).unwrap();
+        let eased = RescaledRay::new(&ray, 1e-200).unwrap();
         let t = eased.t(2.0);
         assert!((ray.at(t) - eased.ray.at(2.0) * eased.size).length() < 1e-215);
     }

@@ -8,7 +8,7 @@ mod lattice;
 mod perlin;
 mod tables;
 
-use super::lanes::{Four, FourKernel, Row, four, with_widest};
+use super::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
 use glam::DVec3;
 pub use perlin::Perlin;
 
@@ -173,7 +173,7 @@ impl FourKernel for Scalar {
     type Answer = f64;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> f64 {
+    fn run<F: F64x4>(&self) -> f64 {
         lattice::scalar(lattice::spread::<F>(self.0))
     }
 }
@@ -191,7 +191,7 @@ impl<T: Fn(f64) -> f64> FourKernel for HalvedOctaves<T> {
     type Answer = f64;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> f64 {
+    fn run<F: F64x4>(&self) -> f64 {
         let point = lattice::spread::<F>(self.point);
         let (mut size, mut frequency) = (1.0, self.frequency);
         let mut sum = 0.0;
@@ -215,7 +215,7 @@ impl FourKernel for Turbulence<'_> {
     type Answer = f64;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> f64 {
+    fn run<F: F64x4>(&self) -> f64 {
         let Turbulence(generator, point, octaves) = self;
         let point = lattice::spread::<F>(*point);
         generator.summed(
@@ -251,7 +251,7 @@ impl FourKernel for Vector {
     type Answer = DVec3;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> DVec3 {
+    fn run<F: F64x4>(&self) -> DVec3 {
         of_lanes(lattice::vector(lattice::spread::<F>(self.0)))
     }
 }
@@ -263,7 +263,7 @@ impl FourKernel for VectorTurbulence<'_> {
     type Answer = DVec3;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> DVec3 {
+    fn run<F: F64x4>(&self) -> DVec3 {
         let VectorTurbulence(point, octaves) = self;
         let point = lattice::spread::<F>(*point);
         let mut sum = lattice::vector(point);
@@ -276,7 +276,7 @@ impl FourKernel for VectorTurbulence<'_> {
 }
 
 #[inline(always)]
-fn of_lanes<F: Four>(lanes: F) -> DVec3 {
+fn of_lanes<F: F64Lanes>(lanes: F) -> DVec3 {
     let [x, y, z, _] = lanes.store();
     DVec3::new(x, y, z)
 }

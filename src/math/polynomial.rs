@@ -15,7 +15,7 @@ use smallvec::SmallVec;
 use std::ops::Deref;
 
 /// Places on a line, in order.
-pub(crate) type Places = SmallVec<[f64; 8]>;
+pub(crate) type Roots = SmallVec<[f64; 8]>;
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
@@ -28,33 +28,29 @@ const MAX_STEPS: u32 = 80;
 
 /// The places in `-1 <= x <= 1` where a polynomial changes sign, in order. Where it only touches zero there is none. Zero
 /// counts as positive: at an end where it is zero it changes only if it is negative just beside.
-pub(crate) fn sign_changes(c: &[f64]) -> Places {
+pub(crate) fn sign_changes(c: &[f64]) -> Roots {
     match *c {
-        [c0, c1, c2] => Places::from_slice(&quadratic(c0, c1, c2)),
-        [c0, c1] => Places::from_slice(&within([(-c0 / c1, Way::of_slope(c1))])),
-        [] | [_] => Places::new(),
+        [c0, c1, c2] => Roots::from_slice(&quadratic(c0, c1, c2)),
+        [c0, c1] => Roots::from_slice(&within([(-c0 / c1, SignChange::of_slope(c1))])),
+        [] | [_] => Roots::new(),
         [c0, c1, c2, c3] => cubic(&[c0, c1, c2, c3]),
         [c0, c1, c2, c3, c4] => quartic(&[c0, c1, c2, c3, c4]),
         _ => bernstein::sign_changes(c),
     }
 }
 
-fn cubic(c: &[f64; 4]) -> Places {
+fn cubic(c: &[f64; 4]) -> Roots {
     between_turns(c, &quadratic(c[1], 2.0 * c[2], 3.0 * c[3]))
 }
 
 /// The same as [`sign_changes`] for a quartic.
-pub(super) fn quartic(c: &[f64; 5]) -> Places {
+pub(super) fn quartic(c: &[f64; 5]) -> Roots {
     between_turns(c, &cubic(&[c[1], 2.0 * c[2], 3.0 * c[3], 4.0 * c[4]]))
 }
 
 /// The same where the signs at both ends are known from elsewhere, so that neighbouring stretches agree about the end
 /// they share: a change that only rounding makes or hides at an end is taken away or put there.
-pub(crate) fn sign_changes_between(
-    c: &[f64],
-    starts_negative: bool,
-    ends_negative: bool,
-) -> Places {
+pub(crate) fn sign_changes_between(c: &[f64], starts_negative: bool, ends_negative: bool) -> Roots {
     let mut places = sign_changes(c);
     if (value(c, -1.0) < 0.0) != starts_negative {
         match places.first() {
@@ -87,8 +83,8 @@ pub(crate) fn is_quartic_positive(c: &[f64; 5]) -> bool {
 
 /// The changes of a polynomial whose derivative changes its sign at `stops`. The number of coefficients is known, so that
 /// they stay in registers.
-fn between_turns<const N: usize>(c: &[f64; N], stops: &[f64]) -> Places {
-    let mut places = Places::new();
+fn between_turns<const N: usize>(c: &[f64; N], stops: &[f64]) -> Roots {
+    let mut places = Roots::new();
     let mut low = -1.0;
     let mut is_low_negative = value(c, low) < 0.0;
     for &high in stops.iter().chain(&[1.0]) {
@@ -148,27 +144,27 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
 }
 
 #[inline]
-fn quadratic(c0: f64, c1: f64, c2: f64) -> Few {
+fn quadratic(c0: f64, c1: f64, c2: f64) -> FewRoots {
     let discriminant = c1 * c1 - 4.0 * c0 * c2;
     if discriminant <= 0.0 {
-        return Few::default();
+        return FewRoots::default();
     }
     let q = -0.5 * (c1 + discriminant.sqrt().copysign(c1));
     let (x, other) = (q / c2, c0 / q);
     let (first, second) = if x < other { (x, other) } else { (other, x) };
     // Infinitely far from the other one if `c2` is zero, on the side that its sign tells.
-    let rest = Way::of_slope(c2);
+    let rest = SignChange::of_slope(c2);
     within([(first, rest.back()), (second, rest)])
 }
 
 /// Two places at the most.
 #[derive(Default)]
-struct Few {
+struct FewRoots {
     places: [f64; 2],
     len: usize,
 }
 
-impl Deref for Few {
+impl Deref for FewRoots {
     type Target = [f64];
 
     #[inline]
@@ -179,24 +175,24 @@ impl Deref for Few {
 
 /// The sense in which a polynomial changes sign.
 #[derive(Clone, Copy, PartialEq)]
-enum Way {
+enum SignChange {
     Down,
     Up,
 }
 
-impl Way {
-    fn of_slope(slope: f64) -> Way {
+impl SignChange {
+    fn of_slope(slope: f64) -> SignChange {
         if slope.is_sign_negative() {
-            Way::Down
+            SignChange::Down
         } else {
-            Way::Up
+            SignChange::Up
         }
     }
 
-    fn back(self) -> Way {
+    fn back(self) -> SignChange {
         match self {
-            Way::Down => Way::Up,
-            Way::Up => Way::Down,
+            SignChange::Down => SignChange::Up,
+            SignChange::Up => SignChange::Down,
         }
     }
 }
@@ -204,12 +200,12 @@ impl Way {
 /// Those that lie in the searched range; not NaN. Since zero counts as positive, a way down begins on a zero, and a way
 /// up ends on one.
 #[inline]
-fn within<const N: usize>(all: [(f64, Way); N]) -> Few {
-    let mut few = Few::default();
+fn within<const N: usize>(all: [(f64, SignChange); N]) -> FewRoots {
+    let mut few = FewRoots::default();
     for (x, way) in all {
         let is_at_end = match way {
-            Way::Down => x == -1.0,
-            Way::Up => x == 1.0,
+            SignChange::Down => x == -1.0,
+            SignChange::Up => x == 1.0,
         };
         if -1.0 < x && x < 1.0 || is_at_end {
             few.places[few.len] = x;

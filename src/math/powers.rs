@@ -4,7 +4,7 @@
 //! The logarithm to base 2 is the series of the inverse hyperbolic tangent about the mantissa nearest to 1, the power of
 //! 2 that of the exponential about the nearest whole exponent.
 
-use super::lanes::Four;
+use super::simd::F64Lanes;
 use std::f64::consts::{LN_2, SQRT_2};
 
 /// Above the relative error of [`power`] for exponents up to 256 in size, where the power is above `1e-100`; below, it is
@@ -36,7 +36,7 @@ pub(crate) fn exact_power(x: f64, p: f64) -> f64 {
 
 /// `x^p`, for `0 <= x` and a finite `p`; of zero it is zero, one or infinity as the exponent is above, at or below zero.
 #[inline(always)]
-pub(crate) fn power<F: Four>(x: F, p: f64) -> F {
+pub(crate) fn power<F: F64Lanes>(x: F, p: f64) -> F {
     let of_zero = if p > 0.0 {
         0.0
     } else if p == 0.0 {
@@ -50,7 +50,7 @@ pub(crate) fn power<F: Four>(x: F, p: f64) -> F {
 }
 
 #[inline(always)]
-fn log2<F: Four>(x: F) -> F {
+fn log2<F: F64Lanes>(x: F) -> F {
     let [exponent, mantissa] = x.split();
     let is_large = F::all(SQRT_2).below(mantissa);
     let mantissa = F::pick(is_large, mantissa.times(F::all(0.5)), mantissa);
@@ -67,7 +67,7 @@ fn log2<F: Four>(x: F) -> F {
 
 /// `2^y`.
 #[inline(always)]
-fn two_to<F: Four>(y: F) -> F {
+fn two_to<F: F64Lanes>(y: F) -> F {
     let y = y
         .larger(F::all(LEAST_EXPONENT))
         .smaller(F::all(MOST_EXPONENT));
@@ -83,15 +83,15 @@ fn two_to<F: Four>(y: F) -> F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::lanes::{FourWork, Row, fours, with_widest};
     use crate::math::random::Random;
+    use crate::math::simd::{F64x4, FourWork, fours, with_widest};
 
     struct Powers([f64; 4], f64);
 
     impl FourWork for Powers {
         type Answer = [f64; 4];
         #[inline(always)]
-        fn run<F: Row>(self) -> [f64; 4] {
+        fn run<F: F64x4>(self) -> [f64; 4] {
             power(F::load(&self.0), self.1).store()
         }
     }

@@ -2,7 +2,7 @@
 //! quartic bends only one way, and there Newton's iteration from either end runs straight into the root: on a convex
 //! function it never passes it. Error bound: that of [`sign_changes`].
 
-use super::polynomial::{self, Places, bracketed, sign_changes_between};
+use super::polynomial::{self, Roots, bracketed, sign_changes_between};
 
 /// A Newton step below this ends the iteration: the step after it would be below the last digit.
 pub(crate) const LAST_STEP: f64 = 1e-9;
@@ -10,7 +10,7 @@ pub(crate) const LAST_STEP: f64 = 1e-9;
 pub(crate) const MAX_STEPS: u32 = 24;
 
 /// The same places in `-1 < x < 1` as [`polynomial::sign_changes`] finds, up to the last digits.
-pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Places {
+pub(crate) fn quartic_sign_changes(c: &[f64; 5]) -> Roots {
     if bends_up(c)
         && let Some(places) = from_both_ends(c)
     {
@@ -25,7 +25,7 @@ pub(crate) fn quartic_changes_between(
     c: &[f64; 5],
     starts_negative: bool,
     ends_negative: bool,
-) -> Places {
+) -> Roots {
     let form = bernstein_form(c);
     let is_negative = form.map(|c| c < 0.0);
     if is_negative[0] != starts_negative || is_negative[4] != ends_negative {
@@ -33,8 +33,8 @@ pub(crate) fn quartic_changes_between(
     }
     let changes = is_negative.windows(2).filter(|pair| pair[0] != pair[1]);
     match changes.count() {
-        0 => Places::new(),
-        1 => Places::from_slice(&[bracketed(c, -1.0, 1.0, starts_negative)]),
+        0 => Roots::new(),
+        1 => Roots::from_slice(&[bracketed(c, -1.0, 1.0, starts_negative)]),
         _ if !starts_negative && !ends_negative && bends_up(c) => {
             from_both_ends(c).unwrap_or_else(|| polynomial::quartic(c))
         }
@@ -64,8 +64,8 @@ fn bends_up(c: &[f64; 5]) -> bool {
 }
 
 /// The two roots of a quartic that bends up and is positive at both ends, or none; `None` if it takes too long to say.
-fn from_both_ends(c: &[f64; 5]) -> Option<Places> {
-    let mut places = Places::new();
+fn from_both_ends(c: &[f64; 5]) -> Option<Roots> {
+    let mut places = Roots::new();
     for end in [-1.0, 1.0] {
         let mut x = end;
         let mut steps = 0;
@@ -81,11 +81,11 @@ fn from_both_ends(c: &[f64; 5]) -> Option<Places> {
             }
             // At the lowest point, or past it, without having met zero.
             if slope * end <= 0.0 {
-                return Some(Places::new());
+                return Some(Roots::new());
             }
             let next = x - value / slope;
             if next.abs() > 1.0 {
-                return Some(Places::new());
+                return Some(Roots::new());
             }
             steps += 1;
             if steps == MAX_STEPS {

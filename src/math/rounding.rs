@@ -1,6 +1,6 @@
 //! Single precision bounds of double precision numbers, and parts of them.
 
-use super::lanes::Four;
+use super::simd::F64Lanes;
 
 /// The largest single precision number that is not above `x`; NaN for NaN.
 #[inline]
@@ -70,7 +70,7 @@ pub(crate) fn floor(x: f64) -> f64 {
 
 /// [`floor`] of four numbers.
 #[inline(always)]
-pub(crate) fn floor_of<F: Four>(x: F) -> F {
+pub(crate) fn floor_of<F: F64Lanes>(x: F) -> F {
     let whole = F::all(WHOLE);
     let away = F::pick(x.below(F::all(0.0)), whole.negated(), whole);
     let near = x.plus(away).minus(away);

@@ -10,7 +10,7 @@
 
 mod four;
 
-pub(crate) use four::{FourAndTriangle, FourFrames, FourMet};
+pub(crate) use four::{RayFrames4, RaysAndTriangle, TriangleHits4};
 
 use super::{Ray, conditioning::power_of_two};
 use glam::{DVec2, DVec3};

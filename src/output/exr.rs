@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use exr::prelude::*;
 
-use super::levels::to_linear;
+use super::quantize::to_linear;
 use super::{EncodeOptions, EncodeResult};
 use crate::film::Film;
 

@@ -3,7 +3,7 @@
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
 
-use super::levels::to_linear;
+use super::quantize::to_linear;
 use super::{EncodeOptions, EncodeResult};
 use crate::film::Film;
 

@@ -3,7 +3,7 @@
 use image::ExtendedColorType;
 use image::codecs::jpeg::JpegEncoder;
 
-use super::levels;
+use super::quantize;
 use super::{EncodeOptions, EncodeResult};
 use crate::film::Film;
 
@@ -16,7 +16,7 @@ pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     if film.width.max(film.height) > LONGEST {
         return Err(format!("a side is longer than {LONGEST} pixels"));
     }
-    let data = levels::of(film, options)?;
+    let data = quantize::of(film, options)?;
     let quality = match options.quality {
         0 => POVRAY_QUALITY,
         q => q.min(100),

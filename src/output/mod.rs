@@ -21,7 +21,7 @@ use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::film::{Film, levels};
+use crate::film::{Film, quantize};
 
 /// Where the bytes go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,7 +95,7 @@ fn can_hold(film: &Film, format: Format) -> Result<(), String> {
         return Err("it has no pixels".to_owned());
     }
     if film.levels.is_some() && matches!(format, Format::Exr | Format::Hdr) {
-        return Err(levels::OF_ANOTHER.to_owned());
+        return Err(quantize::OF_ANOTHER.to_owned());
     }
     Ok(())
 }

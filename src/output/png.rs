@@ -6,13 +6,13 @@
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
 use std::io::Write;
 
-use super::levels::{self, Channels, Depth};
+use super::quantize::{self, Channels, Depth};
 use super::{EncodeOptions, EncodeResult, Refusal};
 use crate::color::Gamma;
 use crate::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let data = levels::of(film, options)?;
+    let data = quantize::of(film, options)?;
     let mut file = Vec::with_capacity(data.len() / 2 + 1024);
     file_of(film, options, &data, &mut file).map_err(|e| e.to_string())?;
     Ok(file)
@@ -24,7 +24,7 @@ pub(super) fn write(
     options: &EncodeOptions,
     to: &mut impl Write,
 ) -> Result<(), Refusal> {
-    let data = levels::of(film, options).map_err(Refusal::ByFormat)?;
+    let data = quantize::of(film, options).map_err(Refusal::ByFormat)?;
     file_of(film, options, &data, to).map_err(|error| match error {
         EncodingError::IoError(error) => Refusal::BySystem(error),
         other => Refusal::ByFormat(other.to_string()),

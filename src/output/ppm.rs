@@ -1,6 +1,6 @@
 //! PPM and PGM, binary: 8 or 16 bits, no alpha.
 
-use super::levels::{self, Depth};
+use super::quantize::{self, Depth};
 use super::{EncodeOptions, EncodeResult};
 use crate::film::Film;
 
@@ -10,7 +10,7 @@ pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
         Depth::Byte => 255,
         Depth::Word => 65535,
     };
-    let data = levels::of(film, options)?;
+    let data = quantize::of(film, options)?;
     let mut file = format!("P{kind}\n{} {}\n{most}\n", film.width, film.height).into_bytes();
     file.extend_from_slice(&data);
     Ok(file)

@@ -6,7 +6,7 @@ use super::*;
 use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::film::Pixel;
-use crate::film::{Leveller, Levels};
+use crate::film::{Levels, Quantizer};
 
 /// Eight pixels, `rgbt <1, .8, .6, .5>` with rising `ambient`: colours brighter than their coverage, and than 1.
 fn film() -> Film {
@@ -385,7 +385,7 @@ fn levels_made_piece_by_piece_give_the_same_file() {
                 alpha,
                 ..EncodeOptions::new(format)
             };
-            let Some(leveller) = Leveller::of(&options) else {
+            let Some(leveller) = Quantizer::of(&options) else {
                 assert!(matches!(format, Format::Exr | Format::Hdr));
                 continue;
             };
@@ -412,7 +412,7 @@ fn what_is_not_drawn_is_black_and_opaque() {
             alpha,
             ..EncodeOptions::new(format)
         };
-        let leveller = Leveller::of(&options).unwrap();
+        let leveller = Quantizer::of(&options).unwrap();
         let black = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
         let expected = encode(&Film::whole(4, 3), &options).unwrap();
         assert!(encode(&black, &options).unwrap() == expected);
@@ -422,7 +422,7 @@ fn what_is_not_drawn_is_black_and_opaque() {
 #[test]
 fn levels_of_one_kind_of_file_make_no_other() {
     let options = EncodeOptions::new(Format::Png);
-    let leveller = Leveller::of(&options).unwrap();
+    let leveller = Quantizer::of(&options).unwrap();
     let film = Film::of_levels(Levels::black(&leveller, 4, 3), 0..4, 0..3);
     for format in [Format::Tga, Format::Exr] {
         let refused = encode(&film, &EncodeOptions::new(format)).unwrap_err();

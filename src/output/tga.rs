@@ -3,12 +3,12 @@
 use image::ExtendedColorType;
 use image::codecs::tga::TgaEncoder;
 
-use super::levels;
+use super::quantize;
 use super::{EncodeOptions, EncodeResult, Format};
 use crate::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
-    let data = levels::of(film, options)?;
+    let data = quantize::of(film, options)?;
     let color = if options.alpha {
         ExtendedColorType::Rgba8
     } else {

@@ -1,7 +1,7 @@
 //! `agate`: bands across z, bent by turbulence of their own.
 
 use super::wave::cycloidal;
-use super::{Pattern, Preparing, Spot, Stop, Value};
+use super::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use crate::math::noise::{NoiseGenerator, Octaves};
@@ -35,7 +35,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Agate {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: f64::from(self.turbulence),
             octaves: with.octaves,
@@ -56,8 +56,8 @@ impl Pattern for Agate {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let bend = self.amount * self.noise.turbulence(point, &self.octaves);
         let band = cycloidal(1.3 * bend + 1.1 * point.z) + 1.0;
         (0.5 * band).clamp(0.0, 1.0).powf(0.77)

@@ -1,6 +1,6 @@
 //! `aoi`: the angle of incidence, from 0.5 where the ray grazes the surface to 1 where it meets it straight.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -13,13 +13,13 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for AngleOfIncidence {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
 
-impl Value for AngleOfIncidence {
-    fn value(&self, _point: DVec3, spot: &Spot) -> f64 {
+impl PatternEval for AngleOfIncidence {
+    fn value(&self, _point: DVec3, spot: &SurfacePoint) -> f64 {
         spot.normal.dot(spot.dir).clamp(-1.0, 1.0).acos() / PI
     }
 

@@ -3,7 +3,7 @@
 //! A brick with its mortar takes `brick_size`; the mortar of thickness `m` lies before the brick, at coordinates
 //! `-m .. 0`. Odd rows are shifted by half a brick in x and lie straight in z; even rows the other way round.
 
-use super::{NUDGE, Pattern, Preparing, Spot, Stop, Value, Wave, fraction};
+use super::{NUDGE, Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave, fraction};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use glam::DVec3;
@@ -34,7 +34,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Brick {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -66,8 +66,8 @@ impl Pattern for Brick {
     }
 }
 
-impl Value for Brick {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Brick {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let brick = (point + self.mortar + NUDGE) / self.size;
         let mortar = self.mortar / self.size;
         if fraction(brick.y) <= mortar.y {
@@ -87,7 +87,7 @@ mod tests {
 
     fn value(brick: &Brick, x: f64, y: f64, z: f64) -> f64 {
         let point = DVec3::new(x, y, z);
-        brick.value(point, &Spot::at(point))
+        brick.value(point, &SurfacePoint::at(point))
     }
 
     #[test]

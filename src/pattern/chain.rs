@@ -15,7 +15,7 @@ const FARTHEST: f64 = 1e17;
 
 /// Transforms and warps of a pattern in the order in which they are written.
 #[derive(Clone, Debug, Default)]
-pub struct Chain {
+pub struct WarpChain {
     links: Vec<Link>,
     /// The steps behind the last warp.
     steps: Vec<Step>,
@@ -30,19 +30,19 @@ struct Link {
 
 /// A chain ready to move points.
 #[derive(Debug, Default)]
-pub struct PreparedChain {
+pub struct PreparedWarpChain {
     /// In the order in which they act on a point.
-    movements: Vec<Movement>,
+    movements: Vec<WarpStep>,
     turbulence: Option<(DVec3, Octaves)>,
 }
 
 #[derive(Debug)]
-enum Movement {
+enum WarpStep {
     Transform(DAffine3),
     Warp(Box<dyn Warping>),
 }
 
-impl Chain {
+impl WarpChain {
     /// Adds a transform.
     pub fn push(&mut self, step: &Step) {
         self.steps.push(step.clone());
@@ -80,15 +80,15 @@ impl Chain {
         after: &[Step],
         turbulence: Option<(DVec3, Octaves)>,
         settings: &Settings,
-    ) -> PreparedChain {
-        let mut chain = PreparedChain {
+    ) -> PreparedWarpChain {
+        let mut chain = PreparedWarpChain {
             movements: Vec::new(),
             turbulence,
         };
         let all: Vec<Step> = self.steps.iter().chain(after).cloned().collect();
         chain.push(&all);
         for link in self.links.iter().rev() {
-            let warp = Movement::Warp(link.warp.prepare(settings));
+            let warp = WarpStep::Warp(link.warp.prepare(settings));
             chain.movements.push(warp);
             chain.push(&link.before);
         }
@@ -96,11 +96,11 @@ impl Chain {
     }
 }
 
-impl PreparedChain {
+impl PreparedWarpChain {
     fn push(&mut self, steps: &[Step]) {
         let inverse = Transform::from_steps(steps).object_from_world;
         if inverse != DAffine3::IDENTITY {
-            self.movements.push(Movement::Transform(inverse));
+            self.movements.push(WarpStep::Transform(inverse));
         }
     }
 
@@ -111,8 +111,8 @@ impl PreparedChain {
         let mut point = point;
         for movement in &self.movements {
             point = match movement {
-                Movement::Transform(inverse) => inverse.transform_point3(point),
-                Movement::Warp(warp) => warp.moved(point),
+                WarpStep::Transform(inverse) => inverse.transform_point3(point),
+                WarpStep::Warp(warp) => warp.moved(point),
             };
         }
         if let Some((amount, octaves)) = &self.turbulence {
@@ -122,14 +122,14 @@ impl PreparedChain {
     }
 }
 
-impl PreparedChain {
+impl PreparedWarpChain {
     /// How normals turn on their way to the pattern and back, made one long after each transform if `is_unit`. Warps leave
     /// them as they are.
     #[must_use]
     pub fn turns(&self, is_unit: bool) -> Turns {
         let transforms = self.movements.iter().filter_map(|movement| match movement {
-            Movement::Transform(inverse) => Some(inverse.matrix3),
-            Movement::Warp(_) => None,
+            WarpStep::Transform(inverse) => Some(inverse.matrix3),
+            WarpStep::Warp(_) => None,
         });
         let turn = |inverse: DMat3| Turn {
             to_pattern: inverse.inverse().transpose(),
@@ -199,7 +199,7 @@ mod tests {
 
     fn moved(text: &str, after: &[Step], point: DVec3) -> DVec3 {
         let mut args = TextArgs::new(text);
-        let mut chain = Chain::default();
+        let mut chain = WarpChain::default();
         while let Some(word) = args.word().unwrap() {
             assert!(chain.read(word, &mut args).unwrap(), "{word}");
         }

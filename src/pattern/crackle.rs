@@ -3,13 +3,13 @@
 
 mod metric;
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::math::hash::hashed_cell;
-use crate::math::lanes::{Four, FourKernel, four, with_widest};
 use crate::math::mersenne;
 use crate::math::noise::NoiseGenerator;
 use crate::math::powers::{POWER_ERROR, power};
+use crate::math::simd::{F64Lanes, FourKernel, four, with_widest};
 use glam::DVec3;
 use metric::Metric;
 use std::cell::RefCell;
@@ -47,7 +47,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Crackle {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         let Crackle {
             form,
             metric,
@@ -90,8 +90,8 @@ impl Pattern for Crackle {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let metric = &self.metric;
         if self.is_solid {
             return self.noise.noise(nearest_point(point, metric));
@@ -174,7 +174,7 @@ impl FourKernel for Least<'_> {
     type Answer = ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]);
 
     #[inline(always)]
-    fn run<F: Four>(&self) -> Self::Answer {
+    fn run<F: F64Lanes>(&self) -> Self::Answer {
         let [x, y, z] = self.about.points.each_ref().map(|axis| axis.as_chunks().0);
         let DVec3 {
             x: px,

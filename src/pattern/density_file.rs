@@ -3,7 +3,7 @@
 //! The file holds three sizes of two bytes and then the numbers, x running fastest, of one, two or four bytes by its
 //! length; all with the highest byte first. The numbers stand at the lower corners of their cells.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -59,7 +59,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for DensityFile {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 
@@ -84,8 +84,8 @@ impl Pattern for DensityFile {
     }
 }
 
-impl Value for DensityFile {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for DensityFile {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let is_inside = |c: f64| (0.0..1.0).contains(&c);
         if !point.to_array().into_iter().all(is_inside) {
             return 0.0;

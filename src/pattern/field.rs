@@ -1,6 +1,6 @@
 //! `pattern { ... }`: a pattern with all that is written beside it, as a number for each point.
 
-use super::{Modifiers, Pattern, PreparedPattern, Settings, Spot};
+use super::{Modifiers, Pattern, PreparedPattern, Settings, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::function::Field;
 use glam::DVec3;
@@ -46,6 +46,6 @@ pub fn read_field(
 
 impl Field for PreparedPattern {
     fn value(&self, point: DVec3) -> f64 {
-        PreparedPattern::value(self, self.moved(point), &Spot::at(point))
+        PreparedPattern::value(self, self.moved(point), &SurfacePoint::at(point))
     }
 }

@@ -1,6 +1,6 @@
 //! Patterns that are nothing but a formula of the point, or of the point and the noise.
 
-use super::{GREY, Pattern, Preparing, Spot, Stop, Value, Wave};
+use super::{GREY, Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
 use crate::args::Parse;
 use crate::math::noise::NoiseGenerator;
 use glam::DVec3;
@@ -89,7 +89,7 @@ impl NoiseFormula {
 }
 
 impl Pattern for Formula {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -106,14 +106,14 @@ impl Pattern for Formula {
     }
 }
 
-impl Value for Formula {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Formula {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         (self.value)(point)
     }
 }
 
 impl Pattern for NoiseFormula {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(PreparedNoise {
             value: self.value,
             tilt: self.tilt,
@@ -134,8 +134,8 @@ struct PreparedNoise {
     noise: NoiseGenerator,
 }
 
-impl Value for PreparedNoise {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for PreparedNoise {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         (self.value)(self.noise, point)
     }
 

@@ -1,6 +1,6 @@
 //! `function { ... }`: a number for each point, from a user function.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse};
 use crate::function::{self, Function};
 use glam::DVec3;
@@ -18,13 +18,13 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for OfFunction {
-    fn prepare(&self, _: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 }
 
-impl Value for OfFunction {
-    fn value(&self, point: DVec3, _: &Spot) -> f64 {
+impl PatternEval for OfFunction {
+    fn value(&self, point: DVec3, _: &SurfacePoint) -> f64 {
         let value = self.function.eval(&point.to_array());
         if value > 1.0 { value % 1.0 } else { value }
     }

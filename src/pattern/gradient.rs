@@ -1,6 +1,6 @@
 //! `gradient`: straight through the map along a direction, once for each unit of length.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse};
 use crate::math::rounding::floor;
 use glam::DVec3;
@@ -17,13 +17,13 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Gradient {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
 
-impl Value for Gradient {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Gradient {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let along = point.dot(self.dir);
         // The wave takes the remainder again, of a little more than 1; below zero it alone does.
         if along > 1.0 {

@@ -1,6 +1,6 @@
 //! `image_pattern`: the grey of a picture, or with `use_alpha` how clear it is.
 
-use super::{Pattern, Preparing, Spot, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
 use crate::args::{Args, Parse};
 use crate::bitmap::{self, Alpha, Purpose, Source};
 use glam::DVec3;
@@ -16,7 +16,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for ImagePattern {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 
@@ -25,8 +25,8 @@ impl Pattern for ImagePattern {
     }
 }
 
-impl Value for ImagePattern {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for ImagePattern {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let Source {
             bitmap, mapping, ..
         } = &self.source;

@@ -1,7 +1,7 @@
 //! `julia`: the Julia set of a complex number in the xy plane, and its kin of higher powers.
 
 use super::fractal::{Complex, Telling, iterate_power, read_exponent, read_iterations};
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use glam::DVec3;
 
@@ -26,7 +26,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Julia {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -39,8 +39,8 @@ impl Pattern for Julia {
     }
 }
 
-impl Value for Julia {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Julia {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let z = Complex::new(point.x, point.y);
         self.telling
             .value(iterate_power(z, self.c, self.exponent, self.iterations))

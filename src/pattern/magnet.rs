@@ -2,7 +2,7 @@
 //! Fractals"), as Mandelbrot or Julia sets in the xy plane.
 
 use super::fractal::{Complex, Fate, Telling, read_iterations};
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -59,7 +59,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Magnet {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -68,8 +68,8 @@ impl Pattern for Magnet {
     }
 }
 
-impl Value for Magnet {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Magnet {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let point = Complex::new(point.x, point.y);
         let (mut z, c) = match self.c {
             Some(c) => (point, c),

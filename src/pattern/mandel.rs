@@ -1,7 +1,7 @@
 //! `mandel`: the Mandelbrot set in the xy plane, and its kin of higher powers.
 
 use super::fractal::{Complex, Telling, iterate_power, read_exponent, read_iterations};
-use super::{Pattern, Preparing, Spot, Stop, Value};
+use super::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use crate::color::{Color, Rgb};
 use glam::DVec3;
@@ -33,7 +33,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Mandel {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -50,8 +50,8 @@ impl Pattern for Mandel {
     }
 }
 
-impl Value for Mandel {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Mandel {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let c = Complex::new(point.x, point.y);
         self.telling
             .value(iterate_power(c, c, self.exponent, self.iterations))

@@ -1,6 +1,6 @@
 //! `marble`: layers across x, which turbulence shifts along x only.
 
-use super::{Pattern, Preparing, Spot, Stop, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
 use crate::math::noise::{NoiseGenerator, Octaves};
@@ -29,7 +29,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Marble {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: with.turbulence.x,
             octaves: with.octaves,
@@ -50,8 +50,8 @@ impl Pattern for Marble {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         if self.amount == 0.0 {
             return point.x;
         }

@@ -53,7 +53,7 @@ mod wave;
 mod wood;
 mod wrinkles;
 
-pub use chain::{Chain, PreparedChain, Turns};
+pub use chain::{PreparedWarpChain, Turns, WarpChain};
 pub use crackle::nearest_feature;
 pub use field::{ReadPattern, read_field};
 pub use map::{Between, Keys, MOST_ENTRIES, Map};
@@ -131,9 +131,9 @@ const GREY: [Stop; 2] = [
 ];
 
 /// A pattern as a scene describes it.
-pub trait Pattern: Debug + Send + Sync + Copies {
+pub trait Pattern: Debug + Send + Sync + ClonePattern {
     /// The form for drawing.
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value>;
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval>;
 
     /// The colours where the scene gives none. For a pattern with a list, entry `i` is at the value `i`.
     fn default_map(&self) -> &'static [Stop] {
@@ -170,9 +170,9 @@ pub trait Pattern: Debug + Send + Sync + Copies {
 }
 
 /// What draws a pattern.
-pub trait Value: Debug + Send + Sync {
+pub trait PatternEval: Debug + Send + Sync {
     /// The value at a point of pattern space, before waves. For a pattern with a list, the index of an entry.
-    fn value(&self, point: DVec3, spot: &Spot) -> f64;
+    fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64;
 
     /// How a `normal` of height 1 tilts a surface at a point of pattern space: what is added to the unit normal; `None`
     /// for the patterns whose values are the heights.
@@ -188,7 +188,7 @@ pub trait Value: Debug + Send + Sync {
 
 /// The place that is coloured, for the patterns that ask for more than a point of their own space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct SurfacePoint {
     /// The point of the world.
     pub point: DVec3,
     /// The unit normal of the surface on the side that is seen; zero where there is no surface.
@@ -199,7 +199,7 @@ pub struct Spot {
     pub uv: DVec2,
 }
 
-impl Spot {
+impl SurfacePoint {
     /// The point of pattern space for what is mapped by texture coordinates.
     #[must_use]
     pub fn on_the_map(&self) -> DVec3 {
@@ -209,7 +209,7 @@ impl Spot {
     /// A point in no surface, seen by nobody in particular.
     #[must_use]
     pub fn at(point: DVec3) -> Self {
-        Spot {
+        SurfacePoint {
             point,
             normal: DVec3::ZERO,
             dir: DVec3::ZERO,
@@ -264,12 +264,12 @@ pub struct Preparing<'a> {
 }
 
 /// Copying behind a `Box`; every type that can be cloned has it.
-pub trait Copies {
+pub trait ClonePattern {
     /// A copy that can be modified by itself.
     fn copied(&self) -> Box<dyn Pattern>;
 }
 
-impl<T: Pattern + Clone + 'static> Copies for T {
+impl<T: Pattern + Clone + 'static> ClonePattern for T {
     fn copied(&self) -> Box<dyn Pattern> {
         Box::new(self.clone())
     }

@@ -1,6 +1,8 @@
 //! What a scene may write beside any pattern: turbulence, waves, the noise, transforms and warps.
 
-use super::{Chain, Pattern, PreparedChain, PreparedPattern, Preparing, Settings, Shape, Wave};
+use super::{
+    Pattern, PreparedPattern, PreparedWarpChain, Preparing, Settings, Shape, WarpChain, Wave,
+};
 use crate::args::{Args, Parse, Word};
 use crate::math::Step;
 use crate::math::noise::{NoiseGenerator, Octaves};
@@ -14,7 +16,7 @@ const GENERATORS: std::ops::RangeInclusive<f64> = 0.0..=3.0;
 #[derive(Clone, Debug, Default)]
 pub struct Modifiers {
     /// Transforms and warps.
-    pub chain: Chain,
+    pub chain: WarpChain,
     /// The amounts of `turbulence` along the axes.
     turbulence: Option<DVec3>,
     octaves: Octaves,
@@ -95,7 +97,7 @@ impl Modifiers {
 
     /// The way to the point alone, where no pattern of its own is looked up there.
     #[must_use]
-    pub fn prepare_chain(&self, after: &[Step], settings: &Settings) -> PreparedChain {
+    pub fn prepare_chain(&self, after: &[Step], settings: &Settings) -> PreparedWarpChain {
         self.chain.prepare(after, self.displacement(), settings)
     }
 

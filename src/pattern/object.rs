@@ -1,6 +1,6 @@
 //! `object`: the first entry outside of an object, the second inside.
 
-use super::{Pattern, Preparing, Solid, Spot, Stop, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, Solid, Stop, SurfacePoint, Wave};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
 use glam::DVec3;
@@ -33,7 +33,7 @@ pub(super) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Inside {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         let solid = self.solid.get_or_init(|| {
             let prepare = with.settings.solid_of?;
             prepare(&self.object)
@@ -58,8 +58,8 @@ impl Pattern for Inside {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let is_inside = self.0.as_ref().is_some_and(|solid| solid.holds(point));
         f64::from(u8::from(is_inside))
     }

@@ -1,18 +1,18 @@
 //! A pattern ready for drawing: the way to it, its value, and its wave.
 
-use super::{PreparedChain, Spot, Turns, Value, Wave};
+use super::{PatternEval, PreparedWarpChain, SurfacePoint, Turns, Wave};
 use glam::DVec3;
 
 /// A pattern ready for drawing.
 #[derive(Debug)]
 pub struct PreparedPattern {
-    chain: PreparedChain,
-    value: Box<dyn Value>,
+    chain: PreparedWarpChain,
+    value: Box<dyn PatternEval>,
     wave: Wave,
 }
 
 impl PreparedPattern {
-    pub(super) fn new(chain: PreparedChain, value: Box<dyn Value>, wave: Wave) -> Self {
+    pub(super) fn new(chain: PreparedWarpChain, value: Box<dyn PatternEval>, wave: Wave) -> Self {
         PreparedPattern { chain, value, wave }
     }
 
@@ -26,7 +26,7 @@ impl PreparedPattern {
     /// The value at a point of pattern space, waves included: the position in a map.
     #[must_use]
     #[inline]
-    pub fn value(&self, moved: DVec3, spot: &Spot) -> f64 {
+    pub fn value(&self, moved: DVec3, spot: &SurfacePoint) -> f64 {
         self.wave.of(self.value.value(moved, spot))
     }
 

@@ -1,6 +1,6 @@
 //! `quilted`: cushions in unit cubes, flat where `control0` and `control1` say.
 
-use super::{Pattern, Preparing, Spot, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
 use crate::args::{Args, Parse, Word};
 use crate::math::rounding::floor;
 use glam::DVec3;
@@ -18,7 +18,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Quilted {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 
@@ -38,8 +38,8 @@ impl Pattern for Quilted {
     }
 }
 
-impl Value for Quilted {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Quilted {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let v = self.cushion(point).abs();
         (v.x + v.y + v.z) / 3.0
     }

@@ -2,13 +2,13 @@
 //!
 //! Frequency and phase act within each ring, and once more on the sum, as in POV-Ray.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse};
 use crate::math::hash::{bits, next};
-use crate::math::lanes::three::Three;
-use crate::math::lanes::{FourKernel, Row, four, three, with_widest};
 use crate::math::noise::vector_noise;
 use crate::math::rounding::floor_of;
+use crate::math::simd::three::Vec3Lanes;
+use crate::math::simd::{F64x4, FourKernel, four, three, with_widest};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -67,7 +67,7 @@ pub(super) fn waves(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Rings {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         let sources = sources(with.settings.number_of_waves);
         let count = sources.len();
         let fours = sources.chunks(4).map(|chunk| {
@@ -94,13 +94,13 @@ struct Four<F> {
     /// How high they are.
     heights: [f64; 4],
     /// The ways from the sources, and how long these are; in the middle of rings nothing is divided by zero.
-    out: Three<F>,
+    out: Vec3Lanes<F>,
     length: F,
 }
 
 impl Prepared {
     #[inline(always)]
-    fn rings_of<F: Row>(&self, sources: &Sources, point: DVec3) -> Four<F> {
+    fn rings_of<F: F64x4>(&self, sources: &Sources, point: DVec3) -> Four<F> {
         let [x, y, z, frequency] = sources;
         let place = [F::load(x), F::load(y), F::load(z)];
         let out = three::minus(three::same(point), place);
@@ -144,7 +144,7 @@ impl FourKernel for Height<'_> {
     type Answer = f64;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> f64 {
+    fn run<F: F64x4>(&self) -> f64 {
         let Height(prepared, point) = *self;
         let mut sum = 0.0;
         let mut left = prepared.count;
@@ -166,7 +166,7 @@ impl FourKernel for Tilt<'_> {
     type Answer = DVec3;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> DVec3 {
+    fn run<F: F64x4>(&self) -> DVec3 {
         let Tilt(prepared, point) = *self;
         let count = F::all(prepared.count as f64);
         let mut sum = DVec3::ZERO;
@@ -184,8 +184,8 @@ impl FourKernel for Tilt<'_> {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let sum = with_widest(
             #[inline(always)]
             |lanes| four(lanes, &Height(self, point)),
@@ -249,7 +249,7 @@ mod tests {
                     Rings::Ripples => 0.5 * (1.0 + sum / 10.0),
                     Rings::Waves => 0.2 * (2.5 + sum / 10.0),
                 };
-                assert_eq!(prepared.value(point, &Spot::at(point)), value);
+                assert_eq!(prepared.value(point, &SurfacePoint::at(point)), value);
                 assert_eq!(prepared.tilt(point), Some(tilt));
             }
         }

@@ -1,6 +1,6 @@
 //! `slope`: how far the surface turns away from a direction, and how high the point lies.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse, Word};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -73,13 +73,13 @@ impl Range {
 }
 
 impl Pattern for Slope {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(*self)
     }
 }
 
-impl Value for Slope {
-    fn value(&self, point: DVec3, spot: &Spot) -> f64 {
+impl PatternEval for Slope {
+    fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
         let towards = if self.is_towards_point {
             self.slope.dir - spot.point
         } else {

@@ -1,7 +1,7 @@
 //! `spiral1` and `spiral2`: arms about the z axis that also wind along it.
 
 use super::wave::triangle;
-use super::{Pattern, Preparing, Spot, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
 use crate::args::{Args, Parse};
 use crate::math::noise::{NoiseGenerator, Octaves};
 use glam::DVec3;
@@ -37,7 +37,7 @@ fn read(args: &mut dyn Args, is_crossed: bool) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Spiral {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             spiral: *self,
             amount: with.turbulence.x,
@@ -51,8 +51,8 @@ impl Pattern for Spiral {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, p: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, p: DVec3, _spot: &SurfacePoint) -> f64 {
         let rho = (p.x * p.x + p.y * p.y).sqrt();
         let from_x = if rho == 0.0 { 0.0 } else { (p.y / rho).asin() };
         let phi = if p.x < 0.0 {

@@ -5,7 +5,7 @@
 //! from pictures of POV-Ray 3.7. Missing: number 22, and the three after
 //! Penrose, which do not repeat.
 
-use super::{Pattern, Preparing, Spot, Value};
+use super::{Pattern, PatternEval, Preparing, SurfacePoint};
 use crate::args::{Args, Parse};
 use crate::math::rounding::floor;
 use crate::source::{Code, Diagnostic};
@@ -158,13 +158,13 @@ impl Tile {
 }
 
 impl Pattern for Prepared {
-    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(self.clone())
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let tiling = &*self.0;
         let in_cell = tiling.cell_from_plane * DVec2::new(point.x, point.z);
         let point = tiling.plane_from_cell * (in_cell - in_cell.map(floor));
@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn squares_rise_from_the_middle_to_their_sides() {
         let squares = Prepared(Arc::new(Tiling::numbered(1).expect("it is in the file")));
-        let spot = Spot::at(DVec3::ZERO);
+        let spot = SurfacePoint::at(DVec3::ZERO);
         let value = |x, z| squares.value(DVec3::new(x, 7.0, z), &spot);
         assert_eq!((value(0.5, -2.5), value(3.0, 0.4)), (0.0, 1.0));
         assert_eq!(value(0.25, 0.5), 0.5);

@@ -1,7 +1,7 @@
 //! `wood`: rings about the z axis, which turbulence shifts by sines.
 
 use super::wave::cycloidal;
-use super::{Pattern, Preparing, Spot, Stop, Value, Wave};
+use super::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
 use crate::args::{Args, Parse};
 use crate::color::{Color, Rgb};
 use crate::math::noise::{Octaves, vector_turbulence};
@@ -29,7 +29,7 @@ pub(super) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
 }
 
 impl Pattern for Wood {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         Box::new(Prepared {
             amount: with.turbulence,
             octaves: with.octaves,
@@ -49,8 +49,8 @@ impl Pattern for Wood {
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, p: DVec3, _spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, p: DVec3, _spot: &SurfacePoint) -> f64 {
         let (mut x, mut y) = (p.x, p.y);
         if self.amount != DVec3::ZERO {
             let shift = vector_turbulence(p, &self.octaves);

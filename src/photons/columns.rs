@@ -1,7 +1,7 @@
 //! Where photons lie, number by number, so that the distances of many are worked out together.
 
 use super::Photon;
-use crate::math::lanes::{Four, FourKernel, Row, four, with_widest};
+use crate::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
 use glam::DVec3;
 
 /// By this the distance of photons counts more that lie above or below the surface.
@@ -104,7 +104,7 @@ impl FourKernel for Measuring<'_> {
     type Answer = Distances;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> Distances {
+    fn run<F: F64x4>(&self) -> Distances {
         let mut answer = Distances {
             squares: [0.0; BLOCK],
             near: 0,
@@ -136,7 +136,7 @@ impl FourKernel for Measuring<'_> {
 
 /// The square of a distance, larger above or below the surface.
 #[inline(always)]
-fn measured<F: Four>([x, y, z]: [F; 3], normal: DVec3) -> F {
+fn measured<F: F64Lanes>([x, y, z]: [F; 3], normal: DVec3) -> F {
     let square = x.times(x).plus(y.times(y)).plus(z.times(z));
     let [a, b, c] = [F::all(normal.x), F::all(normal.y), F::all(normal.z)];
     let above = a.times(x).plus(b.times(y)).plus(c.times(z)).size();

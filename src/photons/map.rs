@@ -36,7 +36,7 @@ pub struct Search {
 }
 
 /// A question for photons around a point.
-struct Question<'n> {
+struct PhotonQuery<'n> {
     point: DVec3,
     /// The normal of the surface on which they lie; zero for none.
     normal: DVec3,
@@ -46,7 +46,7 @@ struct Question<'n> {
     near: &'n mut Near,
 }
 
-impl Question<'_> {
+impl PhotonQuery<'_> {
     /// Takes a photon if it is near enough.
     #[inline]
     fn take(&mut self, number: usize, distance_sq: f64) {
@@ -118,7 +118,7 @@ impl Map {
         if self.photons.is_empty() || most == 0 {
             return;
         }
-        let mut question = Question {
+        let mut question = PhotonQuery {
             point,
             normal,
             most,
@@ -132,7 +132,7 @@ impl Map {
 
     /// Looks through a part of the map: the side on which the point lies, the other if it is near enough, the photon that
     /// divides them.
-    fn look(&self, (first, last): (usize, usize), question: &mut Question) {
+    fn look(&self, (first, last): (usize, usize), question: &mut PhotonQuery) {
         if last - first < BLOCK {
             let (point, reach_sq) = (question.point, question.reach_sq);
             let distances = self
@@ -165,7 +165,7 @@ impl Map {
         first: usize,
         (low, high): (usize, usize),
         distances: &Distances,
-        question: &mut Question,
+        question: &mut PhotonQuery,
     ) {
         let near = distances.near;
         let middle = usize::midpoint(low, high);
@@ -197,7 +197,7 @@ impl Map {
         first: usize,
         (near, (low, end)): (u32, (usize, usize)),
         distances: &Distances,
-        question: &mut Question,
+        question: &mut PhotonQuery,
     ) {
         if near == 0 {
             return;

@@ -26,7 +26,7 @@ use radius::{CRand, Space};
 
 /// An object to which photons are sent.
 #[derive(Clone, Debug)]
-pub struct Target {
+pub struct PhotonTarget {
     /// The box around it, as the language tells it.
     pub around: Stored,
     /// The factor on the spacing of its photons.
@@ -42,7 +42,7 @@ pub struct Photons {
     /// As the scene gives them.
     pub settings: scene::Photons,
     /// What photons are sent to, in the order of the scene.
-    pub targets: Vec<Target>,
+    pub targets: Vec<PhotonTarget>,
     /// How many generations of photons there are.
     pub max_trace_level: u32,
     /// Below this weight a photon ends.
@@ -58,7 +58,7 @@ impl Photons {
     #[must_use]
     pub fn new(
         settings: &scene::Photons,
-        targets: Vec<Target>,
+        targets: Vec<PhotonTarget>,
         globals: &Globals,
     ) -> Option<Photons> {
         (settings.gather[1] > 0).then(|| Photons {
@@ -95,7 +95,7 @@ impl Photons {
 
 /// All photons that were kept.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
+pub struct PhotonMaps {
     /// How many were shot.
     pub shot: u64,
     /// On surfaces.
@@ -111,10 +111,10 @@ pub struct Kept {
 /// Media are searched so many times as far.
 const IN_MEDIA: f64 = 2.0;
 
-impl Kept {
+impl PhotonMaps {
     /// The photons of two maps, ready to be looked up.
     #[must_use]
-    pub fn new(photons: &Photons, shot: u64, [surface, media]: [Map; 2]) -> Kept {
+    pub fn new(photons: &Photons, shot: u64, [surface, media]: [Map; 2]) -> PhotonMaps {
         let settings = &photons.settings;
         let most = settings.gather[1] as usize;
         let mut random = CRand::new();
@@ -133,7 +133,7 @@ impl Kept {
         };
         let on_surfaces = search(radius(&surface, 0, Space::Surface), false);
         let in_media = search(IN_MEDIA * radius(&media, 1, Space::Media), true);
-        Kept {
+        PhotonMaps {
             shot,
             surface,
             media,

@@ -23,7 +23,7 @@ const FARTHEST: f64 = (1u64 << 40) as f64;
 
 /// Light that arrives at a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub struct IrradianceSample {
     /// Where.
     pub point: DVec3,
     /// The unit normal on the side where it arrives.
@@ -44,7 +44,7 @@ pub struct Sample {
 
 /// A place at which light is asked for.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
+pub struct CacheQuery {
     /// Where.
     pub point: DVec3,
     /// The unit normal on the side that is seen.
@@ -96,7 +96,7 @@ struct Row {
 impl Row {
     /// The samples that are not too far from a place to count, one bit each.
     #[inline]
-    fn near(&self, look: &Look) -> u32 {
+    fn near(&self, look: &CacheQuery) -> u32 {
         let [x, y, z] = &self.points;
         let mut near = [false; ROW];
         for place in 0..ROW {
@@ -110,7 +110,7 @@ impl Row {
 /// The samples.
 #[derive(Clone, Debug)]
 pub struct Cache {
-    samples: Vec<Sample>,
+    samples: Vec<IrradianceSample>,
     rows: Vec<Row>,
     nodes: Vec<Node>,
     root: u32,
@@ -118,10 +118,10 @@ pub struct Cache {
     unit: f64,
 }
 
-impl Sample {
+impl IrradianceSample {
     /// The weight with which the sample counts at a place; 0 where it does not. `unit`: that of the scene.
     #[must_use]
-    pub fn weight_at(&self, look: &Look, unit: f64) -> f64 {
+    pub fn weight_at(&self, look: &CacheQuery, unit: f64) -> f64 {
         if look.is_far_from(self.point, self.radius) {
             return 0.0;
         }
@@ -166,7 +166,7 @@ impl Sample {
     }
 }
 
-impl Look {
+impl CacheQuery {
     /// Whether a sample at a point is too far away to count, by its radius: most are, and need no root.
     #[inline(always)]
     fn is_far_from(&self, point: DVec3, radius: f64) -> bool {
@@ -191,14 +191,14 @@ impl Cache {
 
     /// The samples in the order in which they came.
     #[must_use]
-    pub fn samples(&self) -> &[Sample] {
+    pub fn samples(&self) -> &[IrradianceSample] {
         &self.samples
     }
 
     /// Its memory in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.samples.len() * size_of::<Sample>()
+        self.samples.len() * size_of::<IrradianceSample>()
             + self.rows.len() * size_of::<Row>()
             + self.nodes.len() * size_of::<Node>()
     }
@@ -210,7 +210,7 @@ impl Cache {
     }
 
     /// Adds a sample that may be used within a distance.
-    pub fn add(&mut self, sample: Sample, reach: f64) {
+    pub fn add(&mut self, sample: IrradianceSample, reach: f64) {
         let number = u32::try_from(self.samples.len()).unwrap_or(NONE);
         let (point, reach) = (sample.point / self.unit, reach / self.unit);
         let is_sound = point.abs().max_element() < FARTHEST && reach > 0.0;
@@ -295,7 +295,7 @@ impl Cache {
 
     /// What the samples say of a place.
     #[must_use]
-    pub fn mean(&self, look: &Look) -> Mean {
+    pub fn mean(&self, look: &CacheQuery) -> Mean {
         let mut mean = Mean::default();
         if self.root != NONE {
             let point = look.point / self.unit;
@@ -305,7 +305,7 @@ impl Cache {
     }
 
     /// Adds what the samples of a node and its children say.
-    fn add_from(&self, number: u32, point: DVec3, look: &Look, mean: &mut Mean) {
+    fn add_from(&self, number: u32, point: DVec3, look: &CacheQuery, mean: &mut Mean) {
         let node = &self.nodes[number as usize];
         if node.depths >> look.depth & 1 == 0 || number != self.root && !node.cube.holds(point) {
             return;
@@ -340,8 +340,8 @@ mod tests {
     use super::*;
     use crate::math::random::Random;
 
-    fn sample(point: DVec3, radius: f64) -> Sample {
-        Sample {
+    fn sample(point: DVec3, radius: f64) -> IrradianceSample {
+        IrradianceSample {
             point,
             normal: DVec3::Y,
             light: Rgb::WHITE,
@@ -353,8 +353,8 @@ mod tests {
         }
     }
 
-    fn look(point: DVec3) -> Look {
-        Look {
+    fn look(point: DVec3) -> CacheQuery {
+        CacheQuery {
             point,
             normal: DVec3::Y,
             error: 1.5,
@@ -367,11 +367,11 @@ mod tests {
     #[test]
     fn weights_fall_with_distance_and_turn() {
         let sample = sample(DVec3::ZERO, 2.0);
-        let weight = |look: &Look| sample.weight_at(look, 1.0);
+        let weight = |look: &CacheQuery| sample.weight_at(look, 1.0);
         assert_eq!(weight(&look(DVec3::ZERO)), 1.0);
         assert!((weight(&look(DVec3::X)) - (1.0 - 0.5 / 1.5)).abs() < 1e-12);
         assert_eq!(weight(&look(DVec3::X * 3.0)), 0.0);
-        let smooth = Look {
+        let smooth = CacheQuery {
             is_smooth: true,
             ..look(DVec3::X)
         };
@@ -402,7 +402,7 @@ mod tests {
                 .map(|sample| sample.weight_at(&look, 1.0));
             let sum: f64 = all.sum();
             assert!((cache.mean(&look).weight - sum).abs() < 1e-9);
-            assert_eq!(cache.mean(&Look { depth: 1, ..look }).weight, 0.0);
+            assert_eq!(cache.mean(&CacheQuery { depth: 1, ..look }).weight, 0.0);
         }
     }
 

@@ -13,9 +13,9 @@ mod cell;
 mod directions;
 mod notes;
 
-pub use cache::{Cache, Look, Mean, Sample};
+pub use cache::{Cache, CacheQuery, IrradianceSample, Mean};
 pub use directions::Frame;
-pub use notes::{Asked, Notes, Seen};
+pub use notes::{LightRequest, Notes, SeenLight};
 
 use crate::scene;
 use glam::DVec3;
@@ -91,7 +91,7 @@ impl Radiosity {
     }
 
     /// How far a sample is filed from where it may be used.
-    fn reach(&self, sample: &Sample) -> f64 {
+    fn reach(&self, sample: &IrradianceSample) -> f64 {
         let share = if sample.depth == 0 { 1.0 } else { 1.0 / 8.0 };
         sample.radius * self.settings.error_bound * power(sample.depth) * share
     }
@@ -149,7 +149,7 @@ pub struct Session {
 
 /// What is known of the light at a place.
 #[derive(Clone, Copy, Debug)]
-pub enum Known {
+pub enum CachedLight {
     /// Enough.
     Enough(Mean),
     /// Not enough; a sample is to be made.
@@ -181,7 +181,7 @@ impl Session {
 
     /// Whether points of the picture are to come in POV-Ray's order.
     #[must_use]
-    pub fn minds_order(&self) -> bool {
+    pub fn order_dependent(&self) -> bool {
         self.mode == Mode::Grow
     }
 
@@ -207,8 +207,8 @@ impl Session {
         (point, normal): (DVec3, DVec3),
         depth: usize,
         weight: f64,
-    ) -> Look {
-        Look {
+    ) -> CacheQuery {
+        CacheQuery {
             point,
             normal,
             error: radiosity.error(depth, weight, self.is_final),
@@ -218,7 +218,7 @@ impl Session {
     }
 
     /// What is known of the light at a place.
-    pub fn known(&mut self, radiosity: &Radiosity, look: &Look) -> Known {
+    pub fn known(&mut self, radiosity: &Radiosity, look: &CacheQuery) -> CachedLight {
         self.is_asked = true;
         let mean = self.cache.mean(look);
         if self.mode == Mode::Watch {
@@ -230,13 +230,13 @@ impl Session {
             Mode::Lone => true,
         };
         if is_enough || makes_do && mean.weight > 0.0 {
-            return Known::Enough(mean);
+            return CachedLight::Enough(mean);
         }
         if self.mode == Mode::Watch {
             self.notes.is_short = true;
-            return Known::Unknown;
+            return CachedLight::Unknown;
         }
-        Known::Short(mean)
+        CachedLight::Short(mean)
     }
 
     /// Whether light was asked for since this was last called.
@@ -270,7 +270,7 @@ impl Session {
     }
 
     /// Keeps a sample, if samples are kept.
-    pub fn keep(&mut self, radiosity: &Radiosity, sample: Sample) {
+    pub fn keep(&mut self, radiosity: &Radiosity, sample: IrradianceSample) {
         if self.mode == Mode::Grow {
             let reach = radiosity.reach(&sample);
             let number = self.cache.samples().len();

@@ -1,6 +1,6 @@
 //! What a thread saw with the samples that there were, and whether more samples would change it.
 
-use super::cache::{Cache, Look, Sample};
+use super::cache::{Cache, CacheQuery, IrradianceSample};
 use crate::color::Rgb;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
@@ -8,17 +8,17 @@ use smallvec::SmallVec;
 use std::ops::Range;
 
 /// What was seen at a point of the picture: light, and the share that shines through.
-pub type Seen = (Rgb, f32);
+pub type SeenLight = (Rgb, f32);
 
 /// What was asked for something; nothing holds where samples were missing.
 #[derive(Clone, Debug, Default)]
-pub struct Asked(Option<SmallVec<[Look; 2]>>);
+pub struct LightRequest(Option<SmallVec<[CacheQuery; 2]>>);
 
-impl Asked {
+impl LightRequest {
     /// Whether the answers are the same with these further samples.
     #[must_use]
-    pub fn holds(&self, since: &[Sample], unit: f64) -> bool {
-        let is_changed = |look: &Look| {
+    pub fn holds(&self, since: &[IrradianceSample], unit: f64) -> bool {
+        let is_changed = |look: &CacheQuery| {
             let mut since = since.iter().filter(|sample| sample.depth == look.depth);
             since.any(|sample| sample.weight_at(look, unit) > 0.0)
         };
@@ -32,9 +32,9 @@ impl Asked {
 pub struct Notes {
     /// Whether light was asked for, for the point at hand, where there was not enough.
     pub is_short: bool,
-    looks: Vec<Look>,
+    looks: Vec<CacheQuery>,
     /// By point of the picture, in bits, what was seen and the looks for that; none where samples were missing.
-    seen: FxHashMap<[u64; 2], Option<(Seen, Range<usize>)>>,
+    seen: FxHashMap<[u64; 2], Option<(SeenLight, Range<usize>)>>,
     /// Whether samples were missing somewhere.
     is_ever_short: bool,
     /// How many samples there were.
@@ -54,7 +54,7 @@ impl Notes {
         }
     }
 
-    pub(super) fn ask(&mut self, look: Look) {
+    pub(super) fn ask(&mut self, look: CacheQuery) {
         self.looks.push(look);
     }
 
@@ -65,13 +65,13 @@ impl Notes {
     }
 
     /// What was asked since the last beginning; it is forgotten here.
-    pub fn asked(&mut self) -> Asked {
+    pub fn asked(&mut self) -> LightRequest {
         let looks = self.looks.drain(self.start..).collect();
-        Asked((!self.is_short).then_some(looks))
+        LightRequest((!self.is_short).then_some(looks))
     }
 
     /// Ends a point of the picture.
-    pub fn end(&mut self, x: f64, y: f64, seen: Seen) {
+    pub fn end(&mut self, x: f64, y: f64, seen: SeenLight) {
         let all = (!self.is_short).then_some((seen, self.start..self.looks.len()));
         self.is_ever_short |= self.is_short;
         self.seen.insert([x.to_bits(), y.to_bits()], all);
@@ -121,9 +121,9 @@ impl Notes {
 
     /// What was seen at a point of the picture, if it would be seen the same now.
     #[must_use]
-    pub fn recall(&self, x: f64, y: f64, cache: &Cache) -> Option<Seen> {
+    pub fn recall(&self, x: f64, y: f64, cache: &Cache) -> Option<SeenLight> {
         let (seen, looks) = self.seen.get(&[x.to_bits(), y.to_bits()])?.as_ref()?;
-        let is_changed = |look: &Look| {
+        let is_changed = |look: &CacheQuery| {
             let mut since = self.since.iter().map(|&number| &cache.samples()[number]);
             since.any(|sample| sample.weight_at(look, cache.unit()) > 0.0)
         };

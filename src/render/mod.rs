@@ -1,25 +1,25 @@
 //! From a world to a film: tiles over all cores.
 
+mod adaptive;
 mod antialias;
-mod canvas;
-mod converge;
-mod gathered;
+mod checkpoint;
+mod photon_pass;
 mod pretrace;
-mod shot;
-mod unfinished;
+mod radiosity_pass;
+mod tiles;
 
-pub use shot::Shot;
-pub use unfinished::{Found, Unfinished};
+pub use checkpoint::{Checkpoint, CheckpointStatus};
+pub use photon_pass::PhotonPass;
 
-use crate::compile::{Rays, World};
-use crate::film::{self, Film, Leveller, Pixel};
-use crate::options::{RadiosityTaken, Reached, RenderOptions, Sampling};
+use crate::compile::{RayCounts, World};
+use crate::film::{self, Film, Pixel, Quantizer};
+use crate::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions, Sampling};
 use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use antialias::Sampler;
-use canvas::{Canvas, Kept};
-use gathered::Gathered;
+use checkpoint::CheckpointTile;
+use radiosity_pass::RadiosityPass;
 use std::ops::Range;
-use unfinished::Piece;
+use tiles::{Canvas, TilePixels};
 
 /// The side of a tile in pixels: small enough to share the work evenly, large enough to keep neighbours together.
 const TILE: u32 = 32;
@@ -42,17 +42,17 @@ pub struct Drawn {
     /// The picture.
     pub film: Film,
     /// The rays that it took.
-    pub rays: Rays,
+    pub rays: RayCounts,
     /// What was reached, of a picture that was sampled until its error is small.
-    pub reached: Option<Reached>,
+    pub reached: Option<AdaptiveOutcome>,
     /// What radiosity took, where it was drawn.
-    pub radiosity: Option<RadiosityTaken>,
+    pub radiosity: Option<RadiosityStatistics>,
     /// The photons, where the scene asks for some.
-    pub photons: Option<Shot>,
+    pub photons: Option<PhotonPass>,
 }
 
 /// Pixels of a tile, row by row, and the rays that they took.
-type Pixels = (Vec<Pixel>, Rays);
+type Pixels = (Vec<Pixel>, RayCounts);
 
 /// Draws the world. `progress` is told how many pixels have been finished since it was last told, from any thread.
 /// The picture is the same for any number of threads, unless it is to be stopped at some time; and the same if a part
@@ -61,7 +61,7 @@ type Pixels = (Vec<Pixel>, Rays);
 pub fn render(
     world: &World,
     options: &RenderOptions,
-    unfinished: Option<&Unfinished>,
+    unfinished: Option<&Checkpoint>,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Drawn {
     if world.radiosity.is_some() && rayon::current_thread_index().is_none() {
@@ -69,14 +69,14 @@ pub fn render(
         return rayon::scope(|_| render(world, options, unfinished, progress));
     }
     let tracer = Tracer::new(world, options.quality).until(&options.stop);
-    let (tracer, photons) = shot::with_photons(tracer);
-    let mut gathered = Gathered::pretraced(&tracer, options);
+    let (tracer, photons) = photon_pass::with_photons(tracer);
+    let mut gathered = RadiosityPass::pretraced(&tracer, options);
     if let Sampling::Converging(how) = &options.sampling {
         let (tracer, radiosity) = match gathered {
             None => (tracer, None),
             Some(gathered) => gathered.given_to(tracer),
         };
-        let drawn = converge::draw(&tracer, options, how, unfinished, progress);
+        let drawn = adaptive::draw(&tracer, options, how, unfinished, progress);
         return Drawn {
             radiosity,
             photons,
@@ -91,7 +91,7 @@ pub fn render(
         Some(_) => tiles_of(&with_all_before(options)),
         None => tiles_of(options),
     };
-    let leveller = options.only_for.as_ref().and_then(Leveller::of);
+    let leveller = options.only_for.as_ref().and_then(Quantizer::of);
     let renderer = TileRenderer::new(&tracer, options);
     let draw = |scratch: &mut BlockScratch, tile: &Tile| {
         let (tile, (pixels, rays)) = match unfinished {
@@ -102,8 +102,8 @@ pub fn render(
             progress(pixels.len() as u64);
         }
         let kept = match &leveller {
-            Some(leveller) => Kept::Levels(leveller.levels(&pixels)),
-            None => Kept::Light(pixels),
+            Some(leveller) => TilePixels::Levels(leveller.levels(&pixels)),
+            None => TilePixels::Light(pixels),
         };
         (tile, kept, rays)
     };
@@ -128,14 +128,14 @@ pub fn render(
         film,
         rays,
         reached: None,
-        radiosity: gathered.map(Gathered::taken),
+        radiosity: gathered.map(RadiosityPass::taken),
         photons,
     }
 }
 
 /// Whether pixels are drawn one after the other, for the sake of random numbers that the scene shows.
 fn draws_in_order(world: &World, options: &RenderOptions) -> bool {
-    options.takes_numbers_in_order() && world.takes_chances()
+    options.takes_numbers_in_order() && world.uses_random()
 }
 
 /// What a thread keeps that draws in order, with random numbers that go on.
@@ -200,16 +200,16 @@ impl<'a> TileRenderer<'a> {
     /// A tile of an unfinished picture: what is there, or what is drawn and kept.
     fn kept_tile(
         &self,
-        unfinished: &Unfinished,
+        unfinished: &Checkpoint,
         tile: &Tile,
         scratch: &mut BlockScratch,
     ) -> (Tile, Pixels) {
         let wanted = wanted(tile, self.options);
         if let Some(piece) = unfinished.piece(&wanted.columns, &wanted.rows) {
-            return (wanted, (piece.pixels.clone(), Rays::default()));
+            return (wanted, (piece.pixels.clone(), RayCounts::default()));
         }
         let (tile, (pixels, rays)) = self.tile(tile, scratch);
-        let piece = Piece {
+        let piece = CheckpointTile {
             columns: tile.columns.clone(),
             rows: tile.rows.clone(),
             pixels,
@@ -233,7 +233,7 @@ impl<'a> TileRenderer<'a> {
         } else if scratch.goes_on() {
             let (whole, rays) = draw_rows(tracer, tile, options, scratch);
             (cut_out(whole, tile, &wanted), rays)
-        } else if scratch.single().minds_order() {
+        } else if scratch.single().order_dependent() {
             draw_rows(tracer, &wanted, options, scratch)
         } else {
             draw_blocks(tracer, &wanted, options, scratch)
@@ -294,7 +294,7 @@ fn draw_blocks(
             });
         }
     }
-    film::tell_all(&mut pixels);
+    film::sanitize_all(&mut pixels);
     (pixels, scratch.take_rays())
 }
 

@@ -28,7 +28,7 @@ impl Scene {
     /// The scene around its camera if it is far from the origin; as it is where it is not. Fogs and media
     /// of the whole scene know places of the world.
     #[must_use]
-    pub(crate) fn near_the_origin(mut self) -> Scene {
+    pub(crate) fn recentered(mut self) -> Scene {
         let air = &self.atmosphere;
         let knows_places = !air.fogs.is_empty() || !air.media.is_empty();
         if knows_places || !self.is_far() {

@@ -3,7 +3,7 @@
 use crate::interior::Interior;
 use crate::light::{Light, ObjectPhotons};
 use crate::math::{Bounds, Step};
-use crate::shape::{Geometry, Shape, Skin};
+use crate::shape::{FaceTexture, Geometry, Shape};
 use crate::texture::Texture;
 use std::num::NonZeroU64;
 use std::sync::Arc;
@@ -190,7 +190,7 @@ impl Object {
             height: 1,
             leaves: 1,
             has_lights: matches!(kind, Kind::Light { .. }),
-            uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(Skin::uses_uv)),
+            uses_uv: matches!(&kind, Kind::Shape(shape) if shape.skins().iter().any(FaceTexture::uses_uv)),
             has_cutaways: false,
             reaches_out: matches!(&kind, Kind::Shape(shape) if shape.reaches_out()),
             turns: 0,

@@ -62,7 +62,7 @@ impl Scene {
 
     /// The scene in a unit in which its lengths and their squares can be held; as it is where they can.
     #[must_use]
-    pub(crate) fn in_comfort(self) -> Scene {
+    pub(crate) fn rescaled(self) -> Scene {
         let size = self.size();
         if size == 0.0 || (1.0 / COMFORTABLE..COMFORTABLE).contains(&size) {
             return self;

@@ -58,7 +58,7 @@ impl Axis {
 
     /// Tells whether a ray starts on the side or on a cap of a cone, or before it, and goes away: of one with this radius at the
     /// base, which grows by `slope` towards the apex.
-    pub(super) fn is_left_behind(&self, ray: &Ray, base_radius: f64, slope: f64) -> bool {
+    pub(super) fn is_exiting(&self, ray: &Ray, base_radius: f64, slope: f64) -> bool {
         let p = ray.origin - self.base;
         let (height, length) = (self.unit.dot(p), self.length());
         let climb = self.unit.dot(ray.dir);

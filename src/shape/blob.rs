@@ -14,12 +14,12 @@ mod reach;
 
 use self::component::{Component, Part, Parts};
 use self::reach::Reach;
-use super::{Crossings, Geometry, Root, Share, Shares, Skin, Start};
+use super::{Crossings, FaceTexture, Geometry, Root, Start, TextureWeight, TextureWeights};
 use super::{first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
-use crate::math::lanes::with_widest;
 use crate::math::quartic::quartic_changes_between;
+use crate::math::simd::with_widest;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -47,7 +47,7 @@ pub struct Blob(Arc<Field>);
 struct Field {
     components: Vec<Component>,
     /// The textures that components have of their own.
-    skins: Vec<Skin>,
+    skins: Vec<FaceTexture>,
     threshold: f64,
     bounds: Bounds,
     tree: Option<Bvh>,
@@ -79,8 +79,9 @@ impl Blob {
                 threshold = read::number(args, "the threshold of the blob")?;
             } else if let Some((mut component, texture)) = Component::read(args)? {
                 if let Some(texture) = texture {
-                    component.skin = u32::try_from(skins.len()).unwrap_or(Share::OF_THE_OBJECT);
-                    skins.push(Skin(Arc::new(texture)));
+                    component.skin =
+                        u32::try_from(skins.len()).unwrap_or(TextureWeight::OF_THE_OBJECT);
+                    skins.push(FaceTexture(Arc::new(texture)));
                 }
                 components.push(component);
             } else {
@@ -95,7 +96,7 @@ impl Blob {
         Ok(Blob::new(components, skins, threshold))
     }
 
-    fn new(components: Vec<Component>, skins: Vec<Skin>, threshold: f64) -> Self {
+    fn new(components: Vec<Component>, skins: Vec<FaceTexture>, threshold: f64) -> Self {
         let boxes: Vec<Bounds> = components.iter().map(Component::bounds).collect();
         let reach = |sign: f64| {
             let some = components.iter().zip(&boxes);
@@ -372,13 +373,13 @@ impl Geometry for Blob {
         false
     }
 
-    fn skins(&self) -> &[Skin] {
+    fn skins(&self) -> &[FaceTexture] {
         &self.0.skins
     }
 
     /// Each component has a share as large as its field there, whether it adds or takes away.
-    fn shares(&self, point: DVec3, _: u32) -> Shares {
-        let mut shares = Shares::new();
+    fn shares(&self, point: DVec3, _: u32) -> TextureWeights {
+        let mut shares = TextureWeights::new();
         if self.0.skins.is_empty() {
             return shares;
         }
@@ -387,7 +388,7 @@ impl Geometry for Blob {
             let weight = component.field(point).abs();
             if weight > 0.0 {
                 let skin = component.skin;
-                shares.push(Share { weight, skin });
+                shares.push(TextureWeight { weight, skin });
                 sum += weight;
             }
         });

@@ -14,7 +14,7 @@
 use super::axial::{APEX, Axis, BASE};
 use super::{Geometry, Root, Start, first_visible, read, unease};
 use crate::args::{Args, Parse, Word};
-use crate::math::conditioning::{Eased, is_comfortable};
+use crate::math::conditioning::{RescaledRay, is_comfortable};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DAffine3, DVec3};
@@ -107,7 +107,7 @@ impl Cone {
     fn far_crossings(&self, ray: &Ray) -> Option<SmallVec<[Root; 4]>> {
         let to_apex = self.axis.apex - self.axis.base;
         let size = self.widest().max(to_apex.abs().max_element());
-        let eased = Eased::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
+        let eased = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
         let small = Cone {
             axis: Axis {
                 base: DVec3::ZERO,
@@ -225,12 +225,9 @@ impl Geometry for Cone {
     }
 
     /// As of a cylinder; an hourglass is not convex.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
+    fn is_exiting(&self, ray: &Ray) -> bool {
         let is_convex = self.apex_radius >= 0.0;
-        is_convex
-            && self
-                .axis
-                .is_left_behind(ray, self.base_radius, self.slope())
+        is_convex && self.axis.is_exiting(ray, self.base_radius, self.slope())
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

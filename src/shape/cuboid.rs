@@ -4,13 +4,13 @@
 //! is `(corner − origin) / dir` and nothing else, so faces in one plane get the same bits, whatever box they belong to.
 //! Error bound: two roundings of the difference and one of the quotient. Edges have no tolerance. A box without thickness is visible, as in POV-Ray.
 
-use super::four::{FourRays, FourSpans, Three, minus, same};
+use super::packet::{RayPacket, SpanPacket, Vec3Lanes, minus, same};
 use super::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, first_visible, push_span, read,
     span,
 };
 use crate::args::{Args, Parse};
-use crate::math::lanes::Four;
+use crate::math::simd::F64Lanes;
 use crate::math::{Bounds, Ray, Step};
 use glam::DVec3;
 
@@ -109,7 +109,7 @@ impl Cuboid {
 
     /// The spans of four rays. Those along a face are unknown.
     #[inline(always)]
-    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(super) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let to_min = ways(minus(same(self.min), rays.origin), rays.dir);
         let to_max = ways(minus(same(self.max), rays.origin), rays.dir);
         let [x, y, z] = [
@@ -127,7 +127,7 @@ impl Cuboid {
                 none.below(rays.dir[2].size()),
             ),
         );
-        FourSpans::new((enter, leave), enter.not_above(leave), is_off)
+        SpanPacket::new((enter, leave), enter.not_above(leave), is_off)
     }
 
     /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
@@ -142,12 +142,12 @@ impl Cuboid {
 }
 
 #[inline(always)]
-fn ways<F: Four>(to: Three<F>, dir: Three<F>) -> Three<F> {
+fn ways<F: F64Lanes>(to: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> Vec3Lanes<F> {
     [to[0].over(dir[0]), to[1].over(dir[1]), to[2].over(dir[2])]
 }
 
 #[inline(always)]
-fn stretch<F: Four>(a: F, b: F) -> (F, F) {
+fn stretch<F: F64Lanes>(a: F, b: F) -> (F, F) {
     (a.smaller(b), a.larger(b))
 }
 
@@ -180,7 +180,7 @@ impl Geometry for Cuboid {
     }
 
     /// From a face on, or from before it, away from the box.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
+    fn is_exiting(&self, ray: &Ray) -> bool {
         let care = (1.0 - WELL_INSIDE) * (self.max - self.min);
         let above = ray.origin.cmpgt(self.max - care) & ray.dir.cmpgt(DVec3::ZERO);
         let below = ray.origin.cmplt(self.min + care) & ray.dir.cmplt(DVec3::ZERO);

@@ -8,14 +8,14 @@
 //! its size (`shape/roundings.rs`).
 
 use super::axial::{APEX, Axis, BASE, SIDE};
-use super::four::{self, FourRays, FourSpans, across, chords, dot, minus, same};
+use super::packet::{self, RayPacket, SpanPacket, across, chords, dot, minus, same};
 use super::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, push_span, read, unease,
 };
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
-use crate::math::lanes::Four;
+use crate::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::math::simd::F64Lanes;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DAffine3, DVec3};
@@ -142,15 +142,15 @@ impl Cylinder {
 
     /// The spans of four rays. Those along the axis or along the caps are unknown.
     #[inline(always)]
-    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(super) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let unit = same(self.axis.unit);
         let p = minus(rays.origin, same(self.axis.base));
-        let is_known = four::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
+        let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         let dir = across(unit, rays.dir);
         let (side_enter, side_leave, is_met) = chords(across(unit, p), dir, self.radius);
         if F::bits(is_met) == 0 && F::bits(is_known) == 0b1111 {
             let is_slanted = F::all(0.0).below(dot(dir, dir));
-            return FourSpans::new((side_enter, side_leave), is_met, is_slanted);
+            return SpanPacket::new((side_enter, side_leave), is_met, is_slanted);
         }
         let slope = dot(unit, rays.dir);
         let to_base = dot(unit, minus(same(self.axis.base), rays.origin)).over(slope);
@@ -164,14 +164,14 @@ impl Cylinder {
             F::all(0.0).below(dot(dir, dir)),
             F::all(0.0).below(slope.size()),
         );
-        FourSpans::new((enter, leave), is_met, F::both(is_known, is_slanted))
+        SpanPacket::new((enter, leave), is_met, F::both(is_known, is_slanted))
     }
 
     #[cold]
     fn far_span(&self, ray: &Ray) -> Option<[Root; 2]> {
         let to_apex = self.axis.apex - self.axis.base;
         let size = self.radius.max(to_apex.abs().max_element());
-        let eased = Eased::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
+        let eased = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
         let small = Cylinder {
             axis: Axis {
                 base: DVec3::ZERO,
@@ -196,8 +196,8 @@ impl Geometry for Cylinder {
     }
 
     /// From the side or a cap on, or from before it, away from the cylinder.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
-        self.axis.is_left_behind(ray, self.radius, 0.0)
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.axis.is_exiting(ray, self.radius, 0.0)
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

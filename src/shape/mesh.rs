@@ -9,16 +9,16 @@
 //! enter and leave alternate along a ray ([`RayFrame::crossing`] counts without fault). If not, the state between two
 //! roots is that of the point midway, and outside beyond them.
 
+use super::face_texture::{FaceTexture, TextureWeights};
 use super::mesh_build::{Draft, single_pair};
 use super::mesh_looks::{Looks, NO_TRIPLE};
-use super::skin::{Shares, Skin};
 use super::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word, declared};
 use crate::math::conditioning::power_of_two;
-use crate::math::lanes::{Lanes, four, with_widest};
-use crate::math::watertight::{FourAndTriangle, FourFrames, FourMet, RayFrame, TriangleHit};
+use crate::math::simd::{SimdLevel, four, with_widest};
+use crate::math::watertight::{RayFrame, RayFrames4, RaysAndTriangle, TriangleHit, TriangleHits4};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use crate::texture::Texture;
@@ -132,9 +132,14 @@ impl Mesh {
 
     /// Where the whole lines of four rays meet a triangle of a patch.
     #[inline(always)]
-    pub(crate) fn meet_four(&self, lanes: Lanes, rays: &FourFrames, face: u32) -> FourMet {
+    pub(crate) fn meet_four(
+        &self,
+        lanes: SimdLevel,
+        rays: &RayFrames4,
+        face: u32,
+    ) -> TriangleHits4 {
         let corners = &self.0.corners(face);
-        four(lanes, &FourAndTriangle { rays, corners })
+        four(lanes, &RaysAndTriangle { rays, corners })
     }
 
     /// The root of a patch on a triangle.
@@ -230,7 +235,7 @@ fn read_triangle(args: &mut dyn Args, draft: &mut Draft, shading: Shading) -> Pa
 /// `texture { ... }` for a whole triangle, or `texture_list { T1 T2 T3 }` for its corners.
 fn read_skins(args: &mut dyn Args, draft: &mut Draft) -> Parse<Option<[u32; 3]>> {
     if args.accept(Word::Texture)? {
-        let skin = draft.skin(Skin::read(args)?);
+        let skin = draft.skin(FaceTexture::read(args)?);
         return Ok(Some([skin; 3]));
     }
     if !args.accept(Word::TextureList)? {
@@ -241,8 +246,8 @@ fn read_skins(args: &mut dyn Args, draft: &mut Draft) -> Parse<Option<[u32; 3]>>
     for skin in &mut skins {
         args.comma()?;
         let named = match declared::<Texture>(args)? {
-            Some(named) => Skin(named),
-            None if args.accept(Word::Texture)? => Skin::read(args)?,
+            Some(named) => FaceTexture(named),
+            None if args.accept(Word::Texture)? => FaceTexture::read(args)?,
             None => return Err(args.expected("the names of three textures in `texture_list`")),
         };
         *skin = draft.skin(named);
@@ -317,7 +322,7 @@ impl Triangles {
     #[inline(always)]
     fn first_found(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         ray: &Ray,
         (from, to): (f64, f64),
         but: u32,
@@ -487,14 +492,14 @@ impl Geometry for Mesh {
         ))
     }
 
-    fn skins(&self) -> &[Skin] {
+    fn skins(&self) -> &[FaceTexture] {
         self.0.looks.as_ref().map_or(&[], |looks| &looks.skins)
     }
 
-    fn shares(&self, point: DVec3, face: u32) -> Shares {
+    fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
         match &self.0.looks {
             Some(looks) => looks.shares(face, || self.weights(point, face)),
-            None => Shares::new(),
+            None => TextureWeights::new(),
         }
     }
 

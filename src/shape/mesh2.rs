@@ -3,10 +3,10 @@
 //! A count or an index loses what stands behind its decimal point, as in POV-Ray. Behind a triangle may stand the index
 //! of its texture, or those of its three corners.
 
+use super::face_texture::FaceTexture;
 use super::mesh::read_inside_vector;
 use super::mesh_build::{Draft, single, single_normal, single_pair};
 use super::mesh_looks::UvOf;
-use super::skin::Skin;
 use super::{Mesh, read};
 use crate::args::{Args, Parse, Word};
 use crate::source::{Diagnostic, Span};
@@ -139,7 +139,7 @@ fn read_textures(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
             let what = format!("`texture` {number} of {count} in `texture_list`");
             return Err(args.expected(&what));
         }
-        draft.looks.skins.push(Skin::read(args)?);
+        draft.looks.skins.push(FaceTexture::read(args)?);
     }
     close_list(args, &TEXTURES, count)
 }

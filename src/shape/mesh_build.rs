@@ -1,9 +1,9 @@
 //! From the triangles of a scene to a mesh ready for rays.
 
 use super::Triangle;
+use super::face_texture::FaceTexture;
 use super::mesh::{FLAT, Inside, Triangles};
 use super::mesh_looks::{Looks, NO_TRIPLE, SkinsOf, UvOf, retain};
-use super::skin::Skin;
 use crate::math::conditioning::unit;
 use crate::math::{Bounds, rounding};
 use glam::{DVec2, DVec3, Vec2, Vec3};
@@ -107,7 +107,7 @@ impl Draft {
     }
 
     /// The number of a texture, which the list gets if it is new.
-    pub(super) fn skin(&mut self, skin: Skin) -> u32 {
+    pub(super) fn skin(&mut self, skin: FaceTexture) -> u32 {
         let key = std::sync::Arc::as_ptr(&skin.0).addr();
         let skins = &mut self.looks.skins;
         *self.known_skins.entry(key).or_insert_with(|| {

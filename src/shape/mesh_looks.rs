@@ -1,7 +1,7 @@
 //! What the triangles of a mesh may have beside corners: texture coordinates, and textures of their own. A list that a
 //! mesh does not have takes no memory.
 
-use super::skin::{Share, Shares, Skin};
+use super::face_texture::{FaceTexture, TextureWeight, TextureWeights};
 use glam::Vec2;
 
 /// In the lists of a mesh: the triangle has none.
@@ -14,7 +14,7 @@ pub(super) struct Looks {
     pub(super) uvs: Vec<Vec2>,
     pub(super) uv_of: UvOf,
     /// The textures.
-    pub(super) skins: Vec<Skin>,
+    pub(super) skins: Vec<FaceTexture>,
     pub(super) skins_of: SkinsOf,
 }
 
@@ -89,13 +89,13 @@ impl Looks {
     }
 
     /// The shares of textures at a place of a triangle.
-    pub(super) fn shares(&self, face: u32, weights: impl FnOnce() -> [f64; 3]) -> Shares {
+    pub(super) fn shares(&self, face: u32, weights: impl FnOnce() -> [f64; 3]) -> TextureWeights {
         let triple = self.skins_of.of(face);
         if triple == NO_TRIPLE {
-            return Shares::new();
+            return TextureWeights::new();
         }
         if triple[0] == triple[1] && triple[1] == triple[2] {
-            return Shares::from_slice(&[Share {
+            return TextureWeights::from_slice(&[TextureWeight {
                 weight: 1.0,
                 skin: triple[0],
             }]);
@@ -104,7 +104,7 @@ impl Looks {
         let sum: f64 = weights.iter().sum();
         let shares = triple.into_iter().zip(weights);
         shares
-            .map(|(skin, weight)| Share {
+            .map(|(skin, weight)| TextureWeight {
                 weight: weight / sum,
                 skin,
             })
@@ -150,7 +150,7 @@ impl Looks {
         uv_of
             + skins_of
             + self.uvs.capacity() * size_of::<Vec2>()
-            + self.skins.capacity() * size_of::<Skin>()
+            + self.skins.capacity() * size_of::<FaceTexture>()
     }
 }
 

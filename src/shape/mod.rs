@@ -11,14 +11,12 @@ mod bicubic_patch;
 mod blob;
 #[cfg(test)]
 pub(crate) mod check;
-mod clear;
 mod cone;
 mod container;
 mod cuboid;
 mod cylinder;
 mod disc;
-mod four;
-mod four_search;
+mod face_texture;
 mod height_field;
 mod isosurface;
 mod julia_fractal;
@@ -29,7 +27,10 @@ mod mesh_build;
 mod mesh_looks;
 #[cfg(test)]
 mod oracle;
+mod outside;
 mod ovus;
+mod packet;
+mod packet_search;
 mod parametric;
 mod parametric_patch;
 mod placed_mesh;
@@ -38,11 +39,10 @@ mod poly;
 mod polygon;
 mod prism;
 mod quadric;
-mod quadric_of_four;
+mod quadric_packet;
 mod read;
 #[cfg(test)]
 mod roundings;
-mod skin;
 mod smooth_triangle;
 mod sor;
 mod sphere;
@@ -51,7 +51,7 @@ mod spline;
 mod superellipsoid;
 mod text;
 mod torus;
-mod torus_of_four;
+mod torus_packet;
 mod triangle;
 
 pub use bicubic_patch::BicubicPatch;
@@ -60,13 +60,14 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub(crate) use four::{FourRays, FourSpans};
+pub use face_texture::{FaceTexture, TextureWeight, TextureWeights};
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::JuliaFractal;
 pub use lathe::Lathe;
 pub use mesh::Mesh;
 pub use ovus::Ovus;
+pub(crate) use packet::{RayPacket, SpanPacket};
 pub use parametric::Parametric;
 pub use placed_mesh::PlacedMesh;
 pub use plane::Plane;
@@ -74,7 +75,6 @@ pub use poly::Poly;
 pub use polygon::Polygon;
 pub use prism::Prism;
 pub use quadric::Quadric;
-pub use skin::{Share, Shares, Skin};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
@@ -85,7 +85,7 @@ pub use torus::Torus;
 pub use triangle::Triangle;
 
 use crate::args::{Args, Parse, Word};
-use crate::math::conditioning::Eased;
+use crate::math::conditioning::RescaledRay;
 use crate::math::{Bounds, Ray, Step};
 use glam::{DAffine3, DMat3, DVec3};
 use smallvec::SmallVec;
@@ -165,7 +165,7 @@ pub trait Geometry {
     /// Whether all that the line enters lies before the start of the ray: the solid is convex, and the ray, where it is
     /// near, goes away from it. For a ray that goes out from the surface it is enough that it starts where that is a part
     /// of the hull. What is not known is false.
-    fn is_left_behind(&self, _ray: &Ray) -> bool {
+    fn is_exiting(&self, _ray: &Ray) -> bool {
         false
     }
 
@@ -213,13 +213,13 @@ pub trait Geometry {
     }
 
     /// The textures that pieces of the surface have of their own.
-    fn skins(&self) -> &[Skin] {
+    fn skins(&self) -> &[FaceTexture] {
         &[]
     }
 
     /// Which of [`Geometry::skins`] a point of the surface piece `face` shows; none if it looks as the object does.
-    fn shares(&self, _point: DVec3, _face: u32) -> Shares {
-        Shares::new()
+    fn shares(&self, _point: DVec3, _face: u32) -> TextureWeights {
+        TextureWeights::new()
     }
 
     /// The shading normal where it may differ from the geometric one (smooth triangles); not normalised.
@@ -306,8 +306,8 @@ macro_rules! shapes {
             fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
                 match self { $(Shape::$name(shape) => shape.nearest(ray, from, to)),+ }
             }
-            fn is_left_behind(&self, ray: &Ray) -> bool {
-                match self { $(Shape::$name(shape) => shape.is_left_behind(ray)),+ }
+            fn is_exiting(&self, ray: &Ray) -> bool {
+                match self { $(Shape::$name(shape) => shape.is_exiting(ray)),+ }
             }
             fn normal(&self, point: DVec3, face: u32) -> DVec3 {
                 match self { $(Shape::$name(shape) => shape.normal(point, face)),+ }
@@ -342,10 +342,10 @@ macro_rules! shapes {
             fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
                 match self { $(Shape::$name(shape) => shape.shading_normal(point, face)),+ }
             }
-            fn skins(&self) -> &[Skin] {
+            fn skins(&self) -> &[FaceTexture] {
                 match self { $(Shape::$name(shape) => shape.skins()),+ }
             }
-            fn shares(&self, point: DVec3, face: u32) -> Shares {
+            fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
                 match self { $(Shape::$name(shape) => shape.shares(point, face)),+ }
             }
             fn is_faceted(&self) -> bool {
@@ -448,7 +448,7 @@ fn span(enter: (f64, u32), leave: (f64, u32)) -> Option<[Root; 2]> {
 }
 
 /// The span on the ray as it was given, of a span on the eased ray.
-fn unease(eased: &Eased, roots: [Root; 2]) -> Option<[Root; 2]> {
+fn unease(eased: &RescaledRay, roots: [Root; 2]) -> Option<[Root; 2]> {
     let roots = roots.map(|root| Root {
         t: eased.t(root.t),
         ..root

@@ -10,8 +10,8 @@
 use super::{Geometry, Root, Start, first_visible, push_span, read, span};
 use crate::args::{Args, Parse};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable};
-use crate::math::enclosed::first_below_zero;
+use crate::math::conditioning::{RescaledRay, is_comfortable};
+use crate::math::interval_roots::first_below_zero;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
@@ -156,7 +156,7 @@ impl Ovus {
             let (enter, leave) = self.chord(&about, centre, size)?;
             return span((enter, 0), (leave, 0));
         }
-        let eased = Eased::new(&about, size)?;
+        let eased = RescaledRay::new(&about, size)?;
         let small = Ovus {
             bottom: self.bottom / eased.size,
             top: self.top / eased.size,

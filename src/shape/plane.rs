@@ -3,11 +3,11 @@
 //! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
 //! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
-use super::four::{FourRays, FourRoots, FourSpans, dot, same};
+use super::packet::{RayPacket, RootPacket, SpanPacket, dot, same};
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::{power_of_two, unit};
-use crate::math::lanes::Four;
+use crate::math::simd::F64Lanes;
 use crate::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -68,14 +68,14 @@ impl Plane {
 
     /// Where four lines are inside. Those along the plane are unknown.
     #[inline(always)]
-    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(super) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let normal = same(self.normal);
         let slope = dot(normal, rays.dir);
         let height = F::all(self.distance).minus(dot(normal, rays.origin));
         let t = height.over(slope);
         let endless = F::all(f64::INFINITY);
         let is_left = F::all(0.0).below(slope);
-        FourSpans {
+        SpanPacket {
             enter: F::pick(is_left, endless.negated(), t),
             leave: F::pick(is_left, t, endless),
             is_met: F::mask(0b1111),
@@ -85,20 +85,20 @@ impl Plane {
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
     #[inline(always)]
-    pub(super) fn four_left_behind<F: Four>(&self, rays: &FourRays<F>) -> F::Mask {
+    pub(super) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         F::all(0.0).below(dot(same(self.normal), rays.dir))
     }
 
     /// The crossings of four lines.
     #[inline(always)]
-    pub(super) fn roots_of_four<F: Four>(&self, rays: &FourRays<F>) -> FourRoots<F> {
+    pub(super) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
         let normal = same(self.normal);
         let slope = dot(normal, rays.dir);
         let height = F::all(self.distance).minus(dot(normal, rays.origin));
         let t = height.over(slope);
         let nothing = F::all(0.0);
         let is_finite = t.size().below(F::all(f64::INFINITY));
-        let mut roots = FourRoots::none(0);
+        let mut roots = RootPacket::none(0);
         (roots.t[0], roots.t[1]) = (t, t);
         roots.met[0] = F::bits(F::both(slope.below(nothing), is_finite));
         roots.met[1] = F::bits(F::both(nothing.below(slope), is_finite));
@@ -136,8 +136,8 @@ impl Geometry for Plane {
     }
 
     /// A line that goes out of a half-space never enters it.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
-        self.four_left_behind(&FourRays::<f64>::of(ray))
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.four_left_behind(&RayPacket::<f64>::of(ray))
     }
 
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {

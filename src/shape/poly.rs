@@ -11,7 +11,7 @@
 use super::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
 use crate::args::{Args, Parse};
 use crate::math::conditioning::power_of_two;
-use crate::math::polynomial::{Places, sign_changes, sign_changes_between, value};
+use crate::math::polynomial::{Roots, sign_changes, sign_changes_between, value};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -231,7 +231,7 @@ impl Polynomial {
     }
 
     /// The places after two Newton steps in space; as they were if that breaks their order.
-    fn refined(&self, near: DVec3, way: DVec3, places: Places) -> Places {
+    fn refined(&self, near: DVec3, way: DVec3, places: Roots) -> Roots {
         let refine = |u: f64| {
             let (value, slope) = self.value_and_slope(near + u * way, way);
             let step = value / slope;
@@ -241,7 +241,7 @@ impl Polynomial {
                 u
             }
         };
-        let moved: Places = places.iter().map(|u| refine(refine(*u))).collect();
+        let moved: Roots = places.iter().map(|u| refine(refine(*u))).collect();
         let is_in_order = moved.windows(2).all(|pair| pair[0] < pair[1]);
         if is_in_order { moved } else { places }
     }
@@ -283,9 +283,9 @@ fn degrees(order: usize) -> impl Iterator<Item = usize> {
 }
 
 /// All places where a polynomial changes sign, and whether it is negative far back. Zero everywhere is inside.
-fn all_sign_changes(c: &[f64]) -> (Start, Places) {
+fn all_sign_changes(c: &[f64]) -> (Start, Roots) {
     let Some(top) = c.iter().rposition(|c| *c != 0.0) else {
-        return (Start::Inside, Places::new());
+        return (Start::Inside, Roots::new());
     };
     let degree_is_odd = top % 2 == 1;
     let is_inside = (c[top] < 0.0) != degree_is_odd;
@@ -293,12 +293,12 @@ fn all_sign_changes(c: &[f64]) -> (Start, Places) {
     let (at_low, at_high) = (value(c, -1.0) < 0.0, value(c, 1.0) < 0.0);
     let reversed: SmallVec<[f64; MAX_ORDER + 1]> = c.iter().rev().copied().collect();
     let beyond = sign_changes(&reversed);
-    let mut places = Places::new();
+    let mut places = Roots::new();
     // From far back up to -1: 1/u falls from 0 to -1.
     places.extend(beyond.iter().rev().filter(|v| **v < 0.0).map(|v| 1.0 / v));
     agree(&mut places, is_inside != at_low, -1.0);
     places.extend(sign_changes_between(c, at_low, at_high));
-    let mut ahead: Places = beyond
+    let mut ahead: Roots = beyond
         .iter()
         .filter(|v| **v > 0.0)
         .map(|v| 1.0 / v)
@@ -316,7 +316,7 @@ fn all_sign_changes(c: &[f64]) -> (Start, Places) {
 }
 
 /// Makes the number of places odd or even, by one at the joint of two stretches.
-fn agree(places: &mut Places, is_odd: bool, joint: f64) {
+fn agree(places: &mut Roots, is_odd: bool, joint: f64) {
     /// How near to the joint rounding may hide or make one.
     const ROUNDED: f64 = 1e-7;
     if (places.len() % 2 == 1) == is_odd {

@@ -11,7 +11,7 @@ use super::axial::Slab;
 use super::spline::{self, Chain, Kind, Segment};
 use super::{Geometry, Root, Start, read};
 use crate::args::{Args, Parse, Word};
-use crate::math::lanes::{Lanes, with_widest};
+use crate::math::simd::{SimdLevel, with_widest};
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::{DVec2, DVec3};
@@ -95,7 +95,7 @@ impl Prism {
 
     /// Visits the spans of the line of a ray inside, in order, until `visit` says to stop.
     #[inline(always)]
-    fn spans(&self, lanes: Lanes, ray: &Ray, mut visit: impl FnMut([Root; 2]) -> bool) {
+    fn spans(&self, lanes: SimdLevel, ray: &Ray, mut visit: impl FnMut([Root; 2]) -> bool) {
         let Some(slab) = Slab::between(ray, self.low, self.high) else {
             return;
         };
@@ -114,7 +114,7 @@ impl Prism {
 
     /// Where the line passes through the side of an endless prism.
     #[inline(always)]
-    fn linear_places(&self, lanes: Lanes, ray: &Ray) -> SmallVec<[f64; 8]> {
+    fn linear_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
         let mut places = SmallVec::new();
         let speed_sq = dir.dot(dir);
@@ -134,7 +134,7 @@ impl Prism {
 
     /// The same for an endless double cone.
     #[inline(always)]
-    fn conic_places(&self, lanes: Lanes, ray: &Ray) -> SmallVec<[f64; 8]> {
+    fn conic_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
         let mut places = SmallVec::new();
         let dir = ray.dir;
         let ahead = -ray.origin.dot(dir) / dir.dot(dir);

@@ -7,8 +7,9 @@
 //! Error bound: roots lie within a rounding of the problem's size (`|O| + |t·D|`, by coordinates, and the radius) from the
 //! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
 
-use super::four::{
-    FourNearest, FourRays, FourSpans, chords, dot, is_comfortable as are_comfortable, minus, same,
+use super::packet::{
+    NearestPacket, RayPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, minus,
+    same,
 };
 use super::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, even_scale, first_visible,
@@ -16,8 +17,8 @@ use super::{
 };
 use crate::args::{Args, Parse};
 use crate::math::chord::{MARGIN, ball_chord};
-use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
-use crate::math::lanes::Four;
+use crate::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::math::simd::F64Lanes;
 use crate::math::{Bounds, Ray, Step, rotation};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -57,7 +58,7 @@ impl Sphere {
 
     #[cold]
     fn far_chord(&self, p: DVec3, dir: DVec3) -> Option<(f64, f64)> {
-        let eased = Eased::new(&Ray::new(p, dir), self.radius)?;
+        let eased = RescaledRay::new(&Ray::new(p, dir), self.radius)?;
         let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
         Some((eased.t(enter), eased.t(leave)))
     }
@@ -72,33 +73,33 @@ impl Sphere {
 
     /// The spans of four rays.
     #[inline(always)]
-    pub(super) fn four<F: Four>(&self, rays: &FourRays<F>) -> FourSpans<F> {
+    pub(super) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let p = minus(rays.origin, same(self.centre));
         let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
-        FourSpans::new((enter, leave), is_met, is_known)
+        SpanPacket::new((enter, leave), is_met, is_known)
     }
 
     /// The first surfaces on four rays with `from < t <= far`.
     #[inline(always)]
-    pub(crate) fn nearest_of_four<F: Four>(
+    pub(crate) fn nearest_of_four<F: F64Lanes>(
         &self,
-        rays: &FourRays<F>,
+        rays: &RayPacket<F>,
         from: F,
         far: F,
-    ) -> FourNearest<F> {
+    ) -> NearestPacket<F> {
         self.four(rays).nearest(from, far)
     }
 
     /// The same; instead of a surface some place in the ball before that where it is left will do. What is no near thing
     /// is told without a root.
     #[inline(always)]
-    pub(crate) fn any_of_four<F: Four>(
+    pub(crate) fn any_of_four<F: F64Lanes>(
         &self,
-        rays: &FourRays<F>,
+        rays: &RayPacket<F>,
         (from, far): (F, F),
         there: u32,
-    ) -> FourNearest<F> {
+    ) -> NearestPacket<F> {
         let p = minus(rays.origin, same(self.centre));
         let (a, b, from_centre_sq) = (dot(rays.dir, rays.dir), dot(p, rays.dir), dot(p, p));
         let r_sq = F::all(self.radius * self.radius);
@@ -123,7 +124,7 @@ impl Sphere {
         if there & !F::bits(is_clear) != 0 {
             return self.nearest_of_four(rays, from, far);
         }
-        FourNearest {
+        NearestPacket {
             t: middle,
             leaves: 0,
             met: F::bits(is_met),
@@ -133,7 +134,7 @@ impl Sphere {
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
     #[inline(always)]
-    pub(crate) fn four_left_behind<F: Four>(&self, rays: &FourRays<F>) -> F::Mask {
+    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = minus(rays.origin, same(self.centre));
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         F::both(is_known, F::all(0.0).below(dot(p, rays.dir)))
@@ -141,7 +142,7 @@ impl Sphere {
 
     /// The root of a ray that starts on the surface and goes outward or inward besides the one it starts on.
     #[inline]
-    pub(crate) fn beside(&self, ray: &Ray, goes_out: bool) -> Option<Root> {
+    pub(crate) fn other_root(&self, ray: &Ray, goes_out: bool) -> Option<Root> {
         let [enter, leave] = self.span(ray)?;
         Some(if goes_out { enter } else { leave })
     }
@@ -194,7 +195,7 @@ impl Geometry for Sphere {
         first_visible(&self.span(ray)?, from, to)
     }
 
-    fn is_left_behind(&self, ray: &Ray) -> bool {
+    fn is_exiting(&self, ray: &Ray) -> bool {
         let p = ray.origin - self.centre;
         is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) && p.dot(ray.dir) > 0.0
     }

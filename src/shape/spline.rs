@@ -197,7 +197,7 @@ impl Segment {
     }
 
     /// Where one coordinate has no slope.
-    pub(super) fn turns(&self, axis: usize) -> crate::math::polynomial::Places {
+    pub(super) fn turns(&self, axis: usize) -> crate::math::polynomial::Roots {
         sign_changes(&[
             self.c[1][axis],
             2.0 * self.c[2][axis],
@@ -212,7 +212,7 @@ impl Segment {
     }
 
     /// Where one coordinate is zero.
-    pub(super) fn zeros(&self, axis: usize) -> crate::math::polynomial::Places {
+    pub(super) fn zeros(&self, axis: usize) -> crate::math::polynomial::Roots {
         sign_changes(&self.c.map(|c| c[axis])[..=self.degree])
     }
 
@@ -331,7 +331,7 @@ pub(super) fn nearest(segments: &[Segment], point: DVec2) -> Option<(usize, f64)
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
-    use crate::math::lanes::Lanes;
+    use crate::math::simd::SimdLevel;
 
     const POINTS: [DVec2; 4] = [
         DVec2::new(-1.0, 0.0),
@@ -397,7 +397,7 @@ mod tests {
             let (sin, cos) = f64::from(angle).sin_cos();
             let mut count = 0;
             let line = (DVec2::new(sin, cos), corners[2], 0.0);
-            square.line_crossings(Lanes::widest(), line, |_, _| count += 1);
+            square.line_crossings(SimdLevel::widest(), line, |_, _| count += 1);
             assert_eq!(count % 2, 0);
         }
         assert!(square.contains(DVec2::new(0.5, -1.0 + 1e-15)));

@@ -25,9 +25,9 @@ use self::exact::{Along, norm, norm_and_shares, share};
 use self::rough::{Estimate, Pieces, Rough};
 use super::{Crossing, Geometry, Root, Start, first_visible};
 use crate::args::{Args, Parse};
-use crate::math::conditioning::{Eased, is_comfortable};
-use crate::math::enclosed::{Enclosed, first_below_zero, sign_changes};
-use crate::math::polynomial::Places;
+use crate::math::conditioning::{RescaledRay, is_comfortable};
+use crate::math::interval_roots::{IntervalFunction, first_below_zero, sign_changes};
+use crate::math::polynomial::Roots;
 use crate::math::{Bounds, Ray, Step};
 use crate::source::Diagnostic;
 use glam::DVec3;
@@ -165,7 +165,7 @@ impl Superellipsoid {
         if is_comfortable(1.0, ray.dir.dot(ray.dir), ray.origin.dot(ray.origin)) {
             return self.comfortable_crossings(ray, sought);
         }
-        let Some(eased) = Eased::new(ray, 1.0) else {
+        let Some(eased) = RescaledRay::new(ray, 1.0) else {
             return Crossings::new();
         };
         let mut roots = self.comfortable_crossings(&eased.ray, Sought::ALL);
@@ -252,7 +252,7 @@ impl Superellipsoid {
             Pieces::new(rough, &along, sought).all_roots(&stops, &mut roots);
             return roots;
         }
-        let mut places = Places::new();
+        let mut places = Roots::new();
         let mut start = (from, false);
         for &stop in &stops[1..] {
             let end = (stop, stop < to && along.value(stop) < 0.0);
@@ -318,7 +318,7 @@ impl Geometry for Superellipsoid {
     }
 
     /// A size that is convex and grows where the ray starts does not fall again.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
+    fn is_exiting(&self, ray: &Ray) -> bool {
         if ray.origin.abs().max_element() > REACH {
             return false;
         }

@@ -102,7 +102,7 @@ fn what_a_ray_leaves_for_good_it_does_not_enter_again() {
             for Root { t, face, .. } in roots.clone() {
                 let point = (aim + away) - t * away;
                 let out = Ray::new(point, rng.vector(1.0));
-                if shape.normal(point, face).dot(out.dir) <= 0.0 || !shape.is_left_behind(&out) {
+                if shape.normal(point, face).dot(out.dir) <= 0.0 || !shape.is_exiting(&out) {
                     continue;
                 }
                 left += 1;

@@ -13,7 +13,7 @@ mod outline;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::accel::Bvh;
 use crate::args::{Args, Parse, Word};
-use crate::math::lanes::{Lanes, with_widest};
+use crate::math::simd::{SimdLevel, with_widest};
 use crate::math::{Bounds, Ray, Step, rotation};
 use crate::source::Diagnostic;
 use font::Letter;
@@ -177,7 +177,7 @@ impl Line {
     #[inline(always)]
     fn each(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         ray: &Ray,
         (from, to): (f64, f64),
         mut visit: impl FnMut(u32, f64) -> f64,
@@ -193,7 +193,7 @@ impl Line {
     /// Where a ray is in a letter between `from` and `to`. An end that lies beyond them stands at `from` or `to`, or
     /// farther off.
     #[inline(always)]
-    fn spans(&self, lanes: Lanes, number: u32, ray: &Ray, (from, to): (f64, f64)) -> Spans {
+    fn spans(&self, lanes: SimdLevel, number: u32, ray: &Ray, (from, to): (f64, f64)) -> Spans {
         let letter = &self.letters[number as usize];
         let origin = ray.origin - letter.at;
         let [low, high] = self.depth.map(|depth| depth - origin.z);

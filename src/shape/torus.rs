@@ -21,12 +21,12 @@
 //! A torus with a negative radius is never hit; POV-Ray draws nothing of one with a negative minor radius alone, and what
 //! its boxes leave of the others.
 
-use super::four::FourRays;
+use super::packet::RayPacket;
 use super::{Crossing, Geometry, Root, Start, even_scale, first_visible, read};
 use crate::args::{Args, Parse, Word};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable, is_comfortable_size};
-use crate::math::polynomial::{Places, is_quartic_positive};
+use crate::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::math::polynomial::{Roots, is_quartic_positive};
 use crate::math::quartic::quartic_sign_changes;
 use crate::math::{Bounds, Ray, Step};
 use glam::{DMat3, DVec3};
@@ -129,7 +129,7 @@ impl Torus {
     /// The roots by the way of four rays at once, if it knows them.
     #[inline]
     pub(super) fn quick_crossings(&self, ray: &Ray) -> Option<Crossings> {
-        let found = self.roots_of_four(&FourRays::<f64>::of(ray));
+        let found = self.roots_of_four(&RayPacket::<f64>::of(ray));
         let mut roots = Crossings::new();
         for (place, &t) in found.t.iter().enumerate() {
             if found.met[place] != 0 {
@@ -152,7 +152,7 @@ impl Torus {
 
     #[cold]
     fn far_crossings(&self, about: &Ray, size: f64) -> Crossings {
-        let Some(eased) = Eased::new(about, size) else {
+        let Some(eased) = RescaledRay::new(about, size) else {
             return Crossings::new();
         };
         let small = Torus {
@@ -263,7 +263,7 @@ impl Torus {
 
 /// With an end inside, which takes rays from so far away that the clipping has no digits left, the stretch itself ends
 /// what the roots leave open.
-fn outside_at_ends(quartic: &[f64; 5], mut places: Places) -> Places {
+fn outside_at_ends(quartic: &[f64; 5], mut places: Roots) -> Roots {
     if places.len() % 2 == 1 {
         let [c0, c1, c2, c3, c4] = *quartic;
         if c0 - c1 + c2 - c3 + c4 < 0.0 {
@@ -302,8 +302,8 @@ impl Stretch {
     }
 
     /// The places after two Newton steps on the distance from the surface; as they were if that breaks their order.
-    fn refined(&self, places: Places) -> Places {
-        let mut near = Places::new();
+    fn refined(&self, places: Roots) -> Roots {
+        let mut near = Roots::new();
         for x in &places {
             near.push(self.refine(self.refine(*x)));
         }
@@ -355,7 +355,7 @@ impl Geometry for Torus {
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         if self.has_four() {
-            let rays = FourRays::<f64>::of(ray);
+            let rays = RayPacket::<f64>::of(ray);
             let nearest = self.nearest_of_four::<f64, false>(&rays, (from, to), [0, 0], 0b1111);
             if nearest.unknown == 0 {
                 let crossing = [Crossing::Enter, Crossing::Leave][usize::from(nearest.leaves != 0)];
@@ -368,8 +368,8 @@ impl Geometry for Torus {
     }
 
     /// From the outer half of a ring, which is a part of its hull.
-    fn is_left_behind(&self, ray: &Ray) -> bool {
-        self.four_left_behind(&FourRays::<f64>::of(ray))
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.four_left_behind(&RayPacket::<f64>::of(ray))
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {

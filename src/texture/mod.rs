@@ -1,7 +1,8 @@
 //! Textures: what a surface looks like. A texture is a stack of layers, each a pigment, a finish and perhaps bumps; or a
 //! pattern chooses it among others.
 
-mod choice;
+mod boxed_default;
+mod bump;
 mod film;
 mod finish;
 mod layers;
@@ -12,11 +13,11 @@ mod patterned;
 mod pigment;
 mod pigment_pattern;
 mod prepared;
-mod rare;
 mod reflection;
-mod tilt;
+mod select;
 
-pub use choice::{Choosing, Look, Looks};
+pub use boxed_default::Rare;
+pub use bump::PreparedNormal;
 pub use film::{Irid, Subsurface};
 pub use finish::Finish;
 pub use layers::{Layer, Texture};
@@ -26,6 +27,5 @@ pub use patterned::{Patterned, PatternedKind};
 pub use pigment::{Family, Mapped, Pigment, PigmentKind};
 pub use pigment_pattern::read_pattern;
 pub use prepared::{PreparedLayer, PreparedPigment, PreparedTexture};
-pub use rare::Rare;
 pub use reflection::Reflection;
-pub use tilt::PreparedNormal;
+pub use select::{Choosing, Look, Looks};

@@ -432,7 +432,7 @@ fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse
 mod tests {
     use super::*;
     use crate::args::text::TextArgs;
-    use crate::pattern::{Settings, Spot};
+    use crate::pattern::{Settings, SurfacePoint};
     use crate::texture::PreparedPigment;
     use glam::DVec3;
 
@@ -503,7 +503,12 @@ mod tests {
     fn brick_reads_its_size_after_the_colours() {
         let pigment = read("{ brick rgb 0 rgb 1 brick_size <2, 2, 2> mortar 0.25 }").unwrap();
         let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
-        let grey = |x: f64| prepared.color(&Spot::at(DVec3::new(x, 0.5, 0.5))).rgb.r;
+        let grey = |x: f64| {
+            prepared
+                .color(&SurfacePoint::at(DVec3::new(x, 0.5, 0.5)))
+                .rgb
+                .r
+        };
         assert_eq!((grey(1.9), grey(1.7)), (0.0, 1.0));
     }
 
@@ -511,7 +516,10 @@ mod tests {
     fn a_map_blends_colours_and_pigments() {
         let grey = |text: &str| {
             let prepared = PreparedPigment::new(&read(text).unwrap(), &[], &Settings::default());
-            prepared.color(&Spot::at(DVec3::new(0.25, 0.0, 0.0))).rgb.r
+            prepared
+                .color(&SurfacePoint::at(DVec3::new(0.25, 0.0, 0.0)))
+                .rgb
+                .r
         };
         assert_eq!(grey("{ gradient <1,0,0> }"), 0.25);
         assert_eq!(
@@ -571,9 +579,9 @@ mod tests {
             let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
             assert!(pigment.uses_uv() && pigment.modifiers.get().is_none());
             let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
-            let spot = Spot {
+            let spot = SurfacePoint {
                 uv: glam::DVec2::new(0.5, 0.0),
-                ..Spot::at(DVec3::ONE)
+                ..SurfacePoint::at(DVec3::ONE)
             };
             assert_eq!(prepared.color(&spot).rgb.r, 0.25);
         }

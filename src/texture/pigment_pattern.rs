@@ -2,7 +2,7 @@
 
 use super::{Pigment, PreparedPigment};
 use crate::args::{Args, Parse, Word, default_of};
-use crate::pattern::{self, Pattern, Preparing, Spot, Value};
+use crate::pattern::{self, Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 
 #[derive(Clone, Debug)]
@@ -28,14 +28,14 @@ pub fn read_pattern(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pat
 }
 
 impl Pattern for PigmentPattern {
-    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn Value> {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
         let pigment = PreparedPigment::new(&self.pigment, &[], with.settings);
         Box::new(Prepared(pigment))
     }
 }
 
-impl Value for Prepared {
-    fn value(&self, point: DVec3, spot: &Spot) -> f64 {
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
         f64::from(self.0.patterned(point, spot).rgb.grey())
     }
 }

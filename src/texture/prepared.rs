@@ -1,13 +1,13 @@
 //! Textures as rays need them: the top layer first, patterns with their inverse matrix, questions answered beforehand.
 
-use super::choice::{Choice, Choosing};
+use super::select::{Choice, Choosing};
 use super::{Finish, Layer, Look, Pigment, PigmentKind, PreparedNormal, Texture};
 use crate::bitmap;
 use crate::color::Color;
 use crate::function::ColorField;
 use crate::math::Step;
 use crate::pattern::{
-    Between, Map, Modifiers, PreparedChain, PreparedPattern, Settings, Spot, Turns,
+    Between, Map, Modifiers, PreparedPattern, PreparedWarpChain, Settings, SurfacePoint, Turns,
 };
 use glam::DVec3;
 use std::sync::Arc;
@@ -61,9 +61,9 @@ pub enum PreparedPigment {
     /// A pattern whose value is looked up among pigments.
     Pigments(Box<(PreparedPattern, Map<PreparedPigment>)>),
     /// The mean of pigments by weight.
-    Average(Box<(PreparedChain, Map<PreparedPigment>)>),
+    Average(Box<(PreparedWarpChain, Map<PreparedPigment>)>),
     /// The colours of a picture.
-    Image(Box<(PreparedChain, bitmap::Source)>),
+    Image(Box<(PreparedWarpChain, bitmap::Source)>),
     /// Another pigment at the texture coordinates.
     Uv(Box<PreparedPigment>),
 }
@@ -177,7 +177,7 @@ impl PreparedTexture {
 
     /// The normal that the bumps of its layers have made last once all that can be seen of them are drawn, as slope patterns
     /// see it.
-    fn normal_left(&self, point: DVec3, flat: &Spot) -> Option<DVec3> {
+    fn normal_left(&self, point: DVec3, flat: &SurfacePoint) -> Option<DVec3> {
         let mut layers = self.layers().iter();
         let lowest = layers.position(|layer| !layer.pigment.can_be_transparent());
         let seen = lowest.map_or(self.layers().len(), |lowest| lowest + 1);
@@ -323,7 +323,7 @@ impl PreparedPigment {
     /// The colour at a place.
     #[must_use]
     #[inline]
-    pub fn color(&self, spot: &Spot) -> Color {
+    pub fn color(&self, spot: &SurfacePoint) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             _ => self.patterned(spot.point, spot),
@@ -332,7 +332,7 @@ impl PreparedPigment {
 
     /// The colour at a point, which for the entries of maps is one of the pattern around them.
     #[must_use]
-    pub fn patterned(&self, point: DVec3, spot: &Spot) -> Color {
+    pub fn patterned(&self, point: DVec3, spot: &SurfacePoint) -> Color {
         match self {
             PreparedPigment::Plain(color) => *color,
             PreparedPigment::Colors(both) => {
@@ -399,7 +399,7 @@ impl PreparedPigment {
 
 impl ColorField for PreparedPigment {
     fn color(&self, point: DVec3) -> Color {
-        PreparedPigment::color(self, &Spot::at(point))
+        PreparedPigment::color(self, &SurfacePoint::at(point))
     }
 }
 
@@ -421,7 +421,7 @@ mod tests {
         let grey = |x: f64| {
             texture.layers()[0]
                 .pigment
-                .color(&Spot::at(DVec3::new(x, 0.5, 0.5)))
+                .color(&SurfacePoint::at(DVec3::new(x, 0.5, 0.5)))
                 .rgb
                 .r
         };
@@ -456,9 +456,9 @@ mod tests {
     fn what_is_uv_mapped_is_asked_at_the_texture_coordinates() {
         let text = "{ pigment { gradient <0,0,1> pigment_map { [0 uv_mapping gradient <1,0,0>] [1 rgb 0] } scale 8 } }";
         let texture = prepare(text, &[Step::Scale(DVec3::splat(2.0))]);
-        let spot = Spot {
+        let spot = SurfacePoint {
             uv: glam::DVec2::new(0.25, 0.5),
-            ..Spot::at(DVec3::new(0.9, 0.9, 0.0))
+            ..SurfacePoint::at(DVec3::new(0.9, 0.9, 0.0))
         };
         assert!(texture.uses_uv());
         assert_eq!(texture.layers()[0].pigment.color(&spot).rgb.r, 0.25);

@@ -1,16 +1,16 @@
 //! Light from many lamps: soft shadows, and each lamp by itself with `area_illumination`.
 
 use super::Tracer;
-use super::light::{Coat, Lit, Shining, is_nothing};
-use super::way::{LightWay, shadow_query};
+use super::light::{LayerBsdf, LightContribution, ShadingPoint, is_nothing};
+use super::transmittance::{ShadowPath, shadow_query};
 use crate::color::Rgb;
-use crate::compile::{FourHits, FourWays, Scratch};
+use crate::compile::{HitPacket4, Scratch, ShadowPacket4};
 use crate::light::{Area, Arrival, Axes, Light, Part};
 use crate::math::Ray;
-use crate::math::lanes::three::{
-    Three, dot, largest, load, minus, over, plus, same, scaled, store,
+use crate::math::simd::three::{
+    Vec3Lanes, dot, largest, load, minus, over, plus, same, scaled, store,
 };
-use crate::math::lanes::{FourKernel, Lanes, Row, four, with_widest};
+use crate::math::simd::{F64x4, FourKernel, SimdLevel, four, with_widest};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -23,13 +23,13 @@ pub(super) struct Lamps<'a> {
     light: &'a Light,
     area: &'a Area,
     axes: Axes,
-    lit: &'a Lit<'a>,
+    lit: &'a ShadingPoint<'a>,
     /// The distance to the middle of the light.
     distance: f64,
     /// What is to be spread over them.
     arriving: Rgb,
     /// The point, four times, if several lamps can be asked about at once.
-    hits: Option<FourHits>,
+    hits: Option<HitPacket4>,
 }
 
 /// Points four ways to lamps that stand so far from the middle of a light.
@@ -43,21 +43,21 @@ struct Aiming<'a> {
 
 impl FourKernel for Aiming<'_> {
     /// The ways, and the largest of their lengths and of the coordinates of where they end.
-    type Answer = (FourWays, [f64; 4]);
+    type Answer = (ShadowPacket4, [f64; 4]);
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> (FourWays, [f64; 4]) {
-        let centre: Three<F> = plus(same(self.centre), load(self.offset));
+    fn run<F: F64x4>(&self) -> (ShadowPacket4, [f64; 4]) {
+        let centre: Vec3Lanes<F> = plus(same(self.centre), load(self.offset));
         let offset = minus(centre, same(self.point));
         let distance = dot(offset, offset).root();
         let to_light = over(offset, distance);
         let end = plus(same(self.point), scaled(to_light, distance));
         let cosine = dot(same(self.normal), to_light);
-        let ways = FourWays {
+        let ways = ShadowPacket4 {
             to_light: store(to_light),
             distance: distance.store(),
             goes_out: F::bits(F::all(0.0).below(cosine)),
-            ..FourWays::NOTHING
+            ..ShadowPacket4::NOTHING
         };
         (ways, largest(end).larger(distance).store())
     }
@@ -74,7 +74,7 @@ impl<'a> Lamps<'a> {
         number: u32,
         light: &'a Light,
         area: &'a Area,
-        lit: &'a Lit<'a>,
+        lit: &'a ShadingPoint<'a>,
         arriving: Rgb,
     ) -> Self {
         let arrival = light.arrival(lit.at.point);
@@ -146,7 +146,7 @@ impl Tracer<'_> {
 
     /// The point, four times, if its ways to several lamps can be asked about at once. With jitter lamps stand elsewhere
     /// each time they are asked about, and media on the ways draw random numbers: both keep POV-Ray's order.
-    fn hits_for(&self, lamps: &Lamps) -> Option<FourHits> {
+    fn hits_for(&self, lamps: &Lamps) -> Option<HitPacket4> {
         let lights = &self.world.lights;
         let departure = lamps.lit.departure?;
         let is_fit = !lamps.area.has_jitter
@@ -154,7 +154,7 @@ impl Tracer<'_> {
             && !lamps.light.is_shadowless()
             && !lights.is_projected(lamps.number)
             && self.world.asks_from_points();
-        is_fit.then(|| FourHits::all_at(lamps.lit.at.point, departure))
+        is_fit.then(|| HitPacket4::all_at(lamps.lit.at.point, departure))
     }
 
     /// Finds out at once what comes from some lamps.
@@ -188,7 +188,7 @@ impl Tracer<'_> {
         self.world.ways_from(hits, to_lamps, scratch);
         for (at, &lamp) in wanted.iter().enumerate() {
             let (ways, lane) = (&ways[at / 4], at % 4);
-            let way = LightWay {
+            let way = ShadowPath {
                 light: lamps.number,
                 query: ways.query(hits, lane),
                 distance: ways.distance[lane],
@@ -197,14 +197,14 @@ impl Tracer<'_> {
                 collects: lamps.lit.collects,
             };
             scratch.lamps[lamps.index(lamp)] =
-                Some(self.through_way(lamps.arriving, &way, scratch));
+                Some(self.transmittance(lamps.arriving, &way, scratch));
         }
         scratch.to_lamps = ways;
     }
 
     /// The ways to up to four lamps that are near.
     #[inline(always)]
-    fn four_ways(&self, lanes: Lanes, lamps: &Lamps, wanted: &[[u32; 2]]) -> FourWays {
+    fn four_ways(&self, lanes: SimdLevel, lamps: &Lamps, wanted: &[[u32; 2]]) -> ShadowPacket4 {
         let mut offset = [[0.0; 4]; 3];
         for lane in 0..4 {
             let [u, v] = wanted[lane.min(wanted.len() - 1)];
@@ -224,15 +224,15 @@ impl Tracer<'_> {
     }
 
     /// The ways to up to four lamps that are infinitely far.
-    fn parallel_ways(&self, lamps: &Lamps, wanted: &[[u32; 2]]) -> FourWays {
+    fn parallel_ways(&self, lamps: &Lamps, wanted: &[[u32; 2]]) -> ShadowPacket4 {
         let departure = lamps.lit.departure.copied();
-        let mut way = FourWays::NOTHING;
+        let mut way = ShadowPacket4::NOTHING;
         for lane in 0..4 {
             let [u, v] = wanted[lane.min(wanted.len() - 1)];
             let arrival = lamps.arrival(lamps.area.lamp(&lamps.axes, f64::from(u), f64::from(v)));
             let ray = Ray::new(lamps.lit.at.point, arrival.to_light);
             let query = shadow_query(self.world, departure, ray, arrival.distance);
-            way.aim(lane, arrival.to_light, arrival.distance, query.far);
+            way.aim(lane, arrival.to_light, arrival.distance, query.t_max);
             let goes_out = departure.is_some_and(|left| left.normal.dot(ray.dir) > 0.0);
             way.goes_out |= u32::from(goes_out) << lane;
         }
@@ -282,7 +282,7 @@ impl Tracer<'_> {
     pub(super) fn light_up_by_lamps(
         &self,
         mut lamps: Lamps,
-        coat: &Coat,
+        coat: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
         if self.quality.has_shadows && !lamps.light.is_shadowless() {
@@ -306,13 +306,13 @@ impl Tracer<'_> {
                 }
                 let cosine = lit.at.normal.dot(arrival.to_light);
                 if let Some(side) = coat.side(cosine, lit.is_double_illuminated) {
-                    let shining = Shining {
+                    let shining = LightContribution {
                         to_light: arrival.to_light,
                         side,
                         arriving: left,
                         has_highlights: side.is_in_front && !light.is_shadowless(),
                     };
-                    sum += self.shine(&shining, &lit.at, coat, scratch);
+                    sum += self.add_contribution(&shining, &lit.at, coat, scratch);
                 }
             }
         }

@@ -3,15 +3,15 @@
 //! ([`super::plain_four`]). What plain surfaces show of others is looked for together again ([`super::waves`]). Everything else
 //! goes one pixel at a time, as for a single one.
 
-use super::coats::Coats;
-use super::light::KnownLights;
-use super::plain_four::{FourSeen, Looking};
-use super::shadows::Together;
-use super::waves::Waves;
+use super::direct_block::BlockHits;
+use super::direct_packet::{RadiancePacket4, RaySource};
+use super::light::LightSamples;
+use super::shade_cache::ShadeCache;
+use super::wavefront::Wavefront;
 use super::{Path, Sample, Tracer, begin_sample};
-use crate::compile::{FourHits, InteriorId, Rays, Scratch, Seen};
+use crate::compile::{HitPacket4, InteriorId, RayCounts, RayKind, Scratch};
 use crate::math::Ray;
-use crate::math::lanes::with_widest;
+use crate::math::simd::with_widest;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -27,7 +27,7 @@ pub(super) const MANY_LIGHTS: usize = 64;
 const GROUP: (u32, u32) = (4, 2);
 
 /// The least and the largest of some places' columns, and of their rows.
-type Between = [[f64; 2]; 2];
+type PixelBounds = [[f64; 2]; 2];
 
 /// Buffers that a thread keeps between blocks.
 #[derive(Debug, Default)]
@@ -42,25 +42,25 @@ pub struct BlockScratch {
     /// How far to the right and down of the first pixel of its block each place lies.
     offsets: Vec<[u8; 2]>,
     /// Between which columns and rows, counted from there, [`AROUND`] of them after the other lie.
-    bounds: Vec<Between>,
+    bounds: Vec<PixelBounds>,
     /// What the camera sees at the places.
-    all: Together,
-    waves: Waves,
-    coats: Coats,
+    all: BlockHits,
+    waves: Wavefront,
+    coats: ShadeCache,
 }
 
 /// Rays of a camera all of which start in one point.
 struct FromCamera<'t, 'w>(&'t Tracer<'w>);
 
-impl Looking for FromCamera<'_, '_> {
+impl RaySource for FromCamera<'_, '_> {
     #[inline(always)]
-    fn seen(&self, _lane: usize) -> Seen {
-        Seen::Image
+    fn seen(&self, _lane: usize) -> RayKind {
+        RayKind::Camera
     }
 
     #[inline(always)]
-    fn all_seen(&self) -> Option<Seen> {
-        Some(Seen::Image)
+    fn all_seen(&self) -> Option<RayKind> {
+        Some(RayKind::Camera)
     }
 
     fn inside(&self, _lane: usize) -> &[InteriorId] {
@@ -75,7 +75,7 @@ impl Looking for FromCamera<'_, '_> {
 
 /// What is met first at a place.
 #[derive(Clone, Copy, Debug)]
-pub struct Met {
+pub struct FirstHit {
     /// The number of the primitive.
     pub leaf: u32,
     /// Its outward unit normal there, for shading and without bumps.
@@ -145,7 +145,7 @@ impl BlockScratch {
     }
 
     /// How many rays were followed with it since this was last asked.
-    pub fn take_rays(&mut self) -> Rays {
+    pub fn take_rays(&mut self) -> RayCounts {
         std::mem::take(&mut self.single.rays)
     }
 }
@@ -189,7 +189,7 @@ impl Tracer<'_> {
         places: &[(f64, f64)],
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, Option<Met>),
+        mut take: impl FnMut(usize, Sample, Option<FirstHit>),
     ) {
         scratch.parts.clear();
         let end = places.len();
@@ -199,7 +199,7 @@ impl Tracer<'_> {
         self.seen_at((places, bounds), size, scratch, |number, sample, hits| {
             let lane = number % 4;
             let hits = hits.filter(|hits| hits.is_met(lane));
-            let met = hits.map(|hits| Met {
+            let met = hits.map(|hits| FirstHit {
                 leaf: hits.leaf[lane],
                 normal: hits.shading_normal(lane),
             });
@@ -210,13 +210,13 @@ impl Tracer<'_> {
     /// The same with the parts laid out; `bounds` tells between what the places of a piece of them lie.
     fn seen_at(
         &self,
-        (places, bounds): (&[(f64, f64)], impl Fn(usize, &[(f64, f64)]) -> Between),
+        (places, bounds): (&[(f64, f64)], impl Fn(usize, &[(f64, f64)]) -> PixelBounds),
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, Option<&FourHits>),
+        mut take: impl FnMut(usize, Sample, Option<&HitPacket4>),
     ) {
         // Where no walk is shared fewer at a time stay nearer at hand, and the ways to many lights would take much room.
-        let are_few = self.world.knows_all_around() || self.world.lights.len() > MANY_LIGHTS;
+        let are_few = self.world.has_all_light_buffers() || self.world.lights.len() > MANY_LIGHTS;
         let parts = std::mem::take(&mut scratch.parts);
         let at_once = if are_few { AROUND } else { places.len().max(1) };
         for (piece, places) in places.chunks(at_once).enumerate() {
@@ -243,7 +243,7 @@ impl Tracer<'_> {
     }
 
     /// The background, if nothing else is seen between these places, and it is the same everywhere.
-    fn nothing_at(&self, between: Between, (width, height): (u32, u32)) -> Option<Sample> {
+    fn nothing_at(&self, between: PixelBounds, (width, height): (u32, u32)) -> Option<Sample> {
         let world = self.world;
         let is_even =
             self.takes_plain && !self.has_air() && world.sky.is_none() && world.lens.is_none();
@@ -253,8 +253,8 @@ impl Tracer<'_> {
         let (width, height) = (f64::from(width), f64::from(height));
         let [left, right] = between[0].map(|x| (x + 0.5) / width - 0.5);
         let [top, bottom] = between[1].map(|y| 0.5 - (y + 0.5) / height);
-        let is_empty = world.shows_nothing([left, bottom], [right, top]);
-        is_empty.then(|| self.background_of(Seen::Image).seen)
+        let is_empty = world.is_background([left, bottom], [right, top]);
+        is_empty.then(|| self.background_of(RayKind::Camera).seen)
     }
 
     /// The same for places in parts that end where `parts` tells.
@@ -263,7 +263,7 @@ impl Tracer<'_> {
         (places, parts): (&[(f64, f64)], &[usize]),
         size: (u32, u32),
         scratch: &mut BlockScratch,
-        mut take: impl FnMut(usize, Sample, Option<&FourHits>),
+        mut take: impl FnMut(usize, Sample, Option<&HitPacket4>),
     ) {
         if !self.search((places, parts), size, scratch) {
             self.seen_from_anywhere(places, size, scratch, |number, sample| {
@@ -276,13 +276,13 @@ impl Tracer<'_> {
         with_widest(
             #[inline(always)]
             |_| {
-                let mut seen = FourSeen::NOTHING;
+                let mut seen = RadiancePacket4::NOTHING;
                 for (four, places) in places.chunks(4).enumerate() {
                     let BlockScratch {
                         single, all, coats, ..
                     } = scratch;
                     let kept = (single, coats);
-                    self.plain_four(&FromCamera(self), (four, count), all, kept, &mut seen);
+                    self.shade_packet4(&FromCamera(self), (four, count), all, kept, &mut seen);
                     if seen.is_known(places.len()) {
                         for lane in 0..places.len() {
                             take(4 * four + lane, seen.known(lane), all.hits.get(four));
@@ -298,7 +298,7 @@ impl Tracer<'_> {
                                 let hits = (&scratch.all.hits[four], lane);
                                 let single = &mut scratch.single;
                                 let waves = &mut scratch.waves;
-                                self.begin_wave(waves, number, hits, &showing, single);
+                                self.begin_wavefront(waves, number, hits, &showing, single);
                                 continue;
                             }
                             (None, None) => match self.seen_singly(number, place, scratch) {
@@ -318,7 +318,7 @@ impl Tracer<'_> {
             coats,
             ..
         } = scratch;
-        self.follow_waves(waves, (single, coats), |number, sample| {
+        self.follow_wavefronts(waves, (single, coats), |number, sample| {
             take(number, sample, all.hits.get(number / 4));
         });
     }
@@ -337,7 +337,7 @@ impl Tracer<'_> {
         let goes_singly = !has_one_ray
             || !self.sends_waves
             || world.radiosity.is_some()
-            || !self.is_worth((0, 1.0), 0);
+            || !self.is_above_bailout((0, 1.0), 0);
         for (number, &(x, y)) in places.iter().enumerate() {
             if goes_singly {
                 take(number, self.pixel(x, y, width, height, &mut scratch.single));
@@ -354,7 +354,7 @@ impl Tracer<'_> {
             coats,
             ..
         } = scratch;
-        self.follow_waves(waves, (single, coats), take);
+        self.follow_wavefronts(waves, (single, coats), take);
     }
 
     /// What the camera sees at the place of this number, of which all that can be found out together is known; nothing if
@@ -366,11 +366,11 @@ impl Tracer<'_> {
         (x, y): (f64, f64),
         scratch: &mut BlockScratch,
     ) -> Option<Sample> {
-        let known = KnownLights::at(&scratch.all, number);
+        let known = LightSamples::at(&scratch.all, number);
         let hits = &scratch.all.hits[number / 4];
         let (dir, hit) = (hits.dir(number % 4), hits.hit(number % 4));
         let single = &mut scratch.single;
-        if self.queues && self.is_worth((0, 1.0), 0) {
+        if self.queues && self.is_above_bailout((0, 1.0), 0) {
             let met = (dir, hit, known);
             return self.seen_by_camera(&mut scratch.waves, number, met, single);
         }
@@ -396,7 +396,7 @@ impl Tracer<'_> {
             return false;
         }
         let hits = &mut scratch.all.hits;
-        hits.resize(places.len().div_ceil(4), FourHits::NOTHING);
+        hits.resize(places.len().div_ceil(4), HitPacket4::NOTHING);
         let are_aimed = with_widest(
             #[inline(always)]
             |lanes| {
@@ -418,7 +418,7 @@ impl Tracer<'_> {
             let origin = camera.location();
             let hits = &mut scratch.all.hits[first / 4..end.div_ceil(4)];
             self.world
-                .see(origin, end - first, hits, &mut scratch.single);
+                .closest_hits_bundle(origin, end - first, hits, &mut scratch.single);
             first = end;
         }
         true
@@ -426,7 +426,7 @@ impl Tracer<'_> {
 }
 
 /// Between what some places lie.
-fn between(places: &[(f64, f64)]) -> Between {
+fn between(places: &[(f64, f64)]) -> PixelBounds {
     let mut between = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for &(x, y) in places {
         for ([low, high], at) in between.iter_mut().zip([x, y]) {

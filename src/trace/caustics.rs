@@ -1,7 +1,7 @@
 //! What photons give to a surface and to media, and where direct light gives way to them.
 
 use super::Tracer;
-use super::light::{Coat, Lit, Shining};
+use super::light::{LayerBsdf, LightContribution, ShadingPoint};
 use crate::color::Rgb;
 use crate::compile::Scratch;
 use crate::photons::Near;
@@ -23,8 +23,8 @@ impl Tracer<'_> {
     /// What photons give to a layer. Those around the point are found once for all layers, with the normal of the first.
     pub(super) fn caustics(
         &self,
-        lit: &Lit,
-        coat: &Coat,
+        lit: &ShadingPoint,
+        coat: &LayerBsdf,
         flat: DVec3,
         near: &mut Option<Near>,
         scratch: &mut Scratch,
@@ -56,13 +56,13 @@ impl Tracer<'_> {
                 continue;
             };
             let cosine = flat.dot(to_light).max(LEAST_COSINE);
-            let shining = Shining {
+            let shining = LightContribution {
                 to_light,
                 side,
                 arriving: light * (1.0 / cosine),
                 has_highlights: side.is_in_front && lit.path.gathered == 0,
             };
-            sum += self.shine(&shining, &lit.at, coat, scratch);
+            sum += self.add_contribution(&shining, &lit.at, coat, scratch);
         }
         sum * (1.0 / (PI * near.radius * near.radius))
     }

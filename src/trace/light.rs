@@ -1,13 +1,13 @@
 //! Light at a point of a surface: diffuse light and highlights; what stands in the way of them is told in [`super::way`].
 
 use super::area::Lamps;
-use super::arrived::Arrived;
-use super::shadows::Together;
+use super::direct_block::BlockHits;
+use super::shadow_cache::ShadowCache;
 use super::surface::facing_normal;
-use super::way::shadow_query;
+use super::transmittance::shadow_query;
 use super::{Path, Tracer};
 use crate::color::Rgb;
-use crate::compile::{Departure, FourWays, Hit, Query, Scratch, Surface, Way, World};
+use crate::compile::{Hit, Occlusion, Query, Scratch, ShadowPacket4, SpawnSurface, Surface, World};
 use crate::light::Arrival;
 use crate::math::powers::exact_power;
 use crate::math::{Ray, hash};
@@ -24,7 +24,7 @@ const PHONG_CUT: f64 = 0.0008;
 
 /// A point of a surface, as it is viewed.
 #[derive(Clone, Copy)]
-pub(super) struct Viewed {
+pub(super) struct ViewPoint {
     pub(super) point: DVec3,
     /// The unit normal on the side of the viewer.
     pub(super) normal: DVec3,
@@ -32,11 +32,11 @@ pub(super) struct Viewed {
     pub(super) view: DVec3,
 }
 
-impl Viewed {
+impl ViewPoint {
     /// What a ray of this direction meets.
     #[inline]
-    pub(super) fn new(hit: &Hit, dir: DVec3) -> Viewed {
-        Viewed {
+    pub(super) fn new(hit: &Hit, dir: DVec3) -> ViewPoint {
+        ViewPoint {
             point: hit.point,
             normal: facing_normal(hit, dir),
             view: dir,
@@ -45,15 +45,15 @@ impl Viewed {
 }
 
 /// A point of a surface, as light finds it.
-pub(super) struct Lit<'p> {
-    pub(super) at: Viewed,
+pub(super) struct ShadingPoint<'p> {
+    pub(super) at: ViewPoint,
     /// The root that rays from here leave; none in the middle of space.
-    pub(super) departure: Option<&'p Departure>,
+    pub(super) departure: Option<&'p SpawnSurface>,
     pub(super) path: &'p Path,
     /// What is known of the lights.
-    pub(super) known: KnownLights<'p>,
+    pub(super) known: LightSamples<'p>,
     /// What shadows have left for layers and textures drawn before, where there is more than one.
-    pub(super) arrived: Option<&'p Arrived>,
+    pub(super) arrived: Option<&'p ShadowCache>,
     pub(super) is_double_illuminated: bool,
     /// The numbers of the lights that shine on it.
     pub(super) lights: &'p [u32],
@@ -63,7 +63,7 @@ pub(super) struct Lit<'p> {
 
 /// What is known of the light of a lamp at a point before the point is looked at.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
+pub(super) struct LightSample {
     /// How it arrives.
     pub(super) arrival: Arrival,
     /// The cosine between its direction and the normal on the side of the viewer.
@@ -71,12 +71,12 @@ pub(super) struct Known {
     /// The share of its light that arrives if nothing is in the way.
     pub(super) share: f64,
     /// What is in the way, if that was asked.
-    pub(super) way: Option<Way>,
+    pub(super) way: Option<Occlusion>,
 }
 
-impl Known {
+impl LightSample {
     /// Nothing.
-    pub(super) const NOTHING: Known = Known {
+    pub(super) const NOTHING: LightSample = LightSample {
         arrival: Arrival {
             to_light: DVec3::ZERO,
             distance: 0.0,
@@ -87,12 +87,12 @@ impl Known {
     };
 
     /// What is known of one of four ways.
-    pub(super) fn of(ways: &FourWays, lane: usize) -> Known {
+    pub(super) fn of(ways: &ShadowPacket4, lane: usize) -> LightSample {
         let way = ways.way(lane);
         if way.is_none() {
-            return Known::NOTHING;
+            return LightSample::NOTHING;
         }
-        Known {
+        LightSample {
             arrival: Arrival {
                 to_light: ways.to_light(lane),
                 distance: ways.distance[lane],
@@ -113,28 +113,28 @@ impl Known {
 
 /// What is known of the lights at a hit that was lit together with others.
 #[derive(Clone, Copy)]
-pub(super) struct KnownLights<'a>(Option<(&'a Together, usize)>);
+pub(super) struct LightSamples<'a>(Option<(&'a BlockHits, usize)>);
 
-impl<'a> KnownLights<'a> {
+impl<'a> LightSamples<'a> {
     /// Nothing.
-    pub(super) const NONE: KnownLights<'static> = KnownLights(None);
+    pub(super) const NONE: LightSamples<'static> = LightSamples(None);
 
     /// What is known at a place of these.
-    pub(super) fn at(all: &'a Together, place: usize) -> Self {
-        KnownLights(all.knows_ways.then_some((all, place)))
+    pub(super) fn at(all: &'a BlockHits, place: usize) -> Self {
+        LightSamples(all.knows_ways.then_some((all, place)))
     }
 
     /// What is known of the light of this number, if anything is known of any.
     #[inline]
-    pub(super) fn of(self, light: u32) -> Option<Known> {
+    pub(super) fn of(self, light: u32) -> Option<LightSample> {
         let (all, place) = self.0?;
         let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
-        Some(Known::of(ways, place % 4))
+        Some(LightSample::of(ways, place % 4))
     }
 
     /// What is in the way of the light of this number, if that is known.
     #[inline]
-    pub(super) fn way(self, light: u32) -> Option<Way> {
+    pub(super) fn way(self, light: u32) -> Option<Occlusion> {
         let (all, place) = self.0?;
         let ways = all.ways.get(light as usize * all.hits.len() + place / 4)?;
         ways.way(place % 4)
@@ -145,13 +145,13 @@ impl<'a> KnownLights<'a> {
         self.0.is_some_and(|(all, place)| {
             let ways = all.ways.chunks(all.hits.len());
             let mut ways = ways.map(|ways| ways[place / 4].way(place % 4));
-            ways.any(|way| way == Some(Way::Filtered))
+            ways.any(|way| way == Some(Occlusion::Transmissive))
         })
     }
 }
 
 /// The colour of a layer at a point.
-pub(super) struct Coat<'f> {
+pub(super) struct LayerBsdf<'f> {
     pub(super) finish: &'f Finish,
     pub(super) rgb: Rgb,
     /// The share of light that does not pass the layer.
@@ -169,7 +169,7 @@ pub(super) struct Side {
 
 /// Light from one direction on its way into a layer.
 #[derive(Clone, Copy)]
-pub(super) struct Shining {
+pub(super) struct LightContribution {
     /// The unit direction to the light.
     pub(super) to_light: DVec3,
     pub(super) side: Side,
@@ -178,7 +178,7 @@ pub(super) struct Shining {
     pub(super) has_highlights: bool,
 }
 
-impl Coat<'_> {
+impl LayerBsdf<'_> {
     /// The side on which light arrives at this cosine to the normal; `None` where the layer takes none from there.
     #[inline]
     pub(super) fn side(&self, cosine: f64, is_double_illuminated: bool) -> Option<Side> {
@@ -199,7 +199,12 @@ impl Coat<'_> {
 
 impl Tracer<'_> {
     /// What all lights give to a layer.
-    pub(super) fn illuminate(&self, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+    pub(super) fn illuminate(
+        &self,
+        lit: &ShadingPoint,
+        coat: &LayerBsdf,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let mut sum = Rgb::BLACK;
         if !coat.finish.takes_light() {
             return sum;
@@ -213,7 +218,7 @@ impl Tracer<'_> {
     /// What is known of the light of a lamp at a hit, besides what is in the way; its share is nothing where the surface
     /// takes none of it.
     #[inline]
-    pub(super) fn light_at(&self, number: u32, hit: &Hit, normal: DVec3) -> Known {
+    pub(super) fn light_at(&self, number: u32, hit: &Hit, normal: DVec3) -> LightSample {
         let surface = &self.world.surfaces[hit.surface as usize];
         let lights = &self.world.lights;
         let light = lights.get(number);
@@ -223,9 +228,9 @@ impl Tracer<'_> {
             || !(faces(surface, cosine) || surface.is_bumpy() && cosine > MOST_TILTED)
             || !lights.of(surface.lights).contains(&number)
         {
-            return Known::NOTHING;
+            return LightSample::NOTHING;
         }
-        Known {
+        LightSample {
             arrival,
             cosine,
             share: light.share(hit.point, &arrival),
@@ -234,7 +239,13 @@ impl Tracer<'_> {
     }
 
     /// What the light of this number gives to a layer.
-    fn light_up(&self, number: u32, lit: &Lit, coat: &Coat, scratch: &mut Scratch) -> Rgb {
+    fn light_up(
+        &self,
+        number: u32,
+        lit: &ShadingPoint,
+        coat: &LayerBsdf,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let light = self.world.lights.get(number);
         let is_point = light.area.is_none() && !light.is_parallel;
         let known = lit.known.of(number);
@@ -269,13 +280,13 @@ impl Tracer<'_> {
                 return Rgb::BLACK;
             }
         }
-        let shining = Shining {
+        let shining = LightContribution {
             to_light: arrival.to_light,
             side,
             arriving,
             has_highlights: side.is_in_front && !light.is_shadowless() && lit.path.gathered == 0,
         };
-        self.shine(&shining, &lit.at, coat, scratch)
+        self.add_contribution(&shining, &lit.at, coat, scratch)
     }
 
     /// Whether area lights are more than a point to a ray.
@@ -288,7 +299,7 @@ impl Tracer<'_> {
         &self,
         arriving: Rgb,
         number: u32,
-        lit: &Lit,
+        lit: &ShadingPoint,
         arrival: &Arrival,
         scratch: &mut Scratch,
     ) -> Rgb {
@@ -307,15 +318,15 @@ impl Tracer<'_> {
 
     /// What light from one direction gives to a layer.
     #[inline]
-    pub(super) fn shine(
+    pub(super) fn add_contribution(
         &self,
-        shining: &Shining,
-        at: &Viewed,
-        coat: &Coat,
+        shining: &LightContribution,
+        at: &ViewPoint,
+        coat: &LayerBsdf,
         scratch: &mut Scratch,
     ) -> Rgb {
         let finish = coat.finish;
-        let Shining {
+        let LightContribution {
             to_light,
             side,
             arriving,
@@ -369,13 +380,13 @@ pub(super) fn is_nothing(light: Rgb) -> bool {
 
 /// The highlights of light from one direction.
 #[inline]
-pub(super) fn highlight(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
+pub(super) fn highlight(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     phong(finish, at, to_light) + specular(finish, at, to_light)
 }
 
 /// Phong's highlight: the cosine between mirrored view and light.
 #[inline]
-fn phong(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
+fn phong(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     if finish.phong == 0.0 {
         return 0.0;
     }
@@ -390,7 +401,7 @@ fn phong(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
 
 /// Blinn's highlight: the cosine between the normal and the half-way vector.
 #[inline]
-fn specular(finish: &Finish, at: &Viewed, to_light: DVec3) -> f64 {
+fn specular(finish: &Finish, at: &ViewPoint, to_light: DVec3) -> f64 {
     if finish.specular == 0.0 {
         return 0.0;
     }

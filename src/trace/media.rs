@@ -3,7 +3,7 @@
 //! A stretch is divided where beams of light begin and end, each part into intervals, and these are sampled by one of
 //! three methods (facts 2, section 1): at random, evenly, or evenly with halving where neighbours differ.
 
-use super::light::{KnownLights, Lit, Viewed, is_nothing};
+use super::light::{LightSamples, ShadingPoint, ViewPoint, is_nothing};
 use super::{Inside, Path, Tracer};
 use crate::atmosphere::Tint;
 use crate::color::Rgb;
@@ -18,7 +18,7 @@ use smallvec::SmallVec;
 pub(super) type Mixture<'w> = SmallVec<[&'w PreparedMedia; 4]>;
 
 /// A light with the stretch of the ray that lies in its beam.
-pub(super) struct Beam {
+pub(super) struct LightBeam {
     number: u32,
     from: f64,
     to: f64,
@@ -26,24 +26,24 @@ pub(super) struct Beam {
 
 /// A part of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct MediaStep {
     pub(super) from: f64,
     pub(super) to: f64,
     is_lit: bool,
 }
 
 /// A stretch of a ray in media.
-struct Stretch<'a> {
+struct MediaInterval<'a> {
     media: &'a [&'a PreparedMedia],
     ray: Ray,
     path: &'a Path,
-    beams: &'a [Beam],
+    beams: &'a [LightBeam],
     sampling: Sampling,
 }
 
 /// What media give along an interval and how much light they swallow, both as sums over samples.
 #[derive(Clone, Copy)]
-struct Sums {
+struct MediaSums {
     given: Rgb,
     /// The squares of what each sample gave.
     squares: Rgb,
@@ -53,7 +53,7 @@ struct Sums {
 
 /// What media do at a point of an interval, over all its length.
 #[derive(Clone, Copy)]
-struct Sampled {
+struct MediaSample {
     given: Rgb,
     swallowed: Rgb,
 }
@@ -133,7 +133,7 @@ impl Tracer<'_> {
     ) -> Option<Tint> {
         let sampling = common_sampling(media)?;
         let beams = self.beams(lights, &path.ray, length);
-        let stretch = Stretch {
+        let stretch = MediaInterval {
             media,
             ray: path.ray,
             path,
@@ -153,7 +153,7 @@ impl Tracer<'_> {
 
     /// The lights that media scatter, and where their beams cross a ray. Those of light groups are not among them, whatever
     /// the ray meets behind, and neither are shadowless ones (checked with POV-Ray).
-    pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<Beam> {
+    pub(super) fn beams(&self, lights: LightList, ray: &Ray, length: f64) -> Vec<LightBeam> {
         let lights = self.world.lights.outside_groups(lights).iter();
         let beam = |&number: &u32| {
             let light = self.world.lights.get(number);
@@ -162,14 +162,19 @@ impl Tracer<'_> {
             }
             let (from, to) = light.crossed_by(ray)?;
             let (from, to) = (from.max(0.0), to.min(length));
-            (from < to).then_some(Beam { number, from, to })
+            (from < to).then_some(LightBeam { number, from, to })
         };
         lights.filter_map(beam).collect()
     }
 
     /// What the intervals of a stretch do to light, the nearest first.
-    fn sum_up(&self, stretch: &Stretch, intervals: &[Part], scratch: &mut Scratch) -> Tint {
-        let mut sums: Vec<Sums> = intervals
+    fn sum_up(
+        &self,
+        stretch: &MediaInterval,
+        intervals: &[MediaStep],
+        scratch: &mut Scratch,
+    ) -> Tint {
+        let mut sums: Vec<MediaSums> = intervals
             .iter()
             .map(|interval| self.sampled(stretch, interval, scratch))
             .collect();
@@ -186,9 +191,14 @@ impl Tracer<'_> {
         }
     }
 
-    fn sampled(&self, stretch: &Stretch, interval: &Part, scratch: &mut Scratch) -> Sums {
+    fn sampled(
+        &self,
+        stretch: &MediaInterval,
+        interval: &MediaStep,
+        scratch: &mut Scratch,
+    ) -> MediaSums {
         let sampling = &stretch.sampling;
-        let mut sums = Sums::NOTHING;
+        let mut sums = MediaSums::NOTHING;
         match sampling.method {
             3 => self.sample_by_halving(stretch, interval, &mut sums, scratch),
             method => {
@@ -210,9 +220,9 @@ impl Tracer<'_> {
     /// Samples on until the variance is small enough, for the methods that do so.
     fn sample_more(
         &self,
-        stretch: &Stretch,
-        intervals: &[Part],
-        sums: &mut [Sums],
+        stretch: &MediaInterval,
+        intervals: &[MediaStep],
+        sums: &mut [MediaSums],
         scratch: &mut Scratch,
     ) {
         let sampling = &stretch.sampling;
@@ -234,10 +244,10 @@ impl Tracer<'_> {
 
     fn add_sample(
         &self,
-        stretch: &Stretch,
-        interval: &Part,
+        stretch: &MediaInterval,
+        interval: &MediaStep,
         at: f64,
-        sums: &mut Sums,
+        sums: &mut MediaSums,
         scratch: &mut Scratch,
     ) {
         let sampled = self.at(stretch, interval, at, scratch);
@@ -251,9 +261,9 @@ impl Tracer<'_> {
     /// Method 3: even steps, halved where neighbours differ. The last step of an interval is counted and not sampled.
     fn sample_by_halving(
         &self,
-        stretch: &Stretch,
-        interval: &Part,
-        sums: &mut Sums,
+        stretch: &MediaInterval,
+        interval: &MediaStep,
+        sums: &mut MediaSums,
         scratch: &mut Scratch,
     ) {
         let sampling = &stretch.sampling;
@@ -281,12 +291,12 @@ impl Tracer<'_> {
     /// The mean between two samples, with one in the middle and more where they differ.
     fn halved(
         &self,
-        stretch: &Stretch,
-        interval: &Part,
-        [(from, first), (to, last)]: [(f64, Sampled); 2],
+        stretch: &MediaInterval,
+        interval: &MediaStep,
+        [(from, first), (to, last)]: [(f64, MediaSample); 2],
         depth: u32,
         scratch: &mut Scratch,
-    ) -> Sampled {
+    ) -> MediaSample {
         let sampling = &stretch.sampling;
         let random = scratch.media_stream.next_number() - 0.5;
         let at = 0.5 * (from + to) + sampling.jitter * (to - from) * random;
@@ -294,7 +304,7 @@ impl Tracer<'_> {
         if depth == 0 {
             return first.plus(&middle).plus(&last).times(1.0 / 3.0);
         }
-        let mut half = |end: (f64, Sampled), ends: [(f64, Sampled); 2]| {
+        let mut half = |end: (f64, MediaSample), ends: [(f64, MediaSample); 2]| {
             if end.1.differs(&middle, sampling.aa_threshold) {
                 let mean = self.halved(stretch, interval, ends, depth - 1, scratch);
                 mean.times(0.5)
@@ -307,7 +317,13 @@ impl Tracer<'_> {
     }
 
     /// What media do at a share of an interval.
-    fn at(&self, stretch: &Stretch, interval: &Part, at: f64, scratch: &mut Scratch) -> Sampled {
+    fn at(
+        &self,
+        stretch: &MediaInterval,
+        interval: &MediaStep,
+        at: f64,
+        scratch: &mut Scratch,
+    ) -> MediaSample {
         let length = interval.to - interval.from;
         let way = interval.from + at * length;
         let point = stretch.ray.at(way);
@@ -324,14 +340,20 @@ impl Tracer<'_> {
         if self.has_cloud() {
             given += self.cloud_light(stretch.media, (point, stretch.ray.dir), &effect, scratch);
         }
-        Sampled {
+        MediaSample {
             given: given * length,
             swallowed: effect.extinction * length,
         }
     }
 
     /// The light of a lamp that media scatter so far along a ray into it, as a factor on how much they scatter.
-    fn scattered(&self, stretch: &Stretch, number: u32, way: f64, scratch: &mut Scratch) -> Rgb {
+    fn scattered(
+        &self,
+        stretch: &MediaInterval,
+        number: u32,
+        way: f64,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let point = stretch.ray.at(way);
         // The first sample lies in the surface that the ray has left.
         let departure = stretch.path.from.as_ref().filter(|_| way == 0.0);
@@ -341,15 +363,15 @@ impl Tracer<'_> {
         if is_nothing(arriving) {
             return Rgb::BLACK;
         }
-        let lit = Lit {
-            at: Viewed {
+        let lit = ShadingPoint {
+            at: ViewPoint {
                 point,
                 normal: DVec3::ZERO,
                 view: stretch.ray.dir,
             },
             departure,
             path: stretch.path,
-            known: KnownLights::NONE,
+            known: LightSamples::NONE,
             arrived: None,
             is_double_illuminated: false,
             lights: &[],
@@ -467,14 +489,14 @@ pub(super) fn common_sampling(media: &[&PreparedMedia]) -> Option<Sampling> {
 }
 
 /// Where a ray is in some beam and where in none, in order.
-pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
+pub(super) fn parts_of(beams: &[LightBeam], length: f64) -> Vec<MediaStep> {
     let mut lit: Vec<(f64, f64)> = beams.iter().map(|beam| (beam.from, beam.to)).collect();
     lit.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<MediaStep> = Vec::new();
     let mut end = 0.0;
     for (from, to) in lit {
         if from > end {
-            parts.push(Part {
+            parts.push(MediaStep {
                 from: end,
                 to: from,
                 is_lit: false,
@@ -482,7 +504,7 @@ pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
         }
         match parts.last_mut() {
             Some(last) if last.is_lit && from <= last.to => last.to = last.to.max(to),
-            _ => parts.push(Part {
+            _ => parts.push(MediaStep {
                 from,
                 to,
                 is_lit: true,
@@ -491,7 +513,7 @@ pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
         end = end.max(to);
     }
     if end < length {
-        parts.push(Part {
+        parts.push(MediaStep {
             from: end,
             to: length,
             is_lit: false,
@@ -502,10 +524,10 @@ pub(super) fn parts_of(beams: &[Beam], length: f64) -> Vec<Part> {
 
 /// The intervals of some parts: lit ones have their share of them. Where all intervals together fall short of the way by
 /// rounding, the rest of it is one more, as in POV-Ray: it takes random numbers like any other.
-pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
+pub(super) fn divided(parts: &[MediaStep], sampling: &Sampling) -> Vec<MediaStep> {
     let wanted = sampling.intervals as usize;
     let all = wanted.max(parts.len());
-    let weight = |part: &Part| {
+    let weight = |part: &MediaStep| {
         if part.is_lit {
             sampling.ratio
         } else {
@@ -531,7 +553,7 @@ pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
         };
         remaining = remaining.saturating_sub(count);
         let length = (part.to - part.from) / count as f64;
-        intervals.extend((0..count).map(|place| Part {
+        intervals.extend((0..count).map(|place| MediaStep {
             from: part.from + place as f64 * length,
             to: part.from + (place + 1) as f64 * length,
             is_lit: part.is_lit,
@@ -541,7 +563,7 @@ pub(super) fn divided(parts: &[Part], sampling: &Sampling) -> Vec<Part> {
         && last.to < end
     {
         let from = last.to;
-        intervals.push(Part {
+        intervals.push(MediaStep {
             from,
             to: end,
             is_lit: false,
@@ -559,8 +581,8 @@ pub(super) fn vanishing(swallowed: Rgb) -> Rgb {
     swallowed.map(|c| (-c).exp())
 }
 
-impl Sums {
-    const NOTHING: Sums = Sums {
+impl MediaSums {
+    const NOTHING: MediaSums = MediaSums {
         given: Rgb::BLACK,
         squares: Rgb::BLACK,
         swallowed: Rgb::BLACK,
@@ -576,22 +598,22 @@ impl Sums {
     }
 }
 
-impl Sampled {
-    fn plus(&self, other: &Sampled) -> Sampled {
-        Sampled {
+impl MediaSample {
+    fn plus(&self, other: &MediaSample) -> MediaSample {
+        MediaSample {
             given: self.given + other.given,
             swallowed: self.swallowed + other.swallowed,
         }
     }
 
-    fn times(&self, factor: f64) -> Sampled {
-        Sampled {
+    fn times(&self, factor: f64) -> MediaSample {
+        MediaSample {
             given: self.given * factor,
             swallowed: self.swallowed * factor,
         }
     }
 
-    fn differs(&self, other: &Sampled, threshold: f64) -> bool {
+    fn differs(&self, other: &MediaSample, threshold: f64) -> bool {
         let difference = (self.given - other.given).map(f32::abs);
         f64::from(difference.r + difference.g + difference.b) > threshold
     }
@@ -601,16 +623,16 @@ impl Sampled {
 mod tests {
     use super::*;
 
-    fn beam(from: f64, to: f64) -> Beam {
-        Beam {
+    fn beam(from: f64, to: f64) -> LightBeam {
+        LightBeam {
             number: 0,
             from,
             to,
         }
     }
 
-    fn part(from: f64, to: f64, is_lit: bool) -> Part {
-        Part { from, to, is_lit }
+    fn part(from: f64, to: f64, is_lit: bool) -> MediaStep {
+        MediaStep { from, to, is_lit }
     }
 
     #[test]

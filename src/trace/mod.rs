@@ -4,45 +4,44 @@
 //! segments: passing a surface without a bend is a step of a loop, only mirror images and bent light call themselves,
 //! at most `max_trace_level` deep. Missing: light below the surface.
 
-mod air;
 mod area;
-mod arrived;
+mod atmosphere;
 mod block;
 mod caustics;
-mod cloud;
-mod coats;
-mod film;
-mod gather;
+mod direct;
+mod direct_block;
+mod direct_packet;
+mod interior_stack;
+mod irradiance;
 mod lens;
 mod light;
 mod media;
-mod passage;
-mod photon;
-mod plain;
-mod plain_four;
+mod photon_emission;
+mod photon_path;
+mod photon_volume;
 mod radiosity;
-mod shadows;
-mod shoot;
+mod refraction;
+mod shade_cache;
+mod shadow_cache;
 mod spectrum;
 mod surface;
 #[cfg(test)]
 mod tests;
-mod through;
-mod waves;
-mod way;
+mod thin_film;
+mod transmittance;
+mod wavefront;
 
-use crate::atmosphere;
 use crate::color::Rgb;
-use crate::compile::{Departure, Hit, InteriorId, Query, Scratch, Seen, World};
+use crate::compile::{Hit, InteriorId, Query, RayKind, Scratch, SpawnSurface, World};
 use crate::math::Ray;
 use crate::math::mersenne::{Stream, seed_of_sample};
-use crate::options::Stop;
-use crate::photons::Kept;
+use crate::options::CancelToken;
+use crate::photons::PhotonMaps;
 use crate::radiosity::{Mode, Session};
-use air::{Air, End};
-pub use block::{BLOCK, BlockScratch, Met};
+use atmosphere::{AirTint, End};
+pub use block::{BLOCK, BlockScratch, FirstHit};
 use glam::DVec3;
-use light::KnownLights;
+use light::LightSamples;
 use smallvec::SmallVec;
 
 /// How many surfaces light may pass straight on. Passing uses up no trace level, so something must stop a scene that
@@ -107,8 +106,8 @@ impl Quality {
 #[derive(Clone, Debug)]
 struct Path {
     ray: Ray,
-    from: Option<Departure>,
-    seen: Seen,
+    from: Option<SpawnSurface>,
+    seen: RayKind,
     /// How many bends and mirrors lie behind it.
     level: u32,
     /// The largest share that its colour can have in the sample.
@@ -126,7 +125,7 @@ struct Passed {
     factor: Rgb,
     transmit: f32,
     reflected: Rgb,
-    air: Option<Air>,
+    air: Option<AirTint>,
 }
 
 /// The tracer of one world at one quality.
@@ -158,8 +157,8 @@ pub struct Tracer<'w> {
     /// The samples of gathered light for threads that have no others.
     samples: Option<Box<Session>>,
     /// The photons, once they are shot, if any lie on surfaces.
-    kept: Option<Box<Kept>>,
-    stop: Stop,
+    kept: Option<Box<PhotonMaps>>,
+    stop: CancelToken,
 }
 
 impl<'w> Tracer<'w> {
@@ -189,20 +188,20 @@ impl<'w> Tracer<'w> {
             quality,
             has_media,
             light_fades: world.interiors.fade_light(),
-            minds_backs: world.minds_backs(),
-            minds_surfaces: world.minds_backs() || world.has_unlit(),
-            sends_waves: !world.interiors.split_light() && !world.takes_chances(),
+            minds_backs: world.needs_backface_light(),
+            minds_surfaces: world.needs_backface_light() || world.has_unlit(),
+            sends_waves: !world.interiors.split_light() && !world.uses_random(),
             queues: !world.interiors.split_light()
-                && !world.takes_chances()
+                && !world.uses_random()
                 && world.radiosity.is_none(),
-            takes_plain: !has_media && world.radiosity.is_none() && plain::suits(world, quality),
+            takes_plain: !has_media && world.radiosity.is_none() && direct::suits(world, quality),
             minds_interiors,
             around_camera,
             background,
             reflected_background,
             samples: None,
             kept: None,
-            stop: Stop::default(),
+            stop: CancelToken::default(),
         }
     }
 
@@ -214,7 +213,7 @@ impl<'w> Tracer<'w> {
 
     /// The same, which sees nothing more as soon as it is to stop.
     #[must_use]
-    pub fn until(self, stop: &Stop) -> Self {
+    pub fn until(self, stop: &CancelToken) -> Self {
         Tracer {
             stop: stop.clone(),
             ..self
@@ -231,7 +230,7 @@ impl<'w> Tracer<'w> {
 
     /// The same with photons.
     #[must_use]
-    pub fn with_photons(self, kept: Kept) -> Self {
+    pub fn with_photons(self, kept: PhotonMaps) -> Self {
         Tracer {
             takes_plain: false,
             kept: Some(Box::new(kept)),
@@ -284,7 +283,7 @@ impl<'w> Tracer<'w> {
         Path {
             ray,
             from: None,
-            seen: Seen::Image,
+            seen: RayKind::Camera,
             level: 0,
             weight: 1.0,
             gathered: 0,
@@ -297,12 +296,12 @@ impl<'w> Tracer<'w> {
     fn trace(
         &self,
         mut path: Path,
-        mut first: Option<(Option<Hit>, KnownLights)>,
+        mut first: Option<(Option<Hit>, LightSamples)>,
         scratch: &mut Scratch,
     ) -> Sample {
         let mut passed: SmallVec<[Passed; 4]> = SmallVec::new();
         let end = loop {
-            if !self.is_worth((path.level, path.weight), path.gathered)
+            if !self.is_above_bailout((path.level, path.weight), path.gathered)
                 || passed.len() == MOST_PASSED
             {
                 break Sample::BLACK;
@@ -310,15 +309,17 @@ impl<'w> Tracer<'w> {
             let (hit, known) = first.take().unwrap_or_else(|| {
                 let query = Query {
                     ray: path.ray,
-                    from: path.from,
-                    far: f64::INFINITY,
-                    seen: path.seen,
+                    origin_surface: path.from,
+                    t_max: f64::INFINITY,
+                    kind: path.seen,
                 };
-                (self.world.nearest(&query, scratch), KnownLights::NONE)
+                (self.world.nearest(&query, scratch), LightSamples::NONE)
             });
             let Some(hit) = hit else {
                 let air = self.air(&path, End::Nothing, scratch);
-                break self.behind_everything(path.ray.dir, path.seen).through(air);
+                break self
+                    .background_radiance(path.ray.dir, path.seen)
+                    .through(air);
             };
             let lights = self.world.surfaces[hit.surface as usize].lights;
             let end = End::Surface(hit.t, lights);
@@ -326,7 +327,7 @@ impl<'w> Tracer<'w> {
                 break plain.through(self.air(&path, end, scratch));
             }
             // POV-Ray looks at what is behind the air first, which counts only where it takes random numbers.
-            let is_last = scratch.minds_order();
+            let is_last = scratch.order_dependent();
             let air = (!is_last).then(|| self.air(&path, end, scratch));
             let view = self.shade(&path, &hit, known, scratch);
             let air = air.unwrap_or_else(|| self.air(&path, end, scratch));
@@ -363,14 +364,14 @@ impl<'w> Tracer<'w> {
     }
 
     /// Whether a ray of this weight behind so many bends and mirrors, on which light was gathered so often, is followed.
-    fn is_worth(&self, (level, weight): (u32, f64), gathered: usize) -> bool {
+    fn is_above_bailout(&self, (level, weight): (u32, f64), gathered: usize) -> bool {
         level < self.world.globals.max_trace_level
             && weight >= self.bailout(gathered)
             && !self.stop.is_asked()
     }
 
     /// What a ray sees that meets nothing.
-    fn behind_everything(&self, dir: DVec3, seen: Seen) -> Sample {
+    fn background_radiance(&self, dir: DVec3, seen: RayKind) -> Sample {
         let background = self.background_of(seen);
         match &self.world.sky {
             None => background.seen,
@@ -380,12 +381,12 @@ impl<'w> Tracer<'w> {
 
     /// The background as these rays see it.
     #[inline]
-    fn background_of(&self, seen: Seen) -> &Background {
+    fn background_of(&self, seen: RayKind) -> &Background {
         match seen {
-            Seen::Reflection | Seen::Gathering | Seen::GatheringReflection => {
+            RayKind::Reflection | RayKind::Radiosity | RayKind::RadiosityReflection => {
                 &self.reflected_background
             }
-            Seen::Image | Seen::Shadow => &self.background,
+            RayKind::Camera | RayKind::Shadow => &self.background,
         }
     }
 }
@@ -401,7 +402,7 @@ struct Background {
 }
 
 impl Background {
-    fn behind(&self, sky: atmosphere::Seen) -> Sample {
+    fn behind(&self, sky: crate::atmosphere::Seen) -> Sample {
         if self.hides_sky {
             return self.seen;
         }

@@ -2,26 +2,26 @@
 //!
 //! The numbers are those of [`crate::radiosity`].
 
-use super::light::Lit;
+use super::light::ShadingPoint;
 use super::{Path, Sample, Tracer, begin_sample};
 use crate::color::{Color, Rgb};
-use crate::compile::{Departure, Scratch};
-use crate::radiosity::{Known, Mode, Radiosity};
+use crate::compile::{Scratch, SpawnSurface};
+use crate::radiosity::{CachedLight, Mode, Radiosity};
 use crate::texture::PreparedLayer;
 use glam::DVec3;
 
 /// Light that arrives at the front and at the back of a surface, where it was asked for.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Gathered {
+pub(super) struct Irradiance {
     front: Option<Rgb>,
     back: Option<Rgb>,
 }
 
 /// A point that gathers light.
-pub(super) struct Gathering<'r> {
+pub(super) struct IrradiancePoint<'r> {
     pub(super) radiosity: &'r Radiosity,
     point: DVec3,
-    pub(super) departure: Option<Departure>,
+    pub(super) departure: Option<SpawnSurface>,
     /// The unit normals on the side of the viewer: with bumps, if those count, and without.
     normal: DVec3,
     pub(super) flat: DVec3,
@@ -30,11 +30,11 @@ pub(super) struct Gathering<'r> {
     weight: f64,
 }
 
-impl<'r> Gathering<'r> {
+impl<'r> IrradiancePoint<'r> {
     /// Where a ray meets a surface of this normal without bumps.
-    pub(super) fn new(radiosity: &'r Radiosity, lit: &Lit, flat: DVec3) -> Self {
+    pub(super) fn new(radiosity: &'r Radiosity, lit: &ShadingPoint, flat: DVec3) -> Self {
         let has_normals = radiosity.settings.has_normals;
-        Gathering {
+        IrradiancePoint {
             radiosity,
             point: lit.at.point,
             departure: lit.departure.copied(),
@@ -94,9 +94,9 @@ impl Tracer<'_> {
     /// What a layer throws back of the light that its surface gathers.
     pub(super) fn gathered(
         &self,
-        gathering: &Gathering,
+        gathering: &IrradiancePoint,
         (layer, color, filter): (&PreparedLayer, Color, Rgb),
-        known: &mut Gathered,
+        known: &mut Irradiance,
         scratch: &mut Scratch,
     ) -> Rgb {
         let settings = &gathering.radiosity.settings;
@@ -129,12 +129,12 @@ impl Tracer<'_> {
     /// The light that arrives at a point in front (1) or at the back (-1).
     fn light_around(
         &self,
-        gathering: &Gathering,
+        gathering: &IrradiancePoint,
         side: f64,
         weight: f64,
         scratch: &mut Scratch,
     ) -> Rgb {
-        let &Gathering {
+        let &IrradiancePoint {
             radiosity, depth, ..
         } = gathering;
         let Some(session) = scratch.radiosity.as_deref_mut() else {
@@ -143,9 +143,9 @@ impl Tracer<'_> {
         let at = (gathering.point, side * gathering.normal);
         let look = session.look(radiosity, at, depth, weight);
         let mut mean = match session.known(radiosity, &look) {
-            Known::Unknown => return Rgb::BLACK,
-            Known::Enough(mean) => mean,
-            Known::Short(mut mean) => {
+            CachedLight::Unknown => return Rgb::BLACK,
+            CachedLight::Enough(mean) => mean,
+            CachedLight::Short(mut mean) => {
                 let quality = session.quality;
                 session.begin(depth);
                 let (sample, is_kept) = self.gather(gathering, (&look, side), scratch);

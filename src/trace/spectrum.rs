@@ -36,7 +36,7 @@ const BELOW: [[u16; 3]; 71] = [
 
 /// One of the colours that white light is split into.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Band {
+pub(super) struct SpectralBand {
     /// Its wavelength in nanometres.
     pub(super) wavelength: f64,
     /// Its colour; the mean of all bands is nearly white.
@@ -44,14 +44,14 @@ pub(super) struct Band {
 }
 
 /// The band of a number when light is split into `count`.
-pub(super) fn band(number: u32, count: u32) -> Band {
+pub(super) fn band(number: u32, count: u32) -> SpectralBand {
     let width = (LAST_NM - FIRST_NM) / f64::from(count);
     let wavelength = FIRST_NM + width * (f64::from(number) + 0.5);
     let (low, high) = (
         below(wavelength - 0.5 * width),
         below(wavelength + 0.5 * width),
     );
-    Band {
+    SpectralBand {
         wavelength,
         hue: (high - low) * f64::from(count),
     }

@@ -1,23 +1,23 @@
 //! The colour of a surface: its layers from the top down, then what comes through, then its mirror images.
 
-use super::arrived::Arrived;
-use super::light::{Coat, KnownLights, Lit, Viewed, metallic, mirrored};
-use super::radiosity::{Gathered, Gathering};
-use super::through::StraightOn;
+use super::light::{LayerBsdf, LightSamples, ShadingPoint, ViewPoint, metallic, mirrored};
+use super::radiosity::{Irradiance, IrradiancePoint};
+use super::refraction::StraightTransmission;
+use super::shadow_cache::ShadowCache;
 use super::{Inside, Path, Sample, Tracer};
 use crate::color::{Color, Rgb};
 use crate::compile::{Hit, Scratch, Surface};
 use crate::interior::Interior;
 use crate::math::Ray;
 use crate::math::powers::exact_power;
-use crate::pattern::Spot;
-use crate::shape::Shares;
+use crate::pattern::SurfacePoint;
+use crate::shape::TextureWeights;
 use crate::texture::{Choosing, Finish, Irid, Look, Looks, PreparedLayer, PreparedTexture};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// What is seen at a hit.
-pub(super) struct View {
+pub(super) struct SurfaceRadiance {
     /// Light of the surface itself, and light that comes through on another way.
     pub(super) rgb: Rgb,
     /// The share of light that would come through from behind the whole scene on another way.
@@ -25,11 +25,11 @@ pub(super) struct View {
     /// Light of the mirror images, added last.
     pub(super) reflected: Rgb,
     /// What is still to be added if light also comes straight through.
-    pub(super) straight_on: Option<StraightOn>,
+    pub(super) straight_on: Option<StraightTransmission>,
 }
 
 /// The light of a texture's layers at a hit, before the rays that go on from there are followed.
-pub(super) struct Shaded<'t> {
+pub(super) struct ShadedLayers<'t> {
     /// Its own light.
     pub(super) rgb: Rgb,
     /// The share of light that passes all layers.
@@ -42,9 +42,9 @@ pub(super) struct Shaded<'t> {
     pub(super) mirrors: SmallVec<[Mirror<'t>; 2]>,
 }
 
-impl View {
+impl SurfaceRadiance {
     /// Nothing is seen.
-    const NOTHING: View = View {
+    const NOTHING: SurfaceRadiance = SurfaceRadiance {
         rgb: Rgb::BLACK,
         transmit: 0.0,
         reflected: Rgb::BLACK,
@@ -52,7 +52,7 @@ impl View {
     };
 
     /// Adds a share of another view of the same point.
-    fn add(&mut self, weight: f32, other: View) {
+    fn add(&mut self, weight: f32, other: SurfaceRadiance) {
         self.rgb += other.rgb * f64::from(weight);
         self.transmit += other.transmit * weight;
         self.reflected += other.reflected * f64::from(weight);
@@ -63,7 +63,7 @@ impl View {
         other.transmit *= weight;
         self.straight_on = Some(match self.straight_on.take() {
             None => other,
-            Some(sum) => StraightOn {
+            Some(sum) => StraightTransmission {
                 factor: sum.factor + other.factor,
                 transmit: sum.transmit + other.transmit,
                 weight: sum.weight.max(other.weight),
@@ -83,7 +83,7 @@ pub(super) fn single(weight: f64) -> f32 {
 
 /// What textures are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sight {
+pub(super) enum TextureUse {
     /// They are drawn.
     Drawn,
     /// They only filter light.
@@ -106,23 +106,23 @@ impl<'w> Tracer<'w> {
         &self,
         path: &Path,
         hit: &Hit,
-        known: KnownLights,
+        known: LightSamples,
         scratch: &mut Scratch,
-    ) -> View {
+    ) -> SurfaceRadiance {
         let surface = &self.world.surfaces[hit.surface as usize];
         match self
-            .looks(surface, hit, path.ray.dir, Sight::Drawn)
+            .looks(surface, hit, path.ray.dir, TextureUse::Drawn)
             .as_slice()
         {
             [only] if only.weight == 1.0 => {
-                let arrived = (only.texture.layers().len() > 1).then(Arrived::default);
+                let arrived = (only.texture.layers().len() > 1).then(ShadowCache::default);
                 let one = (only, &mut None, arrived.as_ref());
                 self.shade_texture(path, hit, one, known, scratch)
             }
             several => {
-                let mut sum = View::NOTHING;
+                let mut sum = SurfaceRadiance::NOTHING;
                 let mut tilted = None;
-                let arrived = Arrived::default();
+                let arrived = ShadowCache::default();
                 for look in several {
                     let one = (look, &mut tilted, Some(&arrived));
                     let view = self.shade_texture(path, hit, one, known, scratch);
@@ -140,7 +140,7 @@ impl<'w> Tracer<'w> {
         surface: &'s Surface,
         hit: &Hit,
         dir: DVec3,
-        sight: Sight,
+        sight: TextureUse,
     ) -> Looks<'s> {
         let outside = match surface.inside_texture() {
             Some(inside) if hit.shading_normal.dot(dir) > 0.0 && !self.world.has_one_side(hit) => {
@@ -149,7 +149,7 @@ impl<'w> Tracer<'w> {
             _ => &*surface.texture,
         };
         let shares = if surface.skins().is_empty() {
-            Shares::new()
+            TextureWeights::new()
         } else {
             self.world.shares(hit)
         };
@@ -179,11 +179,11 @@ impl<'w> Tracer<'w> {
         &self,
         hit: &Hit,
         dir: DVec3,
-        sight: Sight,
+        sight: TextureUse,
         minds_normal: bool,
     ) -> (DVec3, Choosing<'t>) {
         let (point, spot) = self.place(hit, dir);
-        let follows = minds_normal && sight == Sight::Drawn && self.quality.has_normals;
+        let follows = minds_normal && sight == TextureUse::Drawn && self.quality.has_normals;
         let chosen = if follows {
             Choosing::drawn_at(spot)
         } else {
@@ -199,7 +199,7 @@ impl<'w> Tracer<'w> {
         texture: &'t PreparedTexture,
         hit: &Hit,
         dir: DVec3,
-        sight: Sight,
+        sight: TextureUse,
     ) -> Looks<'t> {
         if texture.is_patterned() {
             let (point, mut chosen) = self.choosing(hit, dir, sight, texture.minds_normal());
@@ -220,7 +220,7 @@ impl<'w> Tracer<'w> {
 
     /// The point at which the patterns of a hit are asked, and the place itself.
     #[inline]
-    pub(super) fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, Spot) {
+    pub(super) fn place(&self, hit: &Hit, dir: DVec3) -> (DVec3, SurfacePoint) {
         let mut spot = spot(hit, dir);
         let surface = &self.world.surfaces[hit.surface as usize];
         if !surface.uses_uv() {
@@ -243,11 +243,11 @@ impl<'w> Tracer<'w> {
         &self,
         path: &Path,
         hit: &Hit,
-        of: (&Look, &mut Option<DVec3>, Option<&Arrived>),
-        known: KnownLights,
+        of: (&Look, &mut Option<DVec3>, Option<&ShadowCache>),
+        known: LightSamples,
         scratch: &mut Scratch,
-    ) -> View {
-        let mut view = View::NOTHING;
+    ) -> SurfaceRadiance {
+        let mut view = SurfaceRadiance::NOTHING;
         let (shaded, lit) = self.layers(path, hit, of, known, scratch);
         view.rgb = shaded.rgb;
         let mut is_total = false;
@@ -255,7 +255,7 @@ impl<'w> Tracer<'w> {
             let filter = (shaded.filter, shaded.film);
             is_total = self.pass(&lit, hit, filter, &mut view, scratch);
         }
-        if scratch.minds_order() && (self.has_air() || !shaded.mirrors.is_empty()) {
+        if scratch.order_dependent() && (self.has_air() || !shaded.mirrors.is_empty()) {
             self.follow_straight_on(&lit, hit, &mut view, scratch);
         }
         if !is_total {
@@ -271,17 +271,17 @@ impl<'w> Tracer<'w> {
         &self,
         path: &'p Path,
         hit: &'p Hit,
-        (look, tilted, arrived): (&Look<'p>, &mut Option<DVec3>, Option<&'p Arrived>),
-        known: KnownLights<'p>,
+        (look, tilted, arrived): (&Look<'p>, &mut Option<DVec3>, Option<&'p ShadowCache>),
+        known: LightSamples<'p>,
         scratch: &mut Scratch,
-    ) -> (Shaded<'p>, Lit<'p>)
+    ) -> (ShadedLayers<'p>, ShadingPoint<'p>)
     where
         'w: 'p,
     {
         let texture = look.texture;
         let surface = &self.world.surfaces[hit.surface as usize];
-        let mut lit = Lit {
-            at: Viewed::new(hit, path.ray.dir),
+        let mut lit = ShadingPoint {
+            at: ViewPoint::new(hit, path.ray.dir),
             departure: Some(&hit.departure),
             path,
             known,
@@ -290,7 +290,7 @@ impl<'w> Tracer<'w> {
             lights: self.world.lights.of(surface.lights),
             collects: self.has_caustics() && !surface.photons().keeps_none,
         };
-        let mut shaded = Shaded {
+        let mut shaded = ShadedLayers {
             rgb: Rgb::BLACK,
             filter: Rgb::WHITE,
             passes: false,
@@ -305,7 +305,7 @@ impl<'w> Tracer<'w> {
             return (shaded, lit);
         }
         let mut filter = Rgb::WHITE;
-        let mut gathered = Gathered::default();
+        let mut gathered = Irradiance::default();
         let mut photons = None;
         let (_, mut spot) = self.place(hit, path.ray.dir);
         let flat = lit.at.normal;
@@ -329,7 +329,7 @@ impl<'w> Tracer<'w> {
                 own += self.caustics(&lit, &coat, flat, &mut photons, scratch);
             }
             if let Some(radiosity) = &self.world.radiosity {
-                let gathering = Gathering::new(radiosity, &lit, flat);
+                let gathering = IrradiancePoint::new(radiosity, &lit, flat);
                 own += self.gathered(&gathering, (layer, color, filter), &mut gathered, scratch);
             }
             shaded.rgb += own * filter;
@@ -360,21 +360,27 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light of one layer itself.
-    fn layer(&self, lit: &Lit, layer: &PreparedLayer, color: Color, scratch: &mut Scratch) -> Rgb {
+    fn layer(
+        &self,
+        lit: &ShadingPoint,
+        layer: &PreparedLayer,
+        color: Color,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let (own, coat) = self.coat(layer, color);
         own + self.illuminate(lit, &coat, scratch)
     }
 
     /// What one layer shines of itself, and how it takes light.
     #[inline]
-    pub(super) fn coat<'l>(&self, layer: &'l PreparedLayer, color: Color) -> (Rgb, Coat<'l>) {
+    pub(super) fn coat<'l>(&self, layer: &'l PreparedLayer, color: Color) -> (Rgb, LayerBsdf<'l>) {
         let finish = &*layer.finish;
         let passing = if self.world.globals.rules_37 {
             color.filter + color.transmit
         } else {
             color.filter * color.rgb.max() + color.transmit
         };
-        let coat = Coat {
+        let coat = LayerBsdf {
             finish,
             rgb: color.rgb,
             opacity: f64::from(1.0 - passing),
@@ -385,7 +391,13 @@ impl<'w> Tracer<'w> {
     }
 
     /// The mirror image of one layer.
-    fn reflect(&self, lit: &Lit, hit: &Hit, mirror: &Mirror, scratch: &mut Scratch) -> Rgb {
+    fn reflect(
+        &self,
+        lit: &ShadingPoint,
+        hit: &Hit,
+        mirror: &Mirror,
+        scratch: &mut Scratch,
+    ) -> Rgb {
         let path = lit.path;
         let onward = Path {
             ray: Ray::new(hit.point, mirror.dir),
@@ -412,7 +424,7 @@ impl<'w> Tracer<'w> {
     /// The share of shadow light that passes the surface of a hit.
     pub(super) fn transmission(&self, hit: &Hit, ray: &Ray) -> Rgb {
         let surface = &self.world.surfaces[hit.surface as usize];
-        let looks = self.looks(surface, hit, ray.dir, Sight::Passed);
+        let looks = self.looks(surface, hit, ray.dir, TextureUse::Passed);
         let caustics = f64::from(self.interior_of(hit).caustics);
         let (_, spot) = self.place(hit, ray.dir);
         looks.iter().fold(Rgb::BLACK, |sum, look| {
@@ -431,7 +443,7 @@ impl<'w> Tracer<'w> {
 
     /// The colour of a layer, in previews its quick colour.
     #[inline]
-    pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> Color {
+    pub(super) fn color(&self, layer: &PreparedLayer, point: DVec3, spot: &SurfacePoint) -> Color {
         match layer.quick_color() {
             Some(quick) if !self.quality.has_transparency => *quick,
             _ => layer.pigment.patterned(point, spot),
@@ -440,7 +452,7 @@ impl<'w> Tracer<'w> {
 
     /// The normal of a layer on the side that is seen, tilted by its bumps.
     #[inline]
-    pub(super) fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &Spot) -> DVec3 {
+    pub(super) fn normal(&self, layer: &PreparedLayer, point: DVec3, spot: &SurfacePoint) -> DVec3 {
         match layer.normal() {
             Some(bumps) if self.quality.has_normals => bumps.tilted(point, spot.normal, spot),
             _ => spot.normal,
@@ -460,8 +472,8 @@ impl<'w> Tracer<'w> {
 
 /// The place that patterns are asked about.
 #[inline]
-pub(super) fn spot(hit: &Hit, dir: DVec3) -> Spot {
-    Spot {
+pub(super) fn spot(hit: &Hit, dir: DVec3) -> SurfacePoint {
+    SurfacePoint {
         point: hit.point,
         normal: facing_normal(hit, dir),
         dir,
@@ -482,7 +494,7 @@ pub(super) fn facing_normal(hit: &Hit, dir: DVec3) -> DVec3 {
 /// How much of its surroundings a layer with a pigment of this colour reflects at this angle; `ior` is that of what is
 /// behind relative to that before it, `flat` the normal without bumps.
 pub(super) fn mirror<'f>(
-    at: &Viewed,
+    at: &ViewPoint,
     flat: DVec3,
     (finish, pigment): (&'f Finish, Rgb),
     ior: impl FnOnce() -> f64,

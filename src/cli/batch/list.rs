@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use super::Wanted;
 use crate::batch::{Globs, Picture, scenes_below};
+use crate::cli::arg_words;
+use crate::cli::environment::Environment;
 use crate::cli::error::CliError;
 use crate::cli::ini::Reader;
-use crate::cli::modern::Size;
+use crate::cli::long_options::Size;
+use crate::cli::raw_args::{Output, RawArgs};
 use crate::cli::settings::{self, Scene, find_scene};
-use crate::cli::surroundings::Surroundings;
-use crate::cli::typed::{Output, Typed};
-use crate::cli::words;
 
 /// A scene and where its picture goes, below the folder of all, still without an ending.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub(super) struct List {
 }
 
 /// Everything that is to be drawn.
-pub(super) fn list(wanted: &Wanted, around: &Surroundings) -> Result<List, CliError> {
+pub(super) fn list(wanted: &Wanted, around: &Environment) -> Result<List, CliError> {
     let standard_folders = around.standard_folders()?;
     let typed = around.typed(&standard_folders)?;
     // What is wrong with the command line is wrong with it once.
@@ -65,9 +65,9 @@ pub(super) fn list(wanted: &Wanted, around: &Surroundings) -> Result<List, CliEr
 fn of_scene(
     found: &Found,
     wanted: &Wanted,
-    mut typed: Typed,
+    mut typed: RawArgs,
     standard_folders: &[PathBuf],
-) -> Result<Typed, CliError> {
+) -> Result<RawArgs, CliError> {
     let ini = found.scene.with_extension("ini");
     if ini.is_file() {
         let known = typed.library_paths.len();
@@ -88,10 +88,10 @@ fn of_scene(
 }
 
 /// Takes the switches of the command line in.
-fn take_in(wanted: &Wanted, typed: &mut Typed, folders: &[PathBuf]) -> Result<(), CliError> {
+fn take_in(wanted: &Wanted, typed: &mut RawArgs, folders: &[PathBuf]) -> Result<(), CliError> {
     let mut reader = Reader::new(typed, folders);
     for word in &wanted.switches {
-        words::read(&mut reader, word)?;
+        arg_words::read(&mut reader, word)?;
     }
     if let Some(Size(width, height)) = wanted.size {
         (typed.width, typed.height) = (width, height);

@@ -11,9 +11,9 @@ use serde::Serialize;
 
 use super::Wanted;
 use crate::batch::{News, Outcome, Picture, Status};
+use crate::cli::environment::Environment;
 use crate::cli::error::CliError;
 use crate::cli::report::{MessageFormat, Reporter, Stream, counted, say};
-use crate::cli::surroundings::Surroundings;
 use crate::options::Event;
 use crate::source::Message;
 
@@ -62,7 +62,7 @@ enum Line<'a> {
 }
 
 impl<'a> Teller<'a> {
-    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture], around: &Surroundings) -> Self {
+    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture], around: &Environment) -> Self {
         let target = if wanted.is_quiet || !around.is_terminal {
             ProgressDrawTarget::hidden()
         } else {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::failed;
 use crate::cli::error::CliError;
-use crate::cli::modern::Size;
+use crate::cli::long_options::Size;
 use crate::compare::{Picture, Renderer, compare};
 
 /// The folder of POV-Ray's pictures, in that of the sheet.
@@ -18,7 +18,7 @@ const PATIENCE: Duration = Duration::from_secs(600);
 
 /// POV-Ray, found on this machine.
 #[derive(Debug)]
-pub(super) struct Judge(Renderer);
+pub(super) struct Comparer(Renderer);
 
 /// What POV-Ray says to a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,10 +36,10 @@ pub(super) enum Verdict {
     NoPicture,
 }
 
-impl Judge {
+impl Comparer {
     /// POV-Ray, if it is installed.
     pub(super) fn find() -> Option<Self> {
-        Renderer::povray().ok().map(Judge)
+        Renderer::povray().ok().map(Comparer)
     }
 
     /// Compares the picture of a scene in a folder with POV-Ray's.

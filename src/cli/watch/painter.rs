@@ -6,14 +6,14 @@ use std::time::{Instant, SystemTime};
 use super::files::Known;
 use super::shown::{Picture, Shown};
 use super::terminal;
-use crate::Series;
+use crate::RenderSession;
 use crate::cli::draw::refused;
 use crate::cli::error::CliError;
 use crate::cli::report::{Reporter, say};
 use crate::cli::settings::Settings;
 use crate::color::Gamma;
 use crate::film::Film;
-use crate::options::{Event, Input, RenderOptions, Sampling, Stop};
+use crate::options::{CancelToken, Event, Input, RenderOptions, Sampling};
 use crate::output::{self, EncodeOptions, Format};
 use crate::source::Severity;
 
@@ -34,7 +34,7 @@ pub(super) struct Painter {
 
 impl Painter {
     /// The preview and the picture, one after the other.
-    pub(super) fn draw(&self, stop: &Stop, began: SystemTime, read: &Mutex<Option<Known>>) {
+    pub(super) fn draw(&self, stop: &CancelToken, began: SystemTime, read: &Mutex<Option<Known>>) {
         let talk = self.settings.talk;
         let pool =
             self.settings.render.threads.map(|threads| {
@@ -44,7 +44,7 @@ impl Painter {
             Ok(pool) => pool,
             Err(_) => return,
         };
-        let series = Series::new(pool);
+        let series = RenderSession::new(pool);
         let errors = Mutex::new(String::new());
         let mut options = self.settings.read.clone();
         options.stop = stop.clone();
@@ -100,7 +100,7 @@ impl Painter {
     }
 
     /// What is drawn: a small picture without antialiasing first, unless the picture is small itself.
-    fn passes(&self, stop: &Stop) -> Vec<RenderOptions> {
+    fn passes(&self, stop: &CancelToken) -> Vec<RenderOptions> {
         let whole = RenderOptions {
             stop: stop.clone(),
             ..self.settings.render.clone()

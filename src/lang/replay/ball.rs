@@ -4,11 +4,11 @@
 //! for the three, is kept as these three, and then no token of it is looked at. Words and marks stay what they are, and
 //! expressions notice what has changed.
 
-use super::quiet::color_of;
-use super::{Known, Level, Replays};
+use super::reader::color_of;
+use super::{Known, Level, ReplayCache};
 use crate::args::{Parse, Word};
 use crate::color::Color;
-use crate::lang::bulk::literal_at;
+use crate::lang::numbers::literal_at;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::streams::Streams;
@@ -39,7 +39,7 @@ enum Part {
 
 impl Part {
     /// The expression at a token, if it is literal or recorded, and the token behind it.
-    fn at(tokens: &Tokens, at: usize, replays: &Replays) -> Option<(Part, usize)> {
+    fn at(tokens: &Tokens, at: usize, replays: &ReplayCache) -> Option<(Part, usize)> {
         if let Some((number, after)) = literal_at(tokens, at) {
             return Some((Part::Literal(number), after));
         }
@@ -55,7 +55,7 @@ impl Part {
     #[inline]
     fn number(
         &self,
-        replays: &mut Replays,
+        replays: &mut ReplayCache,
         scopes: &Scopes,
         streams: &mut Streams,
     ) -> Option<Number> {
@@ -71,7 +71,7 @@ impl Part {
 
 impl Ball {
     /// The sphere at a token, if it is written so.
-    pub(super) fn at(tokens: &Tokens, start: usize, replays: &Replays) -> Option<Ball> {
+    pub(super) fn at(tokens: &Tokens, start: usize, replays: &ReplayCache) -> Option<Ball> {
         let all = &tokens.tokens;
         let word = |at: usize| all.get(at).and_then(|token| token.word());
         let mark = |at: usize, mark: char| all.get(at).is_some_and(|token| token.is_mark(mark));
@@ -105,7 +105,7 @@ impl Ball {
     /// The sphere as it is now; `None` if it is to be read.
     pub(super) fn read(
         &self,
-        replays: &mut Replays,
+        replays: &mut ReplayCache,
         default: &Layer,
         scopes: &Scopes,
         streams: &mut Streams,

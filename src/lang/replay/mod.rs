@@ -22,7 +22,7 @@ mod both_ways;
 mod directives;
 mod notes;
 mod op;
-mod quiet;
+mod reader;
 mod stack;
 
 pub(super) use notes::{Recording, Source};
@@ -161,7 +161,7 @@ type Page = [[Known; LEVELS]; PAGE];
 
 /// All recorded expressions of a run.
 #[derive(Debug, Default)]
-pub(super) struct Replays {
+pub(super) struct ReplayCache {
     /// For each file its pages, made when something in them is recorded.
     files: Vec<Vec<Option<Box<Page>>>>,
     programs: Vec<Program>,
@@ -173,7 +173,7 @@ pub(super) struct Replays {
     is_off: bool,
 }
 
-impl Replays {
+impl ReplayCache {
     /// Forbids all replays.
     #[cfg(test)]
     pub(super) fn forbid(&mut self) {

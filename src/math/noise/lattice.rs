@@ -5,7 +5,7 @@
 
 use super::tables::{RANDOM, RANDOMS};
 use crate::math::hash::{SIZE, TABLE, wrapped};
-use crate::math::lanes::{Four, Row};
+use crate::math::simd::{F64Lanes, F64x4};
 use glam::DVec3;
 
 /// What is missing to 1 where a negative coordinate is taken to the cell below, as in POV-Ray.
@@ -40,13 +40,13 @@ const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
 
 /// A point as the lattice takes it, in front of its coordinates a half: what the constant of a corner is multiplied by.
 #[inline(always)]
-pub(super) fn spread<F: Four>(point: DVec3) -> F {
+pub(super) fn spread<F: F64Lanes>(point: DVec3) -> F {
     F::load(&[0.5, point.x, point.y, point.z])
 }
 
 /// Such a point at another frequency.
 #[inline(always)]
-pub(super) fn at_frequency<F: Four>(point: F, frequency: f64) -> F {
+pub(super) fn at_frequency<F: F64Lanes>(point: F, frequency: f64) -> F {
     point.times(F::pick(F::mask(HALF), F::all(1.0), F::all(frequency)))
 }
 
@@ -62,7 +62,7 @@ struct Place<F> {
     weights: [F; 2],
 }
 
-impl<F: Four> Place<F> {
+impl<F: F64Lanes> Place<F> {
     #[inline(always)]
     fn new(point: F) -> Self {
         let ([_, x, y, z], low) = cells(point);
@@ -107,13 +107,13 @@ fn choices([x, y, z]: [usize; 3]) -> [usize; 8] {
 
 /// [`super::smooth`] in lanes.
 #[inline(always)]
-fn smooth<F: Four>(t: F) -> F {
+fn smooth<F: F64Lanes>(t: F) -> F {
     t.times(t).times(F::all(3.0).minus(F::all(2.0).times(t)))
 }
 
 /// The coefficients of a corner: the constant, x, y, z.
 #[inline(always)]
-fn coefficients<F: Four>(first: usize) -> F {
+fn coefficients<F: F64Lanes>(first: usize) -> F {
     F::load(RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]))
 }
 
@@ -126,7 +126,7 @@ fn entry(number: usize) -> usize {
 /// The cells of coordinates, wrapped, and how far the coordinates lie above them.
 // Arrays are not mapped here: where that is not inlined it costs as much as the noise.
 #[inline(always)]
-fn cells<F: Four>(point: F) -> ([usize; 4], F) {
+fn cells<F: F64Lanes>(point: F) -> ([usize; 4], F) {
     let below = point.minus(F::all(1.0 - EPSILON));
     let shifted = F::pick(point.below(F::all(0.0)), below, point);
     if F::bits(shifted.size().below(F::all(FAR))) == 0b1111 {
@@ -155,7 +155,7 @@ fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
 
 /// The sum over the corners of the cell of a point.
 #[inline(always)]
-pub(super) fn scalar<F: Row>(point: F) -> f64 {
+pub(super) fn scalar<F: F64x4>(point: F) -> f64 {
     let place = Place::new(point);
     let near = F::turned([
         place.products::<0b000>(),
@@ -174,20 +174,20 @@ pub(super) fn scalar<F: Row>(point: F) -> f64 {
 }
 
 #[inline(always)]
-fn linear<F: Four>([constant, x, y, z]: [F; 4]) -> F {
+fn linear<F: F64Lanes>([constant, x, y, z]: [F; 4]) -> F {
     constant.plus(x).plus(y).plus(z)
 }
 
 /// A sum with four more terms, one after the other.
 #[inline(always)]
-fn added<F: Four>(sum: f64, terms: F) -> f64 {
+fn added<F: F64Lanes>(sum: f64, terms: F) -> f64 {
     let [a, b, c, d] = terms.store();
     sum + a + b + c + d
 }
 
 /// The same sum for the three components of a vector. Each corner is a neighbour of the one before.
 #[inline(always)]
-pub(super) fn vector<F: Four>(point: F) -> F {
+pub(super) fn vector<F: F64Lanes>(point: F) -> F {
     let place = Place::new(point);
     let corners = Corners {
         first: place.first,
@@ -213,7 +213,7 @@ struct Corners<F> {
     weights: [[f64; 4]; 2],
 }
 
-impl<F: Four> Corners<F> {
+impl<F: F64Lanes> Corners<F> {
     /// What a corner adds to a vector. The coefficients are halves of those of POV-Ray and the place is doubled, both
     /// without rounding: of the constant a half is needed.
     #[inline(always)]
@@ -232,7 +232,7 @@ impl<F: Four> Corners<F> {
 
 /// Twice the coordinates of a place, each in all lanes.
 #[inline(always)]
-fn doubled<F: Four>(place: F) -> [F; 3] {
+fn doubled<F: F64Lanes>(place: F) -> [F; 3] {
     let [_, x, y, z] = place.plus(place).store();
     [F::all(x), F::all(y), F::all(z)]
 }
@@ -240,15 +240,15 @@ fn doubled<F: Four>(place: F) -> [F; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::lanes::{FourKernel, Lanes, four};
     use crate::math::random::Random;
+    use crate::math::simd::{FourKernel, SimdLevel, four};
 
     struct Both(DVec3);
 
     impl FourKernel for Both {
         type Answer = (f64, [f64; 4]);
         #[inline(always)]
-        fn run<F: Row>(&self) -> (f64, [f64; 4]) {
+        fn run<F: F64x4>(&self) -> (f64, [f64; 4]) {
             let point = spread::<F>(self.0);
             (scalar(point), vector(point).store())
         }
@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn all_lanes_give_the_same_bits() {
         let mut rng = Random::new(7);
-        let (narrow, widest) = (Lanes::NARROW, Lanes::widest());
+        let (narrow, widest) = (SimdLevel::NARROW, SimdLevel::widest());
         for round in 0..10_000 {
             let point = rng.vector(if round % 8 == 0 { 1e12 } else { 50.0 });
             let bits = |lanes| {

@@ -1,14 +1,14 @@
 //! Four rays against a triangle at once: to the bit what [`RayFrame::hit`] says of each.
 
 use super::RayFrame;
-use crate::math::lanes::three::{Three, load};
-use crate::math::lanes::{Four, FourKernel};
+use crate::math::simd::three::{Vec3Lanes, load};
+use crate::math::simd::{F64Lanes, FourKernel};
 use glam::DVec3;
 
 /// Four rays prepared for many triangles, if all are longest along the same axis.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
-pub(crate) struct FourFrames {
+pub(crate) struct RayFrames4 {
     origin: [[f64; 4]; 3],
     dir: [[f64; 4]; 3],
     shear: [[f64; 4]; 2],
@@ -16,13 +16,13 @@ pub(crate) struct FourFrames {
 }
 
 /// Four rays and the corners of a triangle.
-pub(crate) struct FourAndTriangle<'a> {
-    pub(crate) rays: &'a FourFrames,
+pub(crate) struct RaysAndTriangle<'a> {
+    pub(crate) rays: &'a RayFrames4,
     pub(crate) corners: &'a [DVec3; 3],
 }
 
 /// Where four rays meet a triangle.
-pub(crate) struct FourMet {
+pub(crate) struct TriangleHits4 {
     /// The parameters on the rays.
     pub(crate) t: [f64; 4],
     /// Which rays meet it, one bit each.
@@ -31,13 +31,13 @@ pub(crate) struct FourMet {
     pub(crate) unknown: u32,
 }
 
-impl FourFrames {
+impl RayFrames4 {
     /// One to four rays side by side; behind the last it stands again. `None` if they differ in the axis along which
     /// they are longest.
     #[inline(always)]
     pub(crate) fn new(frames: &[RayFrame]) -> Option<Self> {
         let along = frames.first()?.along;
-        let mut four = FourFrames {
+        let mut four = RayFrames4 {
             origin: [[0.0; 4]; 3],
             dir: [[0.0; 4]; 3],
             shear: [[0.0; 4]; 2],
@@ -66,10 +66,10 @@ struct Sheared<F> {
     depth: F,
 }
 
-impl FourAndTriangle<'_> {
+impl RaysAndTriangle<'_> {
     #[inline(always)]
-    fn sheared<F: Four>(&self, corner: DVec3, origin: &Three<F>) -> Sheared<F> {
-        let FourFrames { shear, along, .. } = self.rays;
+    fn sheared<F: F64Lanes>(&self, corner: DVec3, origin: &Vec3Lanes<F>) -> Sheared<F> {
+        let RayFrames4 { shear, along, .. } = self.rays;
         let away = |axis: usize| F::all(corner[axis % 3]).minus(origin[axis % 3]);
         let depth = away(*along);
         Sheared {
@@ -81,17 +81,17 @@ impl FourAndTriangle<'_> {
 }
 
 #[inline(always)]
-fn edge<F: Four>(p: &Sheared<F>, q: &Sheared<F>) -> F {
+fn edge<F: F64Lanes>(p: &Sheared<F>, q: &Sheared<F>) -> F {
     p.x.times(q.y).minus(p.y.times(q.x))
 }
 
-impl FourKernel for FourAndTriangle<'_> {
-    type Answer = FourMet;
+impl FourKernel for RaysAndTriangle<'_> {
+    type Answer = TriangleHits4;
 
     #[inline(always)]
-    fn run<F: Four>(&self) -> FourMet {
+    fn run<F: F64Lanes>(&self) -> TriangleHits4 {
         let [a, b, c] = *self.corners;
-        let origin: Three<F> = load(&self.rays.origin);
+        let origin: Vec3Lanes<F> = load(&self.rays.origin);
         let [p, q, r] = [
             self.sheared(a, &origin),
             self.sheared(b, &origin),
@@ -109,7 +109,7 @@ impl FourKernel for FourAndTriangle<'_> {
         );
         let inside = 0b1111 & !F::bits(F::both(below, above));
         if inside == 0 {
-            return FourMet {
+            return TriangleHits4 {
                 t: [0.0; 4],
                 met: 0,
                 unknown: 0,
@@ -132,7 +132,7 @@ impl FourKernel for FourAndTriangle<'_> {
             }
         };
         let is_finite = F::bits(t.size().below(endless));
-        FourMet {
+        TriangleHits4 {
             t: t.store(),
             met: inside & is_known & is_finite,
             unknown: inside & !is_known,
@@ -144,8 +144,8 @@ impl FourKernel for FourAndTriangle<'_> {
 mod tests {
     use super::*;
     use crate::math::Ray;
-    use crate::math::lanes::{Lanes, four};
     use crate::math::random::Random;
+    use crate::math::simd::{SimdLevel, four};
 
     #[test]
     fn four_rays_meet_what_each_meets() {
@@ -168,14 +168,14 @@ mod tests {
                 };
                 RayFrame::new(&Ray::new(origin, target - origin))
             });
-            let Some(rays) = FourFrames::new(&frames) else {
+            let Some(rays) = RayFrames4::new(&frames) else {
                 assert!(frames.iter().any(|frame| frame.along != frames[0].along));
                 continue;
             };
-            for lanes in [Lanes::widest(), Lanes::NARROW] {
+            for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
                 let found = four(
                     lanes,
-                    &FourAndTriangle {
+                    &RaysAndTriangle {
                         rays: &rays,
                         corners: &corners,
                     },

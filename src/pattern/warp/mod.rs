@@ -27,7 +27,7 @@ static WARPS: &[(Word, Read)] = &[
 ];
 
 /// A warp as a scene describes it.
-pub trait Warp: Debug + Send + Sync + Copies {
+pub trait Warp: Debug + Send + Sync + CloneWarp {
     /// The form for drawing.
     fn prepare(&self, settings: &Settings) -> Box<dyn Warping>;
 }
@@ -39,12 +39,12 @@ pub trait Warping: Debug + Send + Sync {
 }
 
 /// Copying behind a `Box`; every type that can be cloned has it.
-pub trait Copies {
+pub trait CloneWarp {
     /// A copy that can be modified by itself.
     fn copied(&self) -> Box<dyn Warp>;
 }
 
-impl<T: Warp + Clone + 'static> Copies for T {
+impl<T: Warp + Clone + 'static> CloneWarp for T {
     fn copied(&self) -> Box<dyn Warp> {
         Box::new(self.clone())
     }

@@ -2,8 +2,8 @@
 
 use super::{ENDLESS, GRADE_CARE, Graded, Scale};
 use crate::film::Pixel;
-use crate::math::lanes::{FourWork, Row, fours, with_widest};
 use crate::math::powers::power;
+use crate::math::simd::{F64x4, FourWork, fours, with_widest};
 
 /// The pixels of a tile, with the row above and the column left of it, numbered row by row.
 pub(super) struct Centres {
@@ -106,7 +106,7 @@ impl FourWork for Grading<'_> {
     type Answer = ();
 
     #[inline(always)]
-    fn run<F: Row>(self) {
+    fn run<F: F64x4>(self) {
         let Grading(channels, exponent) = self;
         for channel in channels {
             for values in channel.as_chunks_mut::<4>().0 {
@@ -127,7 +127,7 @@ struct Comparing<'a> {
 impl Comparing<'_> {
     /// Tells of four pixels which are sure to differ from those so far before them, and of which that is unsure.
     #[inline(always)]
-    fn four<F: Row>(&self, at: usize, before: usize) -> (u32, u32) {
+    fn four<F: F64x4>(&self, at: usize, before: usize) -> (u32, u32) {
         let (mut size, mut difference) = (F::all(0.0), F::all(0.0));
         for channel in &self.centres.grades[..self.scale.channels()] {
             let four = |at: usize| {
@@ -154,7 +154,7 @@ impl FourWork for Comparing<'_> {
     type Answer = ();
 
     #[inline(always)]
-    fn run<F: Row>(self) {
+    fn run<F: F64x4>(self) {
         let centres = self.centres;
         for row in (centres.width..centres.len()).step_by(centres.width) {
             for first in (1..centres.width).step_by(4) {

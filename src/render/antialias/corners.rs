@@ -49,7 +49,7 @@ impl<'s, 'a> Corners<'s, 'a> {
     ) -> Self {
         Corners {
             sampler,
-            in_order: scratch.single().minds_order(),
+            in_order: scratch.single().order_dependent(),
             tile,
             scratch,
             first: (f64::from(tile.columns.start), f64::from(tile.rows.start)),

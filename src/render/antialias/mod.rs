@@ -19,8 +19,8 @@ use super::{TILE, Tile};
 use crate::color::Gamma;
 use crate::film::Pixel;
 use crate::math::jitter;
-use crate::math::lanes::{FourWork, Row, fours, with_widest};
 use crate::math::powers::{POWER_ERROR, power};
+use crate::math::simd::{F64x4, FourWork, fours, with_widest};
 use crate::options::{Antialias, Method, RenderOptions};
 use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
@@ -144,7 +144,7 @@ impl FourWork for Powers {
     type Answer = [f64; 4];
 
     #[inline(always)]
-    fn run<F: Row>(self) -> [f64; 4] {
+    fn run<F: F64x4>(self) -> [f64; 4] {
         let Powers(values, exponent) = self;
         power(F::load(&values), exponent).store()
     }

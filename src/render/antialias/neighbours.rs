@@ -63,7 +63,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         let [x, y] = [tile.columns.start, tile.rows.start].map(f64::from);
         Neighbours {
             sampler,
-            in_order: scratch.single().minds_order(),
+            in_order: scratch.single().order_dependent(),
             tile,
             scratch,
             first: (x - 1.0, y - 1.0),

@@ -2,9 +2,9 @@
 
 use crate::args::{Args, Parse, Word, transform_step};
 use crate::math::chord::ball_chord;
-use crate::math::conditioning::{Eased, is_comfortable, unit};
+use crate::math::conditioning::{RescaledRay, is_comfortable, unit};
 use crate::math::{Bounds, Ray, Step, Transform};
-use crate::shape::{Share, Skin, read};
+use crate::shape::{FaceTexture, TextureWeight, read};
 use crate::source::Diagnostic;
 use crate::texture::Texture;
 use glam::{DAffine3, DMat3, DVec3};
@@ -159,7 +159,7 @@ impl Component {
         let is_empty = reach == DVec3::ZERO || strength == 0.0 || !unit_from_blob.is_finite();
         Component {
             strength,
-            skin: Share::OF_THE_OBJECT,
+            skin: TextureWeight::OF_THE_OBJECT,
             unit_from_blob,
             length,
             bounds: if is_empty { Bounds::EMPTY } else { bounds },
@@ -285,7 +285,7 @@ fn unit_chord(about: &Ray, stretch: (f64, f64)) -> Option<(f64, f64)> {
     if is_comfortable(1.0, dir_sq, origin_sq) {
         return ball_chord(about.origin, about.dir, 1.0);
     }
-    let eased = Eased::new(about, 1.0)?;
+    let eased = RescaledRay::new(about, 1.0)?;
     let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, 1.0 / eased.size)?;
     Some((eased.t(enter), eased.t(leave)))
 }
@@ -312,7 +312,7 @@ fn read_modifiers(args: &mut dyn Args) -> Parse<(Vec<Step>, Option<Texture>)> {
             continue;
         }
         let is_known = match args.word()? {
-            Some(word) => Skin::read_over(&mut texture, word, args)?,
+            Some(word) => FaceTexture::read_over(&mut texture, word, args)?,
             None => false,
         };
         if !is_known {

@@ -4,7 +4,7 @@
 //! size, so that what is worked out is of size 1 and its error far below [`SLACK`].
 
 use super::component::Component;
-use crate::math::lanes::{Eight, Kernel, Lanes, eight};
+use crate::math::simd::{Eight, Kernel, SimdLevel, eight};
 use crate::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -66,7 +66,7 @@ impl Reach {
     }
 
     /// Which components a line may come near, one bit each.
-    pub(super) fn met(&self, lanes: Lanes, ray: &Ray) -> u64 {
+    pub(super) fn met(&self, lanes: SimdLevel, ray: &Ray) -> u64 {
         let origin = (ray.origin - self.middle) / self.size;
         let dir = ray.dir / ray.dir.length();
         let nearest = origin - origin.dot(dir) * dir;

@@ -116,7 +116,7 @@ fn components_share_the_look_of_a_point_by_their_fields() {
         .iter()
         .map(|share| (share.skin, share.weight))
         .collect();
-    let expected = [(0, 2.0 / 3.0), (Share::OF_THE_OBJECT, 1.0 / 3.0)];
+    let expected = [(0, 2.0 / 3.0), (TextureWeight::OF_THE_OBJECT, 1.0 / 3.0)];
     assert_eq!(shares, expected);
     assert!(blob(PAIR).shares(DVec3::ZERO, 0).is_empty());
 }

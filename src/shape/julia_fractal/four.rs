@@ -3,13 +3,13 @@
 //!
 //! Rays that start inside, and those that would have to go on behind a root, are left to be asked for singly.
 
-use super::super::four::{plus, scaled};
-use super::super::four_search::{FourAsked, FourFound};
+use super::super::packet::{plus, scaled};
+use super::super::packet_search::{FourAsked, FourFound};
 use super::complex::Function;
 use super::places::{Orbit, Pair, Places, Quaternion};
 use super::{Fractal, JuliaFractal, LEAST_WAY, Rule, TOLERANCE, unit};
-use crate::math::lanes::three::{Three, dot, over};
-use crate::math::lanes::{Four, FourKernel, Row, four, with_widest};
+use crate::math::simd::three::{Vec3Lanes, dot, over};
+use crate::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
 
 /// What a length may lose by rounding.
 const LOSS: f64 = 1e-9;
@@ -21,8 +21,8 @@ struct Following<'a> {
 
 /// Four rays of unit direction.
 struct Rays<F> {
-    origin: Three<F>,
-    dir: Three<F>,
+    origin: Vec3Lanes<F>,
+    dir: Vec3Lanes<F>,
 }
 
 impl JuliaFractal {
@@ -42,7 +42,7 @@ impl FourKernel for Following<'_> {
     type Answer = FourFound;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> FourFound {
+    fn run<F: F64x4>(&self) -> FourFound {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.follow::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.follow::<F, Quaternion<F, 3>>(),
@@ -57,7 +57,7 @@ impl FourKernel for Following<'_> {
 
 impl Following<'_> {
     #[inline(always)]
-    fn follow<F: Four, O: Orbit<F>>(&self) -> FourFound {
+    fn follow<F: F64Lanes, O: Orbit<F>>(&self) -> FourFound {
         let (fractal, asked) = (self.fractal, self.asked);
         let rays = asked.rays::<F>();
         let length = dot(rays.dir, rays.dir).root();
@@ -114,7 +114,7 @@ impl Following<'_> {
 
     /// What is known of a place on each ray that is going.
     #[inline(always)]
-    fn places<F: Four, O: Orbit<F>>(&self, rays: &Rays<F>, depth: F, going: u32) -> Places {
+    fn places<F: F64Lanes, O: Orbit<F>>(&self, rays: &Rays<F>, depth: F, going: u32) -> Places {
         let fractal = self.fractal;
         let [x, y, z] = plus(rays.origin, scaled(rays.dir, depth));
         let slope = fractal.slope;

@@ -4,7 +4,7 @@
 use super::complex::{Complex, Function};
 use super::{Fractal, MOST_LEAST_STEPS, Rule, TOLERANCE};
 use crate::math::Ray;
-use crate::math::lanes::{Four, FourKernel, Row, four, with_widest};
+use crate::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
 use glam::DVec4;
 
 /// So many places are looked at together.
@@ -173,7 +173,7 @@ impl<'f> Ahead<'f> {
 }
 
 /// Four numbers that are iterated.
-pub(super) trait Orbit<F: Four>: Copy {
+pub(super) trait Orbit<F: F64Lanes>: Copy {
     const DEGREE: f64;
     /// How much farther than the ball, in squares, an orbit may stay.
     const BEYOND: f64;
@@ -194,20 +194,20 @@ struct Iterating<'f> {
 
 impl Iterating<'_> {
     #[inline(always)]
-    fn four<F: Four>(&self, axis: usize, first: usize) -> F {
+    fn four<F: F64Lanes>(&self, axis: usize, first: usize) -> F {
         let row = &self.starts[axis];
         F::load(&[row[first], row[first + 1], row[first + 2], row[first + 3]])
     }
 
     #[inline(always)]
-    fn iterate<F: Four, O: Orbit<F>>(&self) -> Places {
+    fn iterate<F: F64Lanes, O: Orbit<F>>(&self) -> Places {
         let orbits = [self.orbit(0), self.orbit(4)];
         self.fractal.iterate::<F, O, 2>(orbits, 0xff)
     }
 
     // Spelt out: a closure would not take part in the wide lanes.
     #[inline(always)]
-    fn orbit<F: Four, O: Orbit<F>>(&self, first: usize) -> O {
+    fn orbit<F: F64Lanes, O: Orbit<F>>(&self, first: usize) -> O {
         let [i, k] = self.along;
         let z = [
             self.four(0, first),
@@ -223,7 +223,7 @@ impl Iterating<'_> {
 impl Fractal {
     /// Follows the orbits of some of four or eight places, marked by a bit each.
     #[inline(always)]
-    pub(super) fn iterate<F: Four, O: Orbit<F>, const FOURS: usize>(
+    pub(super) fn iterate<F: F64Lanes, O: Orbit<F>, const FOURS: usize>(
         &self,
         mut orbits: [O; FOURS],
         marked: u32,
@@ -278,7 +278,7 @@ impl FourKernel for Iterating<'_> {
     type Answer = Places;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> Places {
+    fn run<F: F64x4>(&self) -> Places {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.iterate::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.iterate::<F, Quaternion<F, 3>>(),
@@ -296,7 +296,7 @@ pub(super) struct Quaternion<F, const DEGREE: u8> {
     passed: F,
 }
 
-impl<F: Four, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
+impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     const DEGREE: f64 = DEGREE as f64;
     const BEYOND: f64 = TOLERANCE;
 
@@ -360,7 +360,7 @@ pub(super) struct Pair<F> {
     along: [[F; 2]; 2],
 }
 
-impl<F: Four> Orbit<F> for Pair<F> {
+impl<F: F64Lanes> Orbit<F> for Pair<F> {
     const DEGREE: f64 = 1.0;
     const BEYOND: f64 = 0.0;
 
@@ -409,7 +409,7 @@ impl<F: Four> Orbit<F> for Pair<F> {
 }
 
 #[inline(always)]
-fn squared<F: Four>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
+fn squared<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
     let across = re.times(im);
     [
         re.times(re).minus(im.times(im)).plus(a),
@@ -418,7 +418,7 @@ fn squared<F: Four>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
 }
 
 #[inline(always)]
-fn carried<F: Four>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
+fn carried<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
     let (re, im) = (re.plus(re), im.plus(im));
     [
         re.times(a).minus(im.times(b)),

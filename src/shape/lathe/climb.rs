@@ -1,8 +1,8 @@
 //! A ray about the axis of a surface of revolution, and how far it is from the points of a curve.
 
 use crate::math::Ray;
-use crate::math::enclosed::{Enclosed, Range};
-use crate::math::lanes::{FourKernel, Row};
+use crate::math::interval_roots::{Interval, IntervalFunction};
+use crate::math::simd::{F64x4, FourKernel};
 use crate::shape::spline::Segment;
 use glam::{DVec2, DVec3};
 
@@ -89,14 +89,14 @@ impl Climb {
         [low, high]: [DVec2; 2],
         [near, far]: [f64; 2],
         side: f64,
-    ) -> Range {
+    ) -> Interval {
         if self.is_steep() {
-            Range::new(
+            Interval::new(
                 (low.y - self.height) / self.sine,
                 (high.y - self.height) / self.sine,
             )
         } else {
-            Range::new(
+            Interval::new(
                 (side * near - self.ahead) / self.cosine,
                 (side * far - self.ahead) / self.cosine,
             )
@@ -141,7 +141,7 @@ impl FourKernel for FourAndClimb<'_> {
 
     // Spelt out: closures are not always inlined.
     #[inline(always)]
-    fn run<F: Row>(&self) -> FourPasses {
+    fn run<F: F64x4>(&self) -> FourPasses {
         let (of, climb) = (self.reaches, self.climb);
         let (aside, height) = (F::all(climb.aside), F::all(climb.height));
         let (sine, cosine) = (F::all(climb.sine), F::all(climb.cosine));
@@ -180,7 +180,7 @@ impl FourKernel for FourAndClimb<'_> {
     }
 }
 
-impl Enclosed for Half<'_> {
+impl IntervalFunction for Half<'_> {
     fn value(&self, x: f64) -> f64 {
         self.climb.excess(self.segment.at(x), self.side)
     }
@@ -191,39 +191,39 @@ impl Enclosed for Half<'_> {
         self.climb.cosine * slope.y - self.climb.sine * self.side * outward
     }
 
-    fn values(&self, from: f64, to: f64) -> Range {
+    fn values(&self, from: f64, to: f64) -> Interval {
         let (a, b) = (self.segment.at(from), self.segment.at(to));
         let climb = self.climb;
         let factor = climb.sine * self.side;
-        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
-        let way = Range::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
+        let rise = Interval::new(climb.cosine * a.y, climb.cosine * b.y);
+        let way = Interval::new(factor * climb.reach(a.x), factor * climb.reach(b.x));
         let rest = climb.sine * climb.ahead - climb.cosine * climb.height;
-        Range {
+        Interval {
             low: rise.low - way.high + rest,
             high: rise.high - way.low + rest,
         }
     }
 
-    fn slopes(&self, from: f64, to: f64) -> Range {
+    fn slopes(&self, from: f64, to: f64) -> Interval {
         let climb = self.climb;
         let (a, b) = (self.segment.slope(from), self.segment.slope(to));
-        let rise = Range::new(climb.cosine * a.y, climb.cosine * b.y);
+        let rise = Interval::new(climb.cosine * a.y, climb.cosine * b.y);
         let factor = climb.sine * self.side;
         let narrowing = |x: f64| {
             let radius = self.segment.at(x).x;
             radius / climb.reach(radius)
         };
         let (near, far) = (narrowing(from), narrowing(to));
-        let mut way = Range::new(0.0, 0.0);
+        let mut way = Interval::new(0.0, 0.0);
         if factor != 0.0 {
             let products = [a.x * near, a.x * far, b.x * near, b.x * far].map(|p| factor * p);
             if products.iter().any(|p| p.is_nan()) {
-                return Range::new(f64::NEG_INFINITY, f64::INFINITY);
+                return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
             }
             way.low = products.iter().copied().fold(f64::INFINITY, f64::min);
             way.high = products.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         }
-        Range {
+        Interval {
             low: rise.low - way.high,
             high: rise.high - way.low,
         }

@@ -11,9 +11,9 @@
 
 use super::climb::{Climb, FourAndClimb, FourReaches, Half, SIDES, bisect};
 use crate::math::conditioning::power_of_two;
-use crate::math::enclosed::{Enclosed, Range as Lengths, sign_changes};
-use crate::math::lanes::{Lanes, four, with_widest};
-use crate::math::polynomial::Places;
+use crate::math::interval_roots::{Interval as Lengths, IntervalFunction, sign_changes};
+use crate::math::polynomial::Roots;
+use crate::math::simd::{SimdLevel, four, with_widest};
 use crate::math::{Bounds, Ray};
 use crate::shape::spline::{self, Chain, Segment};
 use crate::shape::{Crossing, Crossings, Root};
@@ -264,7 +264,7 @@ impl Profile {
 
     /// Visits the parts of a line on which it may meet an arc.
     #[inline(always)]
-    fn passes(&self, lanes: Lanes, climb: &Climb, mut visit: impl FnMut(Pass)) {
+    fn passes(&self, lanes: SimdLevel, climb: &Climb, mut visit: impl FnMut(Pass)) {
         for (reaches, first) in self.reaches.iter().zip((0..).step_by(4)) {
             let found = four(lanes, &FourAndClimb { reaches, climb });
             let mut met = found.met[0] | found.met[1];
@@ -371,7 +371,7 @@ impl Profile {
                 };
                 (x, value < 0.0)
             };
-            let mut places = Places::new();
+            let mut places = Roots::new();
             sign_changes(&half, end(from, starts_out), end(to, ends_out), &mut places);
             for x in places {
                 visit(climb.length(segment.at(x), side), number);

@@ -1,8 +1,8 @@
 //! Closed chains of segments, and where lines cross them.
 
 use super::Segment;
-use crate::math::lanes::{FourKernel, Lanes, Row, four, with_widest};
 use crate::math::polynomial::sign_changes_between;
+use crate::math::simd::{F64x4, FourKernel, SimdLevel, four, with_widest};
 use glam::DVec2;
 use smallvec::SmallVec;
 use std::ops::Deref;
@@ -52,7 +52,7 @@ impl FourKernel for HullsAndLine<'_> {
     type Answer = u32;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> u32 {
+    fn run<F: F64x4>(&self) -> u32 {
         let (normal, from, offset) = *self.line;
         let rest = offset - normal.dot(from);
         let size = offset.abs() + normal.abs().dot(from.abs());
@@ -99,7 +99,7 @@ impl Chain {
     #[inline(always)]
     pub(crate) fn line_crossings(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         line: Line,
         mut visit: impl FnMut(usize, f64),
     ) {

@@ -2,7 +2,7 @@
 
 use super::Superellipsoid;
 use crate::math::Ray;
-use crate::math::enclosed::{Enclosed, Range};
+use crate::math::interval_roots::{Interval, IntervalFunction};
 use glam::DVec3;
 
 /// The size along a piece of a ray on which no coordinate changes sign.
@@ -19,7 +19,7 @@ impl Along<'_> {
     }
 }
 
-impl Enclosed for Along<'_> {
+impl IntervalFunction for Along<'_> {
     fn value(&self, t: f64) -> f64 {
         self.shape.size(self.ray.at(t).abs()) - 1.0
     }
@@ -29,15 +29,15 @@ impl Enclosed for Along<'_> {
         self.shape.gradient(p.abs()).dot(p.signum() * self.ray.dir)
     }
 
-    fn values(&self, from: f64, to: f64) -> Range {
+    fn values(&self, from: f64, to: f64) -> Interval {
         let (least, most) = self.reach(from, to);
-        Range {
+        Interval {
             low: self.shape.size(least) - 1.0,
             high: self.shape.size(most) - 1.0,
         }
     }
 
-    fn slopes(&self, from: f64, to: f64) -> Range {
+    fn slopes(&self, from: f64, to: f64) -> Interval {
         let Superellipsoid { across, along } = *self.shape;
         let (least, most) = self.reach(from, to);
         let ring = [least, most].map(|p| norm(p.x, p.y, across));
@@ -54,7 +54,7 @@ impl Enclosed for Along<'_> {
         ];
         // Which way each coordinate grows without its sign is the same on all of the piece.
         let growth = self.ray.at(0.5 * (from + to)).signum() * self.ray.dir;
-        let mut sum = Range::new(0.0, 0.0);
+        let mut sum = Interval::new(0.0, 0.0);
         for axis in 0..3 {
             if growth[axis] != 0.0 {
                 let ends = rates[axis].map(|rate| rate * growth[axis]);
@@ -63,7 +63,7 @@ impl Enclosed for Along<'_> {
             }
         }
         if sum.low.is_nan() || sum.high.is_nan() {
-            return Range::new(f64::NEG_INFINITY, f64::INFINITY);
+            return Interval::new(f64::NEG_INFINITY, f64::INFINITY);
         }
         sum
     }

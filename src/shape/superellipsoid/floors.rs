@@ -4,7 +4,7 @@ use super::Superellipsoid;
 use super::norms::{norm, norm_and_shares};
 use super::rough::{Rough, SLACK};
 use crate::math::Ray;
-use crate::math::lanes::{Four, FourWork, Row, fours, with_widest};
+use crate::math::simd::{F64Lanes, F64x4, FourWork, fours, with_widest};
 use smallvec::SmallVec;
 
 /// The least power for which a rounding of a coordinate, of zero too, moves the size by less than 1e-7.
@@ -28,7 +28,7 @@ impl FourWork for Floors<'_> {
     type Answer = [[f64; 4]; 2];
 
     #[inline(always)]
-    fn run<F: Row>(self) -> [[f64; 4]; 2] {
+    fn run<F: F64x4>(self) -> [[f64; 4]; 2] {
         let Superellipsoid { across, along } = *self.rough.shape;
         let [from, touch, to] = &self.places;
         let [from, to] = [self.points::<F>(from), self.points::<F>(to)];
@@ -48,7 +48,7 @@ impl FourWork for Floors<'_> {
 
 impl Floors<'_> {
     #[inline(always)]
-    fn points<F: Four>(&self, t: &[f64; 4]) -> [F; 3] {
+    fn points<F: F64Lanes>(&self, t: &[f64; 4]) -> [F; 3] {
         let Ray { origin, dir } = self.rough.ray;
         let t = F::load(t);
         [
@@ -59,7 +59,11 @@ impl Floors<'_> {
     }
 
     #[inline(always)]
-    fn floor<F: Four>(&self, [x, y, z]: [F; 3], (of_plane, of_size): ([F; 2], [F; 2])) -> [f64; 4] {
+    fn floor<F: F64Lanes>(
+        &self,
+        [x, y, z]: [F; 3],
+        (of_plane, of_size): ([F; 2], [F; 2]),
+    ) -> [f64; 4] {
         let Superellipsoid { across, along } = *self.rough.shape;
         let ring = floor_of_norm(x, y, across, of_plane);
         floor_of_norm(ring, z, along, of_size).store()
@@ -68,7 +72,7 @@ impl Floors<'_> {
 
 /// A norm that is concave, or the tangent with these slopes to one that is convex.
 #[inline(always)]
-fn floor_of_norm<F: Four>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
+fn floor_of_norm<F: F64Lanes>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
     if p > 1.0 {
         a.times(slopes[0]).plus(b.times(slopes[1]))
     } else {

@@ -3,20 +3,20 @@
 //! The rough part of the search is gone in lanes. Rays for which it is not clear, and those that start within the box, are
 //! left to be asked for singly.
 
-use super::super::four::{FourRays, plus, scaled};
-use super::super::four_search::{FourAsked, FourFound};
+use super::super::packet::{RayPacket, plus, scaled};
+use super::super::packet_search::{FourAsked, FourFound};
 use super::rough::{LAST_ROUGH_STEP, MAX_STEPS, Rough, SLACK};
 use super::{REACH, STEEP, Superellipsoid};
 use crate::math::Ray;
 use crate::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE};
-use crate::math::lanes::three::{dot, largest};
-use crate::math::lanes::{Four, FourKernel, Row, four, with_widest};
+use crate::math::simd::three::{dot, largest};
+use crate::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
 use glam::DVec3;
 
 /// Where four rays pass the box from -1 to 1.
-struct Clipped<F: Four> {
+struct Clipped<F: F64Lanes> {
     /// About the middles of the stretches.
-    rays: FourRays<F>,
+    rays: RayPacket<F>,
     middle: F,
     from: F,
     to: F,
@@ -24,7 +24,7 @@ struct Clipped<F: Four> {
 }
 
 /// Where four convex sizes fall below 1.
-struct Entries<F: Four> {
+struct Entries<F: F64Lanes> {
     t: F,
     slope: F,
     /// Which do very near there, one bit each.
@@ -52,7 +52,7 @@ impl Superellipsoid {
 
     /// Newton's iteration from where the rays enter the box, as that of [`Rough::first_inside`].
     #[inline(always)]
-    fn entries<F: Four>(&self, clipped: &Clipped<F>, mut asked: u32) -> Entries<F> {
+    fn entries<F: F64Lanes>(&self, clipped: &Clipped<F>, mut asked: u32) -> Entries<F> {
         let Clipped { rays, from, to, .. } = clipped;
         let slack = F::all(SLACK);
         let falling = F::all(-SLACK).times(dot(rays.dir, rays.dir).root());
@@ -97,7 +97,7 @@ impl FourKernel for LeftBehind<'_> {
     type Answer = u32;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> u32 {
+    fn run<F: F64x4>(&self) -> u32 {
         let LeftBehind(shape, asked) = self;
         let rays = asked.rays::<F>();
         let is_near = largest(rays.origin).not_above(F::all(REACH));
@@ -114,7 +114,7 @@ impl FourKernel for Entering<'_> {
     type Answer = FourFound;
 
     #[inline(always)]
-    fn run<F: Row>(&self) -> FourFound {
+    fn run<F: F64x4>(&self) -> FourFound {
         let Entering(shape, asked) = self;
         let rays = asked.rays::<F>();
         let (from, far) = (F::load(&asked.from), F::load(&asked.far));
@@ -152,7 +152,7 @@ impl FourKernel for Entering<'_> {
     }
 }
 
-impl<F: Four> Clipped<F> {
+impl<F: F64Lanes> Clipped<F> {
     /// The root of the exact size of one ray near a rough one.
     #[inline(never)]
     fn sharpened(
@@ -172,7 +172,7 @@ impl<F: Four> Clipped<F> {
 
 /// Which rays need not be rescaled, one bit each.
 #[inline(always)]
-fn comfortable<F: Four>(rays: &FourRays<F>) -> u32 {
+fn comfortable<F: F64Lanes>(rays: &RayPacket<F>) -> u32 {
     let (dir_sq, origin_sq) = (dot(rays.dir, rays.dir), dot(rays.origin, rays.origin));
     let is_dir = F::both(
         F::all(1.0 / COMFORTABLE_SQUARE).not_above(dir_sq),
@@ -183,7 +183,7 @@ fn comfortable<F: Four>(rays: &FourRays<F>) -> u32 {
 
 /// As [`super::clip`].
 #[inline(always)]
-fn clip<F: Four>(rays: &FourRays<F>) -> Clipped<F> {
+fn clip<F: F64Lanes>(rays: &RayPacket<F>) -> Clipped<F> {
     let endless = F::all(f64::INFINITY);
     let (zero, one) = (F::all(0.0), F::all(1.0));
     let (mut from, mut to) = (endless.negated(), endless);
@@ -202,7 +202,7 @@ fn clip<F: Four>(rays: &FourRays<F>) -> Clipped<F> {
     let is_met = F::both(is_met, to.size().below(endless));
     let middle = F::all(0.5).times(from.plus(to));
     Clipped {
-        rays: FourRays {
+        rays: RayPacket {
             origin: plus(rays.origin, scaled(rays.dir, middle)),
             dir: rays.dir,
         },

@@ -1,14 +1,14 @@
 //! Norms to ten digits in lanes, as many as lanes there are: what the size of a superellipsoid is made of.
 
-use crate::math::lanes::Four;
 use crate::math::powers::power;
+use crate::math::simd::F64Lanes;
 
 /// Keeps a quotient finite.
 pub(super) const TINY: f64 = 1e-290;
 
 /// `(part / whole)^(p − 1)` for the least part and the most whole and the other way round, of two parts.
 #[inline(always)]
-pub(super) fn shares<F: Four>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
+pub(super) fn shares<F: F64Lanes>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
     let part = F::load(&[a[0], a[1], b[0], b[1]]);
     let whole = F::load(&[whole[1], whole[0], whole[1], whole[0]]);
     let ratio = part.over(whole.larger(F::all(TINY)));
@@ -21,7 +21,7 @@ pub(super) fn shares<F: Four>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) ->
 
 /// `(a^p + b^p)^(1/p)` of numbers that are not negative.
 #[inline(always)]
-pub(super) fn norm<F: Four>(a: F, b: F, p: f64) -> F {
+pub(super) fn norm<F: F64Lanes>(a: F, b: F, p: f64) -> F {
     if p == 1.0 {
         return a.plus(b);
     }
@@ -35,7 +35,7 @@ pub(super) fn norm<F: Four>(a: F, b: F, p: f64) -> F {
 
 /// The same and its derivatives by both numbers.
 #[inline(always)]
-pub(super) fn norm_and_shares<F: Four>(a: F, b: F, p: f64) -> (F, [F; 2]) {
+pub(super) fn norm_and_shares<F: F64Lanes>(a: F, b: F, p: f64) -> (F, [F; 2]) {
     let one = F::all(1.0);
     if p == 1.0 {
         return (a.plus(b), [one, one]);

@@ -3,16 +3,16 @@
 //! A claim that there is no root keeps [`SLACK`] away from zero; what is closer is asked of the exact size. A root ends
 //! with a step of Newton's iteration from the exact size, so that its error is that of the exact size, too.
 
-use super::super::four::FourRays;
+use super::super::packet::RayPacket;
 use super::exact::Along;
 use super::norms::{TINY, norm, norm_and_shares, shares};
 use super::{Crossings, Sought, Superellipsoid, alternating, root};
 use crate::math::Ray;
-use crate::math::enclosed::{Enclosed, Range, exact_change, sign_changes};
-use crate::math::lanes::three::{dot, plus, scaled, sizes};
-use crate::math::lanes::{Four, FourWork, Row, fours, with_widest};
-use crate::math::polynomial::Places;
+use crate::math::interval_roots::{Interval, IntervalFunction, exact_change, sign_changes};
+use crate::math::polynomial::Roots;
 use crate::math::powers::POWER_ERROR;
+use crate::math::simd::three::{dot, plus, scaled, sizes};
+use crate::math::simd::{F64Lanes, F64x4, FourWork, fours, with_widest};
 use glam::DVec3;
 
 /// Above the error of a rough size and of a rough slope, as shares, for powers within [`POWERS`].
@@ -54,7 +54,7 @@ impl Superellipsoid {
 
     /// By how much the size exceeds 1 at places of rays, and its slopes along them.
     #[inline(always)]
-    pub(super) fn rough_at<F: Four>(&self, rays: &FourRays<F>, t: F) -> (F, F) {
+    pub(super) fn rough_at<F: F64Lanes>(&self, rays: &RayPacket<F>, t: F) -> (F, F) {
         let p = plus(rays.origin, scaled(rays.dir, t));
         let [x, y, z] = sizes(p);
         let (ring, [of_x, of_y]) = norm_and_shares(x, y, self.across);
@@ -77,7 +77,7 @@ impl<'s> Rough<'s> {
 
     /// By how much the size exceeds 1, and its slope along the ray.
     pub(super) fn at(&self, t: f64) -> (f64, f64) {
-        self.shape.rough_at(&FourRays::of(&self.ray), t)
+        self.shape.rough_at(&RayPacket::of(&self.ray), t)
     }
 
     /// Where a convex size falls below 1 on the way from one end to the other.
@@ -166,8 +166,8 @@ pub(super) struct Pieces<'s> {
 /// What is known of the size on a piece.
 struct Bounded {
     /// By how much the size exceeds 1.
-    values: Range,
-    slopes: Range,
+    values: Interval,
+    slopes: Interval,
     /// In the middle.
     value: f64,
 }
@@ -269,7 +269,7 @@ impl<'s> Pieces<'s> {
         if !is_change && (bounded.values.low > SLACK || bounded.values.high < -SLACK) {
             return false;
         }
-        let Range { low, high } = bounded.slopes;
+        let Interval { low, high } = bounded.slopes;
         if low >= 0.0 || high <= 0.0 {
             return is_change && self.push_root(ends, roots);
         }
@@ -278,7 +278,7 @@ impl<'s> Pieces<'s> {
             return false;
         }
         if depth == 0 {
-            let mut places = Places::new();
+            let mut places = Roots::new();
             sign_changes(self.exact, ends[0], ends[1], &mut places);
             roots.extend(alternating(&places, starts_inside));
             return places.iter().any(|t| self.sought.is_enough(*t));
@@ -299,7 +299,7 @@ impl<'s> Pieces<'s> {
         // Which way each coordinate grows without its sign is the same on all of the piece.
         let growth = self.rough.ray.at(middle).signum() * self.rough.ray.dir;
         let by_ring = [of_size[0].min(of_size[1]), of_size[0].max(of_size[1])];
-        let mut slopes = Range::new(0.0, 0.0);
+        let mut slopes = Interval::new(0.0, 0.0);
         for (axis, [a, b]) in [
             [of_plane[0], of_plane[1]],
             [of_plane[2], of_plane[3]],
@@ -321,11 +321,11 @@ impl<'s> Pieces<'s> {
             slopes.high += a.max(b);
         }
         if slopes.low.is_nan() || slopes.high.is_nan() {
-            slopes = Range::new(f64::NEG_INFINITY, f64::INFINITY);
+            slopes = Interval::new(f64::NEG_INFINITY, f64::INFINITY);
         }
         let excess = |size: f64| size - 1.0;
         Bounded {
-            values: Range {
+            values: Interval {
                 low: excess(sizes[0] * (1.0 - SLACK)),
                 high: excess(sizes[1] * (1.0 + SLACK)),
             },
@@ -346,7 +346,7 @@ impl FourWork for Corners<'_> {
     type Answer = [[f64; 4]; 3];
 
     #[inline(always)]
-    fn run<F: Row>(self) -> [[f64; 4]; 3] {
+    fn run<F: F64x4>(self) -> [[f64; 4]; 3] {
         let Superellipsoid { across, along } = *self.shape;
         let [least, most, middle] = self.points;
         let x = [least.x, most.x, middle.x, middle.x];

@@ -67,7 +67,7 @@ fn exact_places(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
     stops.push(to);
     stops.sort_by(f64::total_cmp);
     let along = Along { shape, ray };
-    let (mut places, mut start) = (Places::new(), (from, false));
+    let (mut places, mut start) = (Roots::new(), (from, false));
     for stop in stops {
         let end = (stop, stop < to && along.value(stop) < 0.0);
         sign_changes(&along, start, end, &mut places);

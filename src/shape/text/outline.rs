@@ -4,7 +4,7 @@
 //! Which side of the ray the end of a piece lies on is computed once for both pieces that share it, so no ray slips in
 //! between them.
 
-use crate::math::lanes::{FourWork, Lanes, Row, fours};
+use crate::math::simd::{F64x4, FourWork, SimdLevel, fours};
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -105,7 +105,7 @@ impl Outline {
     #[inline(always)]
     pub(super) fn crossings(
         &self,
-        lanes: Lanes,
+        lanes: SimdLevel,
         [origin, dir]: [DVec2; 2],
         [from, to]: [f64; 2],
     ) -> Crossings {
@@ -157,7 +157,7 @@ impl FourWork for Crossing<'_> {
     type Answer = Crossings;
 
     #[inline(always)]
-    fn run<F: Row>(self) -> Crossings {
+    fn run<F: F64x4>(self) -> Crossings {
         let mut found = Crossings {
             starts_inside: false,
             places: Places::new(),
@@ -323,7 +323,7 @@ mod tests {
     /// The crossings of the whole line.
     fn whole(outline: &Outline, origin: DVec2, dir: DVec2) -> Places {
         let all = [f64::NEG_INFINITY, f64::INFINITY];
-        let found = outline.crossings(Lanes::widest(), [origin, dir], all);
+        let found = outline.crossings(SimdLevel::widest(), [origin, dir], all);
         assert!(!found.starts_inside);
         found.places
     }
@@ -331,7 +331,7 @@ mod tests {
     #[test]
     fn a_stretch_of_a_line_has_the_crossings_of_the_whole() {
         let ring = ring();
-        for lanes in [Lanes::NARROW, Lanes::widest()] {
+        for lanes in [SimdLevel::NARROW, SimdLevel::widest()] {
             for slope in [-0.7, -0.1, 0.0, 0.3, 1.0] {
                 let (origin, dir) = (DVec2::new(-3.0, 0.2 - 3.0 * slope), DVec2::new(1.0, slope));
                 let all = whole(&ring, origin, dir);

@@ -111,7 +111,8 @@ fn tokens_across_the_ends_of_slices_are_whole() {
     }
 }
 
-/// The time for a text of four times the length is at most about four times as long.
+/// Asserts that a text of four times the length takes about four times as long, in the best of several tries: other
+/// programs may take the processor away.
 fn assert_linear(name: &str, text: impl Fn(usize) -> String) {
     let time = |count: usize| {
         let text = text(count);
@@ -119,9 +120,12 @@ fn assert_linear(name: &str, text: impl Fn(usize) -> String) {
         drop(lex(&text));
         start.elapsed()
     };
-    let short = time(1 << 16).max(Duration::from_millis(4));
-    let long = time(1 << 18);
-    assert!(long < 16 * short, "{name}: {short:?}, then {long:?}");
+    let mut tries = (0..4).map(|_| {
+        let short = time(1 << 16).max(Duration::from_millis(4));
+        (short, time(1 << 18))
+    });
+    let is_linear = tries.any(|(short, long)| long < 16 * short);
+    assert!(is_linear, "{name}");
 }
 
 #[test]

@@ -1,0 +1,136 @@
+//! Colours that change evenly from place to place: the plane through samples by least squares.
+
+use super::look::AdaptiveSample;
+
+/// The middle of a pixel, from which slopes are counted.
+const MIDDLE: f64 = 0.5;
+/// The determinant of places on a line, over that of places all around.
+const ON_A_LINE: f64 = 1e-3;
+
+/// How much each channel changes across a pixel and down it; nothing if none does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Slopes(Option<[[f64; 2]; 4]>);
+
+impl Slopes {
+    /// What a sample would have seen in the middle of the pixel.
+    #[inline]
+    pub(super) fn levelled(&self, look: &AdaptiveSample) -> [f64; 4] {
+        self.levelled_at(look, [0.0; 2])
+    }
+
+    /// The same of a sample of the pixel so many columns and rows away.
+    #[inline]
+    pub(super) fn levelled_at(&self, look: &AdaptiveSample, away: [f64; 2]) -> [f64; 4] {
+        let mut channels = look.channels.map(f64::from);
+        let Some(slopes) = &self.0 else {
+            return channels;
+        };
+        let [x, y] = look.share();
+        let [x, y] = [x + away[0], y + away[1]];
+        for (c, slope) in channels.iter_mut().zip(slopes) {
+            *c -= slope[0] * (x - MIDDLE) + slope[1] * (y - MIDDLE);
+        }
+        channels
+    }
+}
+
+/// Sums over samples from which planes follow.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    count: f64,
+    place: [f64; 2],
+    /// `xx`, `xy`, `yy`.
+    squares: [f64; 3],
+    value: [f64; 4],
+    /// Place times value: across by channel, and down.
+    mixed: [[f64; 4]; 2],
+    value_squares: [f64; 4],
+}
+
+/// The plane through samples, and how far they are from it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    middle: [f64; 2],
+    mean: [f64; 4],
+    slopes: [[f64; 2]; 4],
+    /// The variance of the mean of as many samples as lie in it, by channel.
+    pub(super) variances: [f64; 4],
+}
+
+impl Sums {
+    /// Adds a sample at a place in pixels.
+    pub(super) fn add(&mut self, [x, y]: [f64; 2], channels: &[f32; 4]) {
+        let (x, y) = (x - MIDDLE, y - MIDDLE);
+        self.count += 1.0;
+        self.place = [self.place[0] + x, self.place[1] + y];
+        let [xx, xy, yy] = self.squares;
+        self.squares = [xx + x * x, xy + x * y, yy + y * y];
+        let values = channels.map(f64::from);
+        for (c, value) in values.into_iter().enumerate() {
+            self.value[c] += value;
+            self.mixed[0][c] += x * value;
+            self.mixed[1][c] += y * value;
+            self.value_squares[c] += value * value;
+        }
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> f64 {
+        self.count
+    }
+
+    /// The plane, level where there are too few samples for a slope; `None` for less than two samples.
+    pub(super) fn plane(&self) -> Option<Plane> {
+        let n = self.count;
+        if n < 2.0 {
+            return None;
+        }
+        let [x, y] = self.place.map(|sum| sum / n);
+        let [xx, xy, yy] = self.squares;
+        let (xx, xy, yy) = (xx - n * x * x, xy - n * x * y, yy - n * y * y);
+        let determinant = xx * yy - xy * xy;
+        let slopes_too = n >= 5.0 && determinant > ON_A_LINE * (xx + yy) * (xx + yy);
+        let mut plane = Plane {
+            middle: [x, y],
+            mean: self.value.map(|sum| sum / n),
+            slopes: [[0.0; 2]; 4],
+            variances: [0.0; 4],
+        };
+        for c in 0..4 {
+            let mean = plane.mean[c];
+            let mut rest = self.value_squares[c] - n * mean * mean;
+            if slopes_too {
+                let [xv, yv] = [
+                    self.mixed[0][c] - n * x * mean,
+                    self.mixed[1][c] - n * y * mean,
+                ];
+                let slope = [
+                    (xv * yy - yv * xy) / determinant,
+                    (yv * xx - xv * xy) / determinant,
+                ];
+                rest -= slope[0] * xv + slope[1] * yv;
+                plane.slopes[c] = slope;
+            }
+            let freedom = if slopes_too { n - 3.0 } else { n - 1.0 };
+            plane.variances[c] = rest.max(0.0) / freedom / n;
+        }
+        Some(plane)
+    }
+}
+
+impl Plane {
+    /// The colour at a place in pixels.
+    pub(super) fn at(&self, [x, y]: [f64; 2]) -> [f64; 4] {
+        let (x, y) = (x - MIDDLE - self.middle[0], y - MIDDLE - self.middle[1]);
+        let mut color = self.mean;
+        for (c, slope) in color.iter_mut().zip(self.slopes) {
+            *c += slope[0] * x + slope[1] * y;
+        }
+        color
+    }
+
+    /// Its slopes.
+    pub(super) fn slopes(&self) -> Slopes {
+        Slopes(Some(self.slopes))
+    }
+}

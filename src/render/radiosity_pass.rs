@@ -1,0 +1,148 @@
+//! Drawing with radiosity on several threads, so that the picture is the one that a single thread draws.
+//!
+//! Samples that are made while the picture is drawn change what comes after them. They are few. So tiles are drawn side by
+//! side with the samples that there are, and notes are taken of all places where light was asked for. Then the tiles are
+//! gone through in their order: where samples were missing, or one has come since that counts there, a point of the
+//! picture is drawn again, and what is missing is made; everything else stands.
+
+use super::Tile;
+use super::pretrace::pretrace;
+use super::tiles::DrawnTile;
+use crate::compile::RayCounts;
+use crate::options::{RadiosityStatistics, RenderOptions};
+use crate::radiosity::{Mode, Notes, Session};
+use crate::trace::{BlockScratch, Tracer};
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// The samples of a picture that is being drawn.
+pub(super) struct RadiosityPass {
+    scratch: BlockScratch,
+    /// The rays before drawing.
+    pub(super) rays: RayCounts,
+    taken: RadiosityStatistics,
+}
+
+impl RadiosityPass {
+    /// With the samples that are made before drawing; none without radiosity.
+    pub(super) fn pretraced(tracer: &Tracer<'_>, options: &RenderOptions) -> Option<RadiosityPass> {
+        let world = tracer.world();
+        let radiosity = world.radiosity.as_ref()?;
+        let start = Instant::now();
+        let mut scratch = BlockScratch::default();
+        let session = Session::new(radiosity, world.globals.unit);
+        scratch.single().radiosity = Some(Box::new(session));
+        scratch.single().goes_on = super::draws_in_order(world, options);
+        pretrace(tracer, options, scratch.single());
+        scratch.single().begin_anew();
+        let rays = scratch.take_rays();
+        let mut pretraced = 0;
+        if let Some(session) = &mut scratch.single().radiosity {
+            session.finish();
+            pretraced = session.cache.samples().len();
+        }
+        let taken = RadiosityStatistics {
+            pretraced,
+            pretrace_seconds: start.elapsed().as_secs_f64(),
+            ..RadiosityStatistics::default()
+        };
+        Some(RadiosityPass {
+            scratch,
+            rays,
+            taken,
+        })
+    }
+
+    /// Draws tiles that follow those drawn before.
+    pub(super) fn draw(
+        &mut self,
+        tiles: &[Tile],
+        draw: &(impl Fn(&mut BlockScratch, &Tile) -> DrawnTile + Sync),
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Vec<DrawnTile> {
+        let finished = |drawn: DrawnTile| {
+            progress((drawn.0.columns.len() * drawn.0.rows.len()) as u64);
+            drawn
+        };
+        let in_turn = rayon::current_num_threads() == 1 || self.scratch.goes_on();
+        let Some(session) = &self.scratch.single().radiosity else {
+            return Vec::new();
+        };
+        if in_turn {
+            let each = tiles
+                .iter()
+                .map(|tile| finished(draw(&mut self.scratch, tile)));
+            return each.collect();
+        }
+        let watching = || {
+            let mut scratch = BlockScratch::default();
+            scratch.single().radiosity = Some(Box::new(session.in_mode(Mode::Watch)));
+            scratch
+        };
+        let watched: Vec<(DrawnTile, Notes)> = tiles
+            .par_iter()
+            .map_init(watching, |scratch, tile| {
+                let drawn = draw(scratch, tile);
+                let session = scratch.single().radiosity.as_mut();
+                (
+                    drawn,
+                    session
+                        .map(|session| session.notes.take())
+                        .unwrap_or_default(),
+                )
+            })
+            .collect();
+        let revised = watched
+            .into_iter()
+            .zip(tiles)
+            .map(|((drawn, notes), tile)| {
+                finished(self.revised(drawn, notes, |scratch| draw(scratch, tile)))
+            });
+        revised.collect()
+    }
+
+    /// A tile as it is with the samples that there are now, and with those that it lacks.
+    fn revised(
+        &mut self,
+        mut drawn: DrawnTile,
+        mut notes: Notes,
+        draw: impl Fn(&mut BlockScratch) -> DrawnTile,
+    ) -> DrawnTile {
+        let Some(session) = &mut self.scratch.single().radiosity else {
+            return drawn;
+        };
+        if notes.hold(&session.cache) {
+            return drawn;
+        }
+        notes.catch_up(&session.cache);
+        session.notes = notes;
+        let (tile, kept, rays) = draw(&mut self.scratch);
+        if let Some(session) = &mut self.scratch.single().radiosity {
+            session.notes = Notes::default();
+        }
+        self.taken.revised += 1;
+        drawn.2 += rays;
+        (tile, kept, drawn.2)
+    }
+
+    /// The tracer with these samples, and what they took.
+    pub(super) fn given_to(
+        mut self,
+        tracer: Tracer<'_>,
+    ) -> (Tracer<'_>, Option<RadiosityStatistics>) {
+        let tracer = match &self.scratch.single().radiosity {
+            Some(session) => tracer.with_samples(session),
+            None => tracer,
+        };
+        (tracer, Some(self.taken()))
+    }
+
+    /// What it took.
+    pub(super) fn taken(mut self) -> RadiosityStatistics {
+        if let Some(session) = &self.scratch.single().radiosity {
+            self.taken.samples = session.cache.samples().len();
+            self.taken.bytes = session.cache.bytes();
+        }
+        self.taken
+    }
+}
