@@ -1,12 +1,12 @@
 //! The nearest surface on a ray, and what is known of the place where it is met.
 
 use super::bvh_items::IndexedItem;
+use super::compiled::World;
 use super::csg::RawHit;
 use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet_hits::HitPacket4;
 use super::packet_rays::RayStream;
 use super::query::{ClosestHit, Hit, Query, RayKind, Scratch, SpawnSurface};
-use super::world::World;
 use crate::accel::{NewEnds, STREAM};
 use crate::math::simd::{SimdLevel, with_widest};
 use crate::math::{Bounds, Ray};

@@ -7,10 +7,10 @@
 //!
 //! Missing: the textures of single components of a blob or triangles of a mesh that a difference cuts.
 
+use super::compiled::World;
 use super::flatten::{Lowering, index};
 use super::inherit::{Inherited, PlacedTexture, joined, texture_steps};
 use super::probe::compiled;
-use super::world::World;
 use crate::scene::{Kind, Object, Operation};
 use crate::shape::{TextureWeight, TextureWeights};
 use crate::texture::PreparedTexture;

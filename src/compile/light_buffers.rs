@@ -1,7 +1,7 @@
 //! What camera and lamps see around them, worked out once so that rays from there need no search: see [`Vista`].
 
+use super::compiled::World;
 use super::model::Item;
-use super::world::World;
 use crate::accel::LightBuffer;
 use crate::light::Light;
 use crate::options::RenderOptions;

@@ -2,6 +2,7 @@
 
 mod bvh_items;
 mod closest;
+mod compiled;
 mod csg;
 mod csg_bounds;
 mod csg_inside;
@@ -42,8 +43,8 @@ mod surface_flags;
 mod targets;
 mod transmission;
 mod uses_random;
-mod world;
 
+pub use compiled::{Globals, World};
 pub use interiors::{InteriorId, Interiors};
 pub use lights::{LightList, Lights};
 pub use packet_hits::{HitPacket4, NO_LEAF, ShadowPacket4};
@@ -53,7 +54,6 @@ pub use query::{Hit, Occlusion, Query, RayKind, Scratch, SpawnSurface};
 pub use ray_counts::RayCounts;
 pub use surface::{OwnedOrShared, Surface};
 pub use transmission::{TransmissiveHit, TransmissiveHits};
-pub use world::{Globals, World};
 
 use crate::options::RenderOptions;
 use crate::pattern::Settings;

@@ -2,11 +2,11 @@
 
 use super::bvh_items::IndexedItem;
 use super::closest::{BLUR, POV_RAY_SHADOW};
+use super::compiled::World;
 use super::csg::RawHit;
 use super::intersect::{HitPolicy, Search};
 use super::model::Item;
 use super::query::{Occlusion, Query, Scratch};
-use super::world::World;
 use crate::math::simd::{SimdLevel, with_widest};
 use crate::options::LeastDistance;
 use glam::DVec3;

@@ -1,12 +1,12 @@
 //! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
 
 use super::bvh_items::IndexedItem;
+use super::compiled::World;
 use super::csg::RawHit;
 use super::model::Item;
 use super::packet_hits::{HitPacket4, ShadowPacket4};
 use super::packet_rays::RayStream;
 use super::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
-use super::world::World;
 use crate::accel::{Bundle, NewEnds, STREAM};
 use crate::math::Ray;
 use crate::math::simd::{SimdLevel, with_widest};

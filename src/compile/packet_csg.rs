@@ -9,12 +9,12 @@
 //! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `four_of_tree`.
 
 use super::closest::SKIN;
+use super::compiled::World;
 use super::csg::{Combine, CsgProgram, RawHit, hide_departure};
 use super::packet_csg_tree::CsgTreePacket;
 use super::packet_rays::{RayPacket4, RayStream};
 use super::primitive::Leaf;
 use super::query::{Query, Scratch};
-use super::world::World;
 use crate::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
 use crate::shape::{Crossing, RayPacket, Root, SpanPacket};
 use smallvec::SmallVec;

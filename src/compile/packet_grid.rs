@@ -2,12 +2,12 @@
 //! through the tree. The same answers as one by one, to the bit.
 
 use super::bvh_items::IndexedItem;
+use super::compiled::World;
 use super::csg::RawHit;
 use super::packet_bundle::each_bit;
 use super::packet_hits::{HitPacket4, ShadowPacket4};
 use super::packet_rays::RayStream;
 use super::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
-use super::world::World;
 use crate::accel::LightBuffer;
 use crate::math::Ray;
 use crate::math::simd::{SimdLevel, with_widest};

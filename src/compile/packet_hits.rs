@@ -1,9 +1,9 @@
 //! What many rays meet, and how light of a lamp comes to it: four by four, in the form in which lanes work on them.
 
 use super::closest::BLUR;
+use super::compiled::World;
 use super::csg::RawHit;
 use super::query::{ClosestHit, Hit, Occlusion, Query, RayKind, SpawnSurface};
-use super::world::World;
 use crate::math::Ray;
 use crate::math::simd::three::{Vec3Lanes, dot, largest, load, minus, plus, scaled, store};
 use crate::math::simd::{F64Lanes, F64x4, FourWork, SimdLevel, fours};

@@ -1,11 +1,11 @@
 //! Four rays and a copy of a small union of balls at once: to the bit what each finds by itself.
 
+use super::compiled::World;
 use super::csg::RawHit;
 use super::instance::Instance;
 use super::packet_csg::may_be_left;
 use super::packet_hits::NO_LEAF;
 use super::packet_rays::{RayPacket4, RayStream};
-use super::world::World;
 use crate::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
 use crate::shape::{RayPacket, Root, Shape};
 

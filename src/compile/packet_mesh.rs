@@ -1,13 +1,13 @@
 //! Large meshes and many rays from one point: the rays go through the mesh's own tree together.
 
 use super::bvh_items::IndexedItem;
+use super::compiled::World;
 use super::csg::RawHit;
 use super::model::Item;
 use super::packet_bundle::each_bit;
 use super::packet_rays::{RayPacket4, RayStream};
 use super::primitive::Leaf;
 use super::query::{ClosestHit, Occlusion, Query, Scratch};
-use super::world::World;
 use crate::accel::Bundle;
 use crate::math::Ray;
 use crate::math::simd::three::{Vec3Lanes, dot, minus, over, same, scaled, store};

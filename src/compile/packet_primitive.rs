@@ -1,11 +1,11 @@
 //! Four rays and a primitive at once: to the bit what each finds by itself.
 
+use super::compiled::World;
 use super::csg::RawHit;
 use super::packet_csg::may_be_left;
 use super::packet_rays::{RayPacket4, RayStream};
 use super::primitive::Leaf;
 use super::query::Query;
-use super::world::World;
 use crate::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
 use crate::shape::{Crossing, RayPacket, Root};
 

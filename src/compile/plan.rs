@@ -1,11 +1,11 @@
 //! The plan: what a scene needs of all that a tracer can do. What it does not need is left out once, when the world is
 //! made, not asked about at every ray.
 
+use super::compiled::World;
 use super::instance::Instance;
 use super::model::Model;
 use super::primitive::Leaf;
 use super::surface::Surface;
-use super::world::World;
 use crate::accel::Bvh;
 use crate::options::Plan;
 use crate::texture::PreparedTexture;

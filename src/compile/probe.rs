@@ -1,9 +1,9 @@
 //! Rays and points at single objects, before there is a world.
 
+use super::compiled::World;
 use super::flatten::Lowering;
 use super::query::{Query, RayKind, Scratch};
 use super::surface::Surface;
-use super::world::World;
 use crate::atmosphere::Atmosphere;
 use crate::camera::Camera;
 use crate::math::Ray;

@@ -2,10 +2,10 @@
 
 use super::bvh_items::IndexedItem;
 use super::closest::BLUR;
+use super::compiled::World;
 use super::csg::{RawHit, hide_departure};
 use super::model::Item;
 use super::query::{ClosestHit, Hit, Query, Scratch};
-use super::world::World;
 use crate::math::Ray;
 use crate::math::simd::with_widest;
 use crate::options::LeastDistance;

@@ -14,8 +14,8 @@
 
 use super::estimate::Reach;
 use super::finish::{Finishing, HIDDEN, Outcome, Task, is_calm};
-use super::look::{AdaptiveSample, Eye, EyeScratch, TOGETHER};
-use super::near::doubts;
+use super::neighbors::doubts;
+use super::sample::{AdaptiveSample, Eye, EyeScratch, TOGETHER};
 use crate::compile::RayCounts;
 use crate::film::Pixel;
 use rayon::prelude::*;

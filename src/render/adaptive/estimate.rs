@@ -8,7 +8,7 @@
 //!
 //! Where the samples around tell that the colour slopes evenly, the slope is taken out of both the mean and the error.
 
-use super::look::AdaptiveSample;
+use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 
 /// The variance of a cell over the squared difference of neighbours.

@@ -4,12 +4,12 @@
 //! together cost a fraction of what they cost one by one.
 
 use super::band::{Band, FinishedPixel};
-use super::dividing::{Buffers, Dividing, ErrorGoal, Next, PlacedSample};
+use super::edge_fit::{Buffers, Dividing, ErrorGoal, Next, PlacedSample};
 use super::estimate::{Estimate, after_half, of_all};
-use super::look::{AdaptiveSample, EyeScratch, TOGETHER, pixel};
-use super::near::first_estimate;
+use super::neighbors::first_estimate;
+use super::sample::{AdaptiveSample, EyeScratch, TOGETHER, pixel};
 use super::slope::{Slopes, Sums};
-use super::specks::TinyObjects;
+use super::tiny_objects::TinyObjects;
 use crate::compile::RayCounts;
 use std::ops::Range;
 

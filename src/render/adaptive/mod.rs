@@ -9,20 +9,20 @@
 //! keeps the best that it had when the time is over.
 
 mod band;
-mod dividing;
+mod coverage;
 mod edge;
+mod edge_fit;
 mod estimate;
 mod finish;
-mod kinds;
-mod look;
-mod near;
-mod parts;
-mod sides;
+mod neighbors;
+mod sample;
 mod slope;
-mod specks;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod tiny_objects;
+mod triple_edge;
+mod two_class;
 
 use super::{Checkpoint, CheckpointTile, Drawn};
 use crate::compile::RayCounts;
@@ -30,10 +30,10 @@ use crate::film::Film;
 use crate::options::{Adaptive, AdaptiveOutcome, RenderOptions};
 use crate::trace::Tracer;
 use band::{Band, ErrorTarget, FinishedPixel, MARGIN};
-use look::Eye;
-use specks::TinyObjects;
+use sample::Eye;
 use std::ops::Range;
 use std::time::Instant;
+use tiny_objects::TinyObjects;
 
 /// So many pixels are sampled together at most: their samples take 100 to 300 bytes each.
 const BAND_PIXELS: u32 = 1 << 18;

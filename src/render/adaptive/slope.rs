@@ -1,6 +1,6 @@
 //! Colours that change evenly from place to place: the plane through samples by least squares.
 
-use super::look::AdaptiveSample;
+use super::sample::AdaptiveSample;
 
 /// The middle of a pixel, from which slopes are counted.
 const MIDDLE: f64 = 0.5;

@@ -6,7 +6,7 @@
 )]
 
 use super::estimate::{Reach, after_half, of_all};
-use super::look::AdaptiveSample;
+use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use crate::math::sobol::Sobol;
 

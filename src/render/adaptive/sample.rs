@@ -1,6 +1,6 @@
 //! What samples of a pixel saw.
 
-use super::specks::TinyObjects;
+use super::tiny_objects::TinyObjects;
 use crate::compile::RayCounts;
 use crate::film::Pixel;
 use crate::math::sobol::Sobol;

@@ -1,14 +1,14 @@
 //! A pixel that is being divided: by a straight edge, or by two of a strip. Samples are put on the lines until it is known
 //! well enough how much lies on each side.
 
+use super::coverage::PixelParts;
 use super::edge::{ClassifiedPoint, Division, Wedge};
 use super::estimate::Estimate;
-use super::kinds::SampleClasses;
-use super::look::AdaptiveSample;
-use super::parts::PixelParts;
-use super::sides::Sides;
+use super::sample::AdaptiveSample;
 use super::slope::Sums;
 use super::strip::Strip;
+use super::triple_edge::Sides;
+use super::two_class::SampleClasses;
 
 /// So many samples are put on an edge at most, and so many at once.
 const MOST_ON_AN_EDGE: u32 = 18;

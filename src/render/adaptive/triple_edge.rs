@@ -1,7 +1,7 @@
 //! Pixels in which three sides of surfaces follow each other: the front of a bar, its flank, and what is behind.
 
-use super::dividing::PlacedSample;
-use super::look::AdaptiveSample;
+use super::edge_fit::PlacedSample;
+use super::sample::AdaptiveSample;
 use smallvec::SmallVec;
 
 /// Three sides of surfaces, the second between the others: a sample of each.

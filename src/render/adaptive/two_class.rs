@@ -1,6 +1,6 @@
 //! Samples of two kinds: what lies on either side of an edge.
 
-use super::look::AdaptiveSample;
+use super::sample::AdaptiveSample;
 
 /// Two colours are told apart if they are further from each other than those of one kind are, by this factor.
 const APART: f32 = 1.0;

@@ -7,7 +7,7 @@
 
 use super::band::{Band, FinishedPixel};
 use super::estimate::{Estimate, of_all};
-use super::look::{AdaptiveSample, Eye, EyeScratch, pixel};
+use super::sample::{AdaptiveSample, Eye, EyeScratch, pixel};
 use super::slope::Slopes;
 use crate::camera::Camera;
 use crate::compile::{RayCounts, World};

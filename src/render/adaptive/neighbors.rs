@@ -2,7 +2,7 @@
 
 use super::band::{Band, FINER, FIRST_AT_MOST, SampleFilter};
 use super::estimate::{Estimate, SHARE_OF_VARIANCE};
-use super::look::AdaptiveSample;
+use super::sample::AdaptiveSample;
 use super::slope::Slopes;
 use smallvec::SmallVec;
 
