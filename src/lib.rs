@@ -6,14 +6,14 @@
 //! ```
 //!
 //! Two wings stand on one hall. The hall is [`scene`]: what a file says, as plain data, which a program can also build
-//! without any file. The reading wing ([`source`], [`syntax`], [`lang`]) fills it; the drawing wing ([`accel`],
-//! [`compile`], [`trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
+//! without any file. The reading wing ([`base::source`], [`lang::syntax`], [`lang`]) fills it; the drawing wing ([`base::accel`],
+//! [`world`], [`render::trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
 //!
-//! Elements ([`shape`], [`pattern`], [`texture`], [`light`], [`camera`], [`interior`], [`atmosphere`], [`function`]) live
-//! below both wings: one file each, with its mathematics, what it reads through [`args::Args`], and what it answers to
+//! Elements ([`scene::shape`], [`scene::pattern`], [`scene::texture`], [`scene::light`], [`scene::camera`], [`scene::interior`], [`scene::atmosphere`], [`scene::function`]) live
+//! below both wings: one file each, with its mathematics, what it reads through [`base::args::Args`], and what it answers to
 //! rays.
 //!
-//! [`batch`] draws many pictures in one run: frames side by side, scenes of whole folders. [`cli`] is the command line.
+//! [`app::batch`] draws many pictures in one run: frames side by side, scenes of whole folders. [`app::cli`] is the command line.
 //!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
@@ -23,57 +23,32 @@
 //!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, kept as the product of the
 //!   elementary inverses. The forward matrix is gone then.
 //! * Shapes report spans on the whole line of a ray. CSG sorts and counts them; it tests no point for being inside.
-//! * A ray that leaves a surface carries which root it left ([`compile::Departure`]), not a smallest distance.
+//! * A ray that leaves a surface carries which root it left ([`world::Departure`]), not a smallest distance.
 //! * What the camera sees of a block of pixels is searched for, lit and coloured together: eight rays in single precision to
 //!   find out what may be met, four in double to meet it. One ray at a time gives the same bits.
 //! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order in which a tree is walked.
 
-pub mod accel;
-pub mod args;
-pub mod atmosphere;
-pub mod batch;
-pub mod bitmap;
-pub mod camera;
-pub mod cli;
-pub mod color;
-pub mod compare;
-pub mod compile;
-pub mod curve;
-pub mod encoding;
-pub mod film;
-pub mod function;
-pub mod interior;
+pub mod app;
+pub mod base;
 pub mod lang;
-pub mod light;
-pub mod math;
-pub mod memory;
-pub mod options;
 pub mod output;
-pub mod pattern;
-pub mod photons;
-pub mod radiosity;
 pub mod render;
 pub mod scene;
-pub mod shape;
-pub mod source;
-pub mod statistics;
-pub mod syntax;
-pub mod texture;
-pub mod trace;
+pub mod world;
 
-use compile::World;
-use encoding::EncodeOptions;
-use glam::DVec3;
-use lang::{Heard, Lexicon, Texts};
-use options::{
+use base::encoding::EncodeOptions;
+use base::options::{
     Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions, Sampling, Writes,
 };
+use base::source::{Diagnostic, FileId, Message, Severity, Sources};
+use glam::DVec3;
+use lang::{Heard, Lexicon, Texts};
+use render::statistics::StageTimer;
 use render::{Checkpoint, CheckpointStatus};
 use scene::{Object, Scene};
-use source::{Diagnostic, FileId, Message, Severity, Sources};
-use statistics::StageTimer;
 use std::hash::{Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use world::World;
 
 /// The stack for reading and compiling, which recurse once for each block of the scene inside another. It is
 /// reserved, not used, until a scene nests that deep.
@@ -225,7 +200,7 @@ fn draw_with(
     save_photons(&world, &drawn, listen);
     let pixels = render.columns.len() as u64 * render.rows.len() as u64;
     let plan = render.statistics.then(|| world.plan());
-    let statistics = statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
+    let statistics = render::statistics::gather(watch, &drawn, plan.unwrap_or_default(), pixels);
     drop_in_background(world);
     Ok(Picture {
         film: drawn.film,
@@ -355,7 +330,7 @@ fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>)
     if let (Some(path), Some(bytes)) = (path, bytes)
         && let Err(error) = output::save(path.as_ref(), bytes)
     {
-        let mut warning = source::refusal("write", path, &error);
+        let mut warning = base::source::refusal("write", path, &error);
         warning.severity = Severity::Warning;
         let warning = Message::new(&warning, &Sources::default());
         listen(Event::Found(&warning));
@@ -364,7 +339,7 @@ fn save_photons(world: &World, drawn: &render::Drawn, listen: &EventHandler<'_>)
 
 /// The drawing wing as the reading wing sees it.
 #[derive(Default)]
-struct OwnObjects(compile::ProbeModel);
+struct OwnObjects(world::ProbeModel);
 
 impl lang::Probe for OwnObjects {
     fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {
@@ -375,18 +350,18 @@ impl lang::Probe for OwnObjects {
         self.0.is_inside(object, point)
     }
 
-    fn solid_of(&self) -> Option<pattern::SolidOf> {
-        Some(compile::solid_of)
+    fn solid_of(&self) -> Option<scene::pattern::SolidOf> {
+        Some(world::solid_of)
     }
 }
 
-fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<color::Gamma>) {
+fn prepared(scene: Scene, render: &RenderOptions) -> (World, Option<base::color::Gamma>) {
     let working = scene.working_gamma();
     let count = scene.objects.len();
     let world = if count < LARGE_SCENE {
-        let world = compile::compile(scene, render);
+        let world = world::compile(scene, render);
         if count > SMALL_SCENE {
-            memory::trim_heap();
+            base::memory::trim_heap();
         }
         world
     } else {
@@ -403,7 +378,7 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
     let compile = || {
         let (scene, sender) = work.lock().unwrap_or_else(PoisonError::into_inner).take()?;
         let mut batch = Vec::with_capacity(BATCH);
-        let world = compile::compile_apart(scene, render, &mut |object| {
+        let world = world::compile_apart(scene, render, &mut |object| {
             batch.push(object);
             if batch.len() == BATCH {
                 // Nobody is there to take them only where there is no other thread.
@@ -417,10 +392,10 @@ fn compiled_apart(scene: Scene, render: &RenderOptions) -> World {
         for (batches, objects) in (1..).zip(objects) {
             drop::<Vec<Arc<Object>>>(objects);
             if batches % BATCHES == 0 {
-                memory::trim_heap();
+                base::memory::trim_heap();
             }
         }
-        memory::trim_heap();
+        base::memory::trim_heap();
         let world = compiler.join();
         world.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     });

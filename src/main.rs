@@ -4,6 +4,6 @@ use std::env;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    povr::memory::set_mmap_threshold();
-    povr::cli::run(env::args_os().map(|a| a.to_string_lossy().into_owned()))
+    povr::base::memory::set_mmap_threshold();
+    povr::app::cli::run(env::args_os().map(|a| a.to_string_lossy().into_owned()))
 }

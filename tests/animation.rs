@@ -2,7 +2,7 @@
 
 mod support;
 
-use povr::compare::{Limits, Verdict, compare};
+use povr::app::compare::{Limits, Verdict, compare};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;

@@ -15,10 +15,10 @@
 mod riddles;
 mod support;
 
-use povr::color::Rgb;
-use povr::curve::Linear;
-use povr::film::Film;
-use povr::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
+use povr::app::curve::Linear;
+use povr::base::color::Rgb;
+use povr::base::film::Film;
+use povr::base::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use std::path::{Path, PathBuf};
 
 const SIZE: (u32, u32) = (64, 48);

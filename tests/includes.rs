@@ -4,7 +4,7 @@
 //! What is not built yet is listed with the word that is missing, and must fail for just that: the list shrinks with
 //! each word that is built.
 
-use povr::options::{Event, Input, ReadOptions};
+use povr::base::options::{Event, Input, ReadOptions};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 

@@ -1,9 +1,9 @@
 //! What an object keeps after compile: its inverse matrix or less, never the forward one.
 
-use povr::compile::{Leaf, World, compile};
-use povr::options::{ReadOptions, RenderOptions};
-use povr::shape::Shape;
-use povr::source::Sources;
+use povr::base::options::{ReadOptions, RenderOptions};
+use povr::base::source::Sources;
+use povr::scene::shape::Shape;
+use povr::world::{Leaf, World, compile};
 
 /// The bytes of a matrix of three rows and four columns.
 const MATRIX: usize = 12 * size_of::<f64>();
@@ -127,6 +127,6 @@ fn few_copies_are_taken_apart() {
 #[test]
 #[cfg(target_pointer_width = "64")]
 fn a_surface_is_small_for_there_may_be_a_million() {
-    assert!(size_of::<povr::compile::Surface>() <= 112);
+    assert!(size_of::<povr::world::Surface>() <= 112);
     assert!(size_of::<Leaf>() <= 112);
 }

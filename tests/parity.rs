@@ -1,7 +1,7 @@
 //! Each scene of `pov_scenes/` is drawn by POV-Ray and by povr, and the pictures are to be the same.
 //!
 //! A scene's first line is a comment that says what it shows. Further comments may state a size, switches and limits
-//! (`povr::compare::Case`); without limits `Limits::DEFAULT` holds, and single pixels (never more than `Limits::DEFAULT`
+//! (`povr::app::compare::Case`); without limits `Limits::DEFAULT` holds, and single pixels (never more than `Limits::DEFAULT`
 //! allows) may be off by more if they are explained: POV-Ray loses surfaces nearer than a fixed distance to the one a ray
 //! leaves, and with `--pov-distances` povr does so too and must then be within `Limits::DEFAULT`. Noise is no excuse here:
 //! a scene that is random says so with limits of its own.
@@ -12,7 +12,7 @@
 mod support;
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use povr::compare::{
+use povr::app::compare::{
     Bench, Case, CheckError, Compared, Explanation, Limits, Renderer, Verdict, side_by_side,
 };
 use std::fmt::Display;

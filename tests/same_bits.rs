@@ -1,7 +1,7 @@
 //! The same picture, bit for bit, for any number of threads and for any part of it.
 
-use povr::film::Film;
-use povr::options::{
+use povr::base::film::Film;
+use povr::base::options::{
     Adaptive, Antialias, Input, Method, Picture, ReadOptions, RenderOptions, Sampling,
 };
 use std::time::Duration;

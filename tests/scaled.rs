@@ -5,11 +5,11 @@ mod support;
 
 use glam::DVec3;
 use libtest_mimic::{Arguments, Failed, Trial};
-use povr::film::Film;
+use povr::base::film::Film;
+use povr::base::options::{ReadOptions, RenderOptions};
+use povr::base::source::Sources;
 use povr::lang::{Probe, Texts};
-use povr::options::{ReadOptions, RenderOptions};
 use povr::scene::{Object, Scene};
-use povr::source::Sources;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -92,7 +92,7 @@ fn check(path: &Path, name: &str) -> Result<(), Failed> {
     Ok(())
 }
 
-fn bits(pixel: &povr::film::Pixel) -> [u32; 4] {
+fn bits(pixel: &povr::base::film::Pixel) -> [u32; 4] {
     let rgb = pixel.rgb;
     [rgb.r, rgb.g, rgb.b, pixel.transmit].map(f32::to_bits)
 }
@@ -105,13 +105,13 @@ fn drawn(scene: Scene) -> Film {
         rows: 0..HEIGHT,
         ..RenderOptions::default()
     };
-    let world = povr::compile::compile(scene, &options);
+    let world = povr::world::compile(scene, &options);
     povr::render::render(&world, &options, None, &|_| {}).film
 }
 
 /// The objects of the scene, for scenes that shoot rays while they are read.
 #[derive(Default)]
-struct OwnObjects(povr::compile::ProbeModel);
+struct OwnObjects(povr::world::ProbeModel);
 
 impl Probe for OwnObjects {
     fn trace(&mut self, object: &Arc<Object>, from: DVec3, dir: DVec3) -> Option<(DVec3, DVec3)> {

@@ -1,7 +1,7 @@
 //! `povr sheet`: the whole set of files for a shape, every shape under all transforms, and a shape of one's own, each as
 //! POV-Ray draws them.
 
-use povr::compare as process;
+use povr::app::compare as process;
 
 use std::fs;
 use std::path::{Path, PathBuf};

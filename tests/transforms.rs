@@ -1,10 +1,10 @@
 //! What lecture notes on transforms teach, as facts: of hits, of normals, and of surfaces whose own numbers are moved.
 
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
-use povr::compile::{Leaf, compile};
-use povr::math::{Ray, Transform};
-use povr::options::{ReadOptions, RenderOptions};
-use povr::source::Sources;
+use povr::base::math::{Ray, Transform};
+use povr::base::options::{ReadOptions, RenderOptions};
+use povr::base::source::Sources;
+use povr::world::{Leaf, compile};
 
 /// The one primitive of a scene.
 fn leaf(scene: &str) -> Leaf {

@@ -1,8 +1,8 @@
 //! Files that scenes write: where they may, when they are there, and what a reading depends on.
 
+use povr::base::options::ReadOptions;
+use povr::base::source::{Severity, Sources};
 use povr::lang::{Reading, evaluate};
-use povr::options::ReadOptions;
-use povr::source::{Severity, Sources};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -12,11 +12,11 @@ mod broken;
 #[path = "../tests/malformed/random.rs"]
 mod random;
 
-use povr::compile::compile;
+use povr::base::options::{ReadOptions, RenderOptions};
+use povr::base::source::{Message, Severity, Sources};
 use povr::lang::evaluate;
-use povr::options::{ReadOptions, RenderOptions};
 use povr::render::render;
-use povr::source::{Message, Severity, Sources};
+use povr::world::compile;
 use random::Random;
 use std::fs;
 use std::io;

@@ -16,8 +16,8 @@
 #[path = "../tests/support/riddles.rs"]
 mod riddles;
 
-use povr::curve::Linear;
-use povr::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
+use povr::app::curve::Linear;
+use povr::base::options::{Adaptive, Input, Picture, ReadOptions, RenderOptions, Sampling};
 use riddles::{ROWS, Riddle, riddles};
 use std::path::{Path, PathBuf};
 
@@ -157,11 +157,11 @@ fn on_a_grid(riddle: &Riddle, grid: u32) -> Linear {
         }
         sum.map(|sum| (sum / f64::from(grid * grid)) as f32)
     };
-    let mut film = povr::film::Film::whole(SIZE.0, SIZE.1);
+    let mut film = povr::base::film::Film::whole(SIZE.0, SIZE.1);
     for y in 0..SIZE.1 {
         for x in 0..SIZE.0 {
             let [r, g, b] = mean(x, y);
-            film.pixels[(y * SIZE.0 + x) as usize].rgb = povr::color::Rgb::new(r, g, b);
+            film.pixels[(y * SIZE.0 + x) as usize].rgb = povr::base::color::Rgb::new(r, g, b);
         }
     }
     Linear::of_film(&film, large.working)

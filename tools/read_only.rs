@@ -1,8 +1,8 @@
 //! Reads a scene and draws nothing: `read_only SCENE.pov`. `tools/read_bench` times it.
 
+use povr::base::options::ReadOptions;
+use povr::base::source::Sources;
 use povr::lang;
-use povr::options::ReadOptions;
-use povr::source::Sources;
 use std::process::ExitCode;
 
 #[allow(clippy::print_stderr, reason = "a command line tool")]

@@ -24,7 +24,7 @@ mod candidates {
 
 use plotters::coord::combinators::IntoLogRange;
 use plotters::prelude::*;
-use povr::shape::Root;
+use povr::scene::shape::Root;
 use rays::families::{Family, Question, SPHERES, TORI};
 use rays::quadrics::{OnQuadric, QUADRICS};
 use rays::{Asked, Digits};

@@ -5,8 +5,8 @@
 
 #![allow(clippy::print_stdout, reason = "the output is the purpose")]
 
-use povr::source::FileId;
-use povr::syntax::{Names, tokenize};
+use povr::base::source::FileId;
+use povr::lang::syntax::{Names, tokenize};
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::time::{Duration, Instant};

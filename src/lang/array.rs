@@ -5,9 +5,9 @@ use super::flow::EQUAL;
 use super::limits;
 use super::reader::Reader;
 use super::value::{Array, Value};
-use crate::args::Parse;
-use crate::source::Diagnostic;
-use crate::syntax::Symbol;
+use crate::base::args::Parse;
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 
 impl Reader<'_> {
@@ -100,7 +100,12 @@ impl Reader<'_> {
         Ok(at)
     }
 
-    fn checked_index(&self, index: f64, size: usize, span: crate::source::Span) -> Parse<usize> {
+    fn checked_index(
+        &self,
+        index: f64,
+        size: usize,
+        span: crate::base::source::Span,
+    ) -> Parse<usize> {
         whole_index(index, size).ok_or_else(|| {
             let whole = (index + EQUAL.copysign(index)).trunc();
             self.with_trace(

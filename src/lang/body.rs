@@ -8,10 +8,10 @@ use super::function::Callee;
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::function::{Binary, Graph, Id, Operand, Rest, chain, product};
-use crate::source::Diagnostic;
-use crate::syntax::{Class, Kind, Symbol};
+use crate::base::args::{Parse, Word};
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Class, Kind, Symbol};
+use crate::scene::function::{Binary, Graph, Id, Operand, Rest, chain, product};
 
 /// The name of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

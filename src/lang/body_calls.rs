@@ -2,10 +2,10 @@
 
 use super::body::{Body, Name};
 use super::reader::Reader;
-use crate::args::{Parse, Word};
-use crate::function::{Binary, Component, Fold, Function, Id, Operand, Unary};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Symbol};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Symbol};
+use crate::scene::function::{Binary, Component, Fold, Function, Id, Operand, Unary};
 use smallvec::SmallVec;
 use std::sync::Arc;
 

@@ -3,9 +3,9 @@
 use super::cursor::Entered;
 use super::flow::EQUAL;
 use super::reader::Reader;
-use crate::args::{Parse, Word};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::Kind;
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::Kind;
 use std::rc::Rc;
 
 impl Reader<'_> {

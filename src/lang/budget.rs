@@ -6,9 +6,9 @@
 use super::cursor::Start;
 use super::limits;
 use super::reader::Reader;
-use crate::args::Parse;
+use crate::base::args::Parse;
+use crate::base::source::{Code, Diagnostic, Span};
 use crate::scene::{Children, Object};
-use crate::source::{Code, Diagnostic, Span};
 use rustc_hash::FxHashMap;
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! What the built-in functions compute: numbers and vectors, whoever holds their arguments.
 
 use super::value::Number;
-use crate::args::Word;
-use crate::math::{axis_rotation, hyperbolic, rotation};
+use crate::base::args::Word;
+use crate::base::math::{axis_rotation, hyperbolic, rotation};
 use glam::DVec3;
 
 /// A function of one vector.

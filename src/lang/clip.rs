@@ -1,7 +1,7 @@
 //! `clipped_by` and `bounded_by`: the objects that cut an object or lie around it.
 
 use super::reader::Reader;
-use crate::args::{Args, Parse, Word};
+use crate::base::args::{Args, Parse, Word};
 use crate::scene::{Attached, Object};
 use std::sync::Arc;
 

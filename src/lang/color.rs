@@ -5,10 +5,10 @@ use super::flow::EQUAL;
 use super::function::is_callable;
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::{Parse, Word};
-use crate::color::{Color, Gamma};
-use crate::source::Diagnostic;
-use crate::syntax::{Class, Kind, Symbol};
+use crate::base::args::{Parse, Word};
+use crate::base::color::{Color, Gamma};
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Class, Kind, Symbol};
 
 /// The last language version in which POV-Ray takes `alpha` for `filter` without a warning.
 const LAST_WITH_ALPHA: f64 = 1.55;

@@ -2,10 +2,10 @@
 
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::Parse;
+use crate::base::args::Parse;
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::Class;
 use crate::scene::{Kind, Object, Operation};
-use crate::source::Diagnostic;
-use crate::syntax::Class;
 use std::sync::Arc;
 
 impl Reader<'_> {

@@ -8,9 +8,9 @@ use super::limits;
 use super::macros::Macro;
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::{Parse, Word};
-use crate::source::{Code, Diagnostic, FileId, Span};
-use crate::syntax::{self, Kind, Symbol, Token, Tokens};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Code, Diagnostic, FileId, Span};
+use crate::lang::syntax::{self, Kind, Symbol, Token, Tokens};
 use std::rc::Rc;
 
 /// A place to go on reading.

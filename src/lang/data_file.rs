@@ -4,8 +4,8 @@
 //! reader, and warns.
 
 use super::value::{Number, Value};
-use crate::source::Diagnostic;
-use crate::syntax::{Kind, Token, Tokens};
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
 
 /// An open file of values.
@@ -130,8 +130,8 @@ impl DataFile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::FileId;
-    use crate::syntax::{Names, tokenize};
+    use crate::base::source::FileId;
+    use crate::lang::syntax::{Names, tokenize};
 
     /// The values of a file and how many warnings they gave.
     fn values(text: &str) -> (Vec<String>, usize) {

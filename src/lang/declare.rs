@@ -5,9 +5,9 @@ use super::function::{FUNCTION, is_callable};
 use super::reader::Reader;
 use super::replay::Level;
 use super::value::Value;
-use crate::args::{Parse, Word};
-use crate::source::{Code, Diagnostic};
-use crate::syntax::{Kind, Symbol, Token};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::syntax::{Kind, Symbol, Token};
 use std::rc::Rc;
 
 /// What `deprecated` says of a name.

@@ -4,14 +4,14 @@ use super::function::is_callable;
 use super::reader::Reader;
 use super::replay::Level;
 use super::value::{Element, Number, Value};
-use crate::args::{Parse, Word, transform_step};
-use crate::atmosphere::{Fog, Rainbow, SkySphere};
-use crate::camera::Camera;
-use crate::color::Color;
-use crate::interior::{Density, Interior, Media};
-use crate::pattern::{Keys, Map};
-use crate::syntax::{Class, Kind, Symbol};
-use crate::texture::{Finish, Material, Normal, Pigment, Texture};
+use crate::base::args::{Parse, Word, transform_step};
+use crate::base::color::Color;
+use crate::lang::syntax::{Class, Kind, Symbol};
+use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::scene::camera::Camera;
+use crate::scene::interior::{Density, Interior, Media};
+use crate::scene::pattern::{Keys, Map};
+use crate::scene::texture::{Finish, Material, Normal, Pigment, Texture};
 
 impl Reader<'_> {
     /// A value of any kind, if one begins at hand: what may stand behind `#declare X =`.
@@ -239,7 +239,7 @@ impl Reader<'_> {
             let next = if self.take_word(Word::Texture)? {
                 let default = self.default_layer.clone();
                 Texture::read(self, &default)?
-            } else if let Some(known) = crate::args::declared::<Texture>(self)? {
+            } else if let Some(known) = crate::base::args::declared::<Texture>(self)? {
                 (*known).clone()
             } else {
                 break;

@@ -10,9 +10,9 @@ use super::limits;
 use super::reader::Reader;
 use super::replay::{Binary, Level, Op};
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::source::Diagnostic;
-use crate::syntax::{Class, Kind, Symbol};
+use crate::base::args::{Parse, Word};
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Class, Kind, Symbol};
 use glam::DVec3;
 use std::rc::Rc;
 

@@ -4,7 +4,7 @@
 //! the scene looks for any file; a scene that fails before leaves what was there. Only [`ReadOptions::writable`] folders
 //! are written to. POV-Ray on Debian is configured alike, but 3.7.0.10 keeps no scene from writing anywhere.
 //!
-//! [`ReadOptions::writable`]: crate::options::ReadOptions::writable
+//! [`ReadOptions::writable`]: crate::base::options::ReadOptions::writable
 
 use super::data_file::DataFile;
 use super::limits;
@@ -12,9 +12,9 @@ use super::output_file::Output;
 use super::reader::Reader;
 use super::strings::general;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::Symbol;
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::Symbol;
 
 /// The files of a run, by the handles that identifiers hold.
 #[derive(Debug, Default)]
@@ -78,7 +78,7 @@ impl Reader<'_> {
     /// The name of a file, in which `\` is no escape.
     pub(super) fn file_name(&mut self) -> Parse<String> {
         let token = self.peek()?;
-        if token.kind != crate::syntax::Kind::String {
+        if token.kind != crate::lang::syntax::Kind::String {
             return self.string();
         }
         self.pass();

@@ -4,9 +4,9 @@ use super::cursor::{Entered, Frame, Place};
 use super::limits;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::source::{Code, Diagnostic, Span};
-use crate::syntax::{Class, Kind, Token, Tokens};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Code, Diagnostic, Span};
+use crate::lang::syntax::{Class, Kind, Token, Tokens};
 use std::rc::Rc;
 
 /// How far two floats may differ and still be equal to the language.

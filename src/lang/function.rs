@@ -3,13 +3,15 @@
 use super::body::{Body, Name};
 use super::reader::Reader;
 use super::value::{Element, Number, Value};
-use crate::args::{Args, Parse, Word, transform_step};
-use crate::function::{Function, Internal, Kind as Computes, MOST_PARAMETERS, Refusal, internal};
-use crate::math::{Spline, SplineKind, Step, Transform};
-use crate::pattern::{Settings, read_field};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Symbol};
-use crate::texture::{Pigment, PreparedPigment, read_pattern};
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::math::{Spline, SplineKind, Step, Transform};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Symbol};
+use crate::scene::function::{
+    Function, Internal, Kind as Computes, MOST_PARAMETERS, Refusal, internal,
+};
+use crate::scene::pattern::{Settings, read_field};
+use crate::scene::texture::{Pigment, PreparedPigment, read_pattern};
 use std::sync::Arc;
 
 /// The word under which functions are kept.
@@ -155,7 +157,7 @@ impl Reader<'_> {
     /// `{ declared_spline kind  t, value, ... }`, behind `spline`.
     pub(super) fn spline_block(&mut self) -> Parse<Arc<Spline>> {
         self.open_block()?;
-        let known = crate::args::declared::<Spline>(self)?;
+        let known = crate::base::args::declared::<Spline>(self)?;
         let kind = self.spline_kind()?;
         let mut points = Vec::new();
         while !self.take_close()? {

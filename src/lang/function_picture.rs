@@ -1,9 +1,9 @@
 //! `function W, H { ... }`: the values of a function as a picture.
 
 use super::reader::Reader;
-use crate::args::{Args, Parse, Sampled};
-use crate::color::Color;
-use crate::source::Diagnostic;
+use crate::base::args::{Args, Parse, Sampled};
+use crate::base::color::Color;
+use crate::base::source::Diagnostic;
 
 /// Most pixels of such a picture: each is a call of the function.
 const MOST_PIXELS: f64 = 67_108_864.0;

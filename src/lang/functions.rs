@@ -9,10 +9,10 @@ use super::reader::Reader;
 use super::replay::Op;
 use super::streams::Call;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::math::noise::{Octaves, vector_turbulence};
-use crate::source::Diagnostic;
-use crate::syntax::{Kind, Symbol};
+use crate::base::args::{Parse, Word};
+use crate::base::math::noise::{Octaves, vector_turbulence};
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Kind, Symbol};
 use glam::DVec3;
 
 impl Reader<'_> {
@@ -102,7 +102,7 @@ impl Reader<'_> {
         self.expect_end(')', &what, open)
     }
 
-    fn float_function(&mut self, word: Word, name: crate::source::Span) -> Parse<Number> {
+    fn float_function(&mut self, word: Word, name: crate::base::source::Span) -> Parse<Number> {
         if is_of_two(word) {
             let a = self.number_at_sum()?;
             self.take_mark(',')?;

@@ -7,8 +7,8 @@ mod broken;
 mod random;
 
 use super::evaluate;
-use crate::options::ReadOptions;
-use crate::source::{Message, Severity, Sources};
+use crate::base::options::ReadOptions;
+use crate::base::source::{Message, Severity, Sources};
 use random::Random;
 use std::fs;
 use std::path::{Path, PathBuf};

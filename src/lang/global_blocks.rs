@@ -1,10 +1,10 @@
 //! The blocks of `global_settings`: radiosity, photons, subsurface light. They are read and checked as POV-Ray does.
 
 use super::reader::Reader;
-use crate::args::{Args, Parse, Word};
-use crate::photons;
+use crate::base::args::{Args, Parse, Word};
+use crate::base::source::{Code, Diagnostic, Span};
+use crate::render::photons;
 use crate::scene::{Importance, PhotonDensity, Photons, Radiosity, Subsurface};
-use crate::source::{Code, Diagnostic, Span};
 
 /// The directions that radiosity has unless a scene says how many.
 const ALL_DIRECTIONS: u32 = 1600;
@@ -308,10 +308,10 @@ fn count(value: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use crate::base::options::ReadOptions;
+    use crate::base::source::Sources;
     use crate::lang::evaluate;
-    use crate::options::ReadOptions;
     use crate::scene::{Globals, PhotonDensity, Radiosity};
-    use crate::source::Sources;
 
     fn globals(text: &str) -> Result<Globals, String> {
         let mut sources = Sources::new(Vec::new());

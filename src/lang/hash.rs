@@ -5,9 +5,9 @@
 
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Parse, Word};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Token};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Token};
 
 impl Reader<'_> {
     /// Runs a `#` that has been passed and begins no directive. A name behind it that is not declared is taken for a

@@ -2,9 +2,9 @@
 
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::Word;
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
+use crate::base::args::Word;
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
 
 /// Folders hold so many include files at most that are searched for a name.
 const INCLUDE_FILES: usize = 200;

@@ -3,8 +3,8 @@
 use super::cursor::{Entered, Place};
 use super::limits;
 use super::reader::Reader;
-use crate::args::{Args, Parse, Word};
-use crate::source::{Code, Diagnostic};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::source::{Code, Diagnostic};
 use std::rc::Rc;
 
 impl Reader<'_> {
@@ -57,7 +57,11 @@ impl Reader<'_> {
         }
     }
 
-    fn enter_file(&mut self, file: crate::source::FileId, from: crate::source::Span) -> Parse<()> {
+    fn enter_file(
+        &mut self,
+        file: crate::base::source::FileId,
+        from: crate::base::source::Span,
+    ) -> Parse<()> {
         let tokens = self.tokens_of(file)?;
         let kind = Entered::Include {
             back: self.here.clone(),
@@ -95,7 +99,7 @@ impl Reader<'_> {
     }
 
     /// `#debug`, `#warning`, `#error`, `#render`, `#statistics` and their string.
-    pub(super) fn run_message(&mut self, word: Word, span: crate::source::Span) -> Parse<()> {
+    pub(super) fn run_message(&mut self, word: Word, span: crate::base::source::Span) -> Parse<()> {
         let text = self.string()?;
         match word {
             Word::Error => {

@@ -5,8 +5,8 @@
 
 use super::scope::Scopes;
 use super::value::Value;
+use crate::lang::syntax::Names;
 use crate::scene::Object;
-use crate::syntax::Names;
 use rustc_hash::FxHashMap;
 use std::any::Any;
 use std::cell::RefCell;

@@ -3,11 +3,11 @@
 use super::object::fold_steps;
 use super::reader::Reader;
 use super::recover::is_part;
-use crate::args::{Args, Parse, Word, transform_step};
-use crate::light::Light;
-use crate::math::Step;
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::math::Step;
+use crate::base::source::Diagnostic;
+use crate::scene::light::Light;
 use crate::scene::{Kind, LightGroup, Object, Operation};
-use crate::source::Diagnostic;
 use std::sync::Arc;
 
 /// The objects that a light holds.

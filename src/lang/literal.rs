@@ -5,10 +5,10 @@
 //! up, without a message: then the same text is read by its tokens, which have the whole of the language.
 
 use super::known::{Held, Known};
-use crate::args::{Args, Interner, Parse, Word};
-use crate::color::Color;
-use crate::source::{Diagnostic, FileId, Span};
-use crate::syntax::{Class, number, word_end};
+use crate::base::args::{Args, Interner, Parse, Word};
+use crate::base::color::Color;
+use crate::base::source::{Diagnostic, FileId, Span};
+use crate::lang::syntax::{Class, number, word_end};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::cell::Cell;

@@ -4,9 +4,9 @@ use super::cursor::{Entered, Frame, Start};
 use super::flow::EQUAL;
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::{Args, Parse};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Symbol, Tokens};
+use crate::base::args::{Args, Parse};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Symbol, Tokens};
 use std::rc::Rc;
 
 /// A running `#for`.
@@ -141,9 +141,9 @@ impl Reader<'_> {
 
 #[cfg(test)]
 mod tests {
+    use crate::base::options::ReadOptions;
+    use crate::base::source::{Severity, Sources};
     use crate::lang::evaluate;
-    use crate::options::ReadOptions;
-    use crate::source::{Severity, Sources};
 
     fn errors(text: &str) -> Vec<String> {
         let mut sources = Sources::new(Vec::new());
@@ -151,7 +151,8 @@ mod tests {
         let mut options = ReadOptions::default();
         options.patience = options.patience.min(20_000_000);
         let reading = evaluate(file, &mut sources, &options);
-        let is_error = |finding: &&crate::source::Diagnostic| finding.severity == Severity::Error;
+        let is_error =
+            |finding: &&crate::base::source::Diagnostic| finding.severity == Severity::Error;
         let errors = reading.findings.iter().filter(is_error);
         errors.map(|error| error.message.clone()).collect()
     }

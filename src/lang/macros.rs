@@ -6,9 +6,9 @@ use super::reader::Reader;
 use super::replay::Source;
 use super::scope::Target;
 use super::value::Value;
-use crate::args::{Parse, Word};
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Symbol, Tokens};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Symbol, Tokens};
 use smallvec::SmallVec;
 use std::rc::Rc;
 

@@ -52,6 +52,7 @@ mod statement;
 mod streams;
 mod stretch;
 mod strings;
+pub mod syntax;
 mod token_cache;
 mod trace;
 mod unclosed;
@@ -62,8 +63,8 @@ pub use probe::{Blind, Probe};
 pub use reader::Reading;
 pub use token_cache::Lexicon;
 
-use crate::options::ReadOptions;
-use crate::source::{Diagnostic, FileId, Sources};
+use crate::base::options::ReadOptions;
+use crate::base::source::{Diagnostic, FileId, Sources};
 use reader::Reader;
 
 /// What reading says while it is at work.

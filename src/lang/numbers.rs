@@ -8,7 +8,7 @@
 use super::cursor::{Place, is_bare_directive};
 use super::reader::Reader;
 use super::value::Number;
-use crate::syntax::{Kind, Token, Tokens};
+use crate::lang::syntax::{Kind, Token, Tokens};
 use std::rc::Rc;
 
 /// The most components of a vector.
@@ -158,11 +158,11 @@ fn literal_vector(tokens: &Tokens, mut at: usize, len: usize) -> Option<([f64; M
 
 #[cfg(test)]
 mod tests {
+    use crate::base::options::ReadOptions;
+    use crate::base::source::Sources;
     use crate::lang::evaluate;
-    use crate::options::ReadOptions;
+    use crate::scene::shape::Shape;
     use crate::scene::{Kind, Object, Scene};
-    use crate::shape::Shape;
-    use crate::source::Sources;
     use std::sync::Arc;
 
     fn scene(text: &str) -> Scene {

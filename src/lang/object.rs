@@ -4,14 +4,14 @@ use super::parallel::{Defaults, Taker};
 use super::plain::Read;
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::{Args, Parse, Word, transform_step};
-use crate::interior::Interior;
-use crate::math::shorten;
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::math::shorten;
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::syntax::{Class, Kind as Tok, Symbol};
+use crate::scene::interior::Interior;
+use crate::scene::shape::Shape;
+use crate::scene::texture::{Layer, Material, Texture};
 use crate::scene::{Attached, Kind, Object, Operation};
-use crate::shape::Shape;
-use crate::source::{Code, Diagnostic};
-use crate::syntax::{Class, Kind as Tok, Symbol};
-use crate::texture::{Layer, Material, Texture};
 use std::sync::Arc;
 
 /// The parts of an object.

@@ -1,12 +1,12 @@
 //! A file that a scene writes to, and where it may.
 
 use super::reader::Reader;
-use crate::args::{Parse, Word};
-use crate::options::Writes;
-use crate::output::{Pending, try_to_append, try_to_write};
-use crate::source::{
+use crate::base::args::{Parse, Word};
+use crate::base::options::Writes;
+use crate::base::source::{
     Code, Diagnostic, HeldFile, Sources, Span, only_regular, open_regular, refusal,
 };
+use crate::output::{Pending, try_to_append, try_to_write};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

@@ -6,13 +6,13 @@ use super::limits;
 use super::literal::{Ground, Literal};
 use super::object::{baked, fold_steps};
 use super::part_cache::{Part, Parts};
-use crate::args::{Args, Parse, Word, transform_step};
-use crate::color::Color;
-use crate::interior::Interior;
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::color::Color;
+use crate::lang::syntax::Class;
+use crate::scene::interior::Interior;
+use crate::scene::shape::Shape;
+use crate::scene::texture::{Family, Layer, Pigment, Texture};
 use crate::scene::{Kind, Object, Operation};
-use crate::shape::Shape;
-use crate::syntax::Class;
-use crate::texture::{Family, Layer, Pigment, Texture};
 use std::sync::Arc;
 
 /// What is written without anything unusual.

@@ -2,11 +2,11 @@
 
 use super::reader::Reader;
 use super::value::{Number, Value};
-use crate::args::Parse;
-use crate::pattern::SolidOf;
+use crate::base::args::Parse;
+use crate::base::source::Diagnostic;
+use crate::lang::syntax::{Kind, Symbol};
 use crate::scene::Object;
-use crate::source::Diagnostic;
-use crate::syntax::{Kind, Symbol};
+use crate::scene::pattern::SolidOf;
 use glam::DVec3;
 use std::sync::Arc;
 

@@ -4,8 +4,8 @@ use super::cursor::Entered;
 use super::hints::opens_group;
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::Word;
-use crate::syntax::{Class, Kind};
+use crate::base::args::Word;
+use crate::lang::syntax::{Class, Kind};
 
 impl Reader<'_> {
     /// After an error: leaves the loops and macros it happened in and goes on behind the faulty statement.

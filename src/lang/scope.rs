@@ -4,7 +4,7 @@
 //! innermost binding, whoever made it. Every symbol carries its own stack of bindings, so that a look-up is one step.
 
 use super::value::{Number, Value};
-use crate::syntax::Symbol;
+use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 
 /// A binding: the depth of the scope that owns it, and what it holds.

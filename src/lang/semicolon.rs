@@ -7,9 +7,9 @@
 use super::cursor::{Declaring, Entered, Frame};
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::Parse;
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Token};
+use crate::base::args::Parse;
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Token};
 
 impl Reader<'_> {
     /// The token behind the ends of macros and files that follow each other from a token of the current text on, and how

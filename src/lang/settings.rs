@@ -1,11 +1,11 @@
 //! `global_settings`, and the settings that old scenes write outside of it.
 
 use super::reader::Reader;
-use crate::args::{Args, Parse, Word};
-use crate::color::Gamma;
-use crate::pattern::read_noise_generator;
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::Gamma;
+use crate::base::source::Diagnostic;
 use crate::scene::Charset;
-use crate::source::Diagnostic;
+use crate::scene::pattern::read_noise_generator;
 
 /// How many waves there may be: each costs time at each point.
 const WAVES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;

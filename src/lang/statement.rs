@@ -7,15 +7,15 @@ use super::plain::Read;
 use super::reader::Reader;
 use super::recover::is_part;
 use super::settings::is_old_setting;
-use crate::args::{Args, Parse, Word};
-use crate::atmosphere::{Fog, Rainbow, SkySphere};
-use crate::camera::Camera;
-use crate::color::Color;
-use crate::interior::Media;
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::Color;
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::syntax::{Class, Kind};
+use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::scene::camera::Camera;
+use crate::scene::interior::Media;
+use crate::scene::texture::{Finish, Layer, Texture};
 use crate::scene::{Entry, Look, Object, Plain};
-use crate::source::{Code, Diagnostic};
-use crate::syntax::{Class, Kind};
-use crate::texture::{Finish, Layer, Texture};
 use std::sync::Arc;
 
 /// The objects of the scene itself.

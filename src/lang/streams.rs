@@ -90,8 +90,8 @@ impl Streams {
 #[cfg(test)]
 mod tests {
     use super::{Call, Streams};
+    use crate::base::source::FileId;
     use crate::lang::cursor::Start;
-    use crate::source::FileId;
 
     fn call(start: u32) -> Call {
         let at = |start| Start {

@@ -8,8 +8,8 @@ use super::known::{Known, Told};
 use super::literal::Literal;
 use super::parallel::{self, Around, OfAll, Piece, Taker};
 use super::reader::Reader;
-use crate::args::Parse;
-use crate::syntax::{Kind, behind_more, more_from, tokenize_more};
+use crate::base::args::Parse;
+use crate::lang::syntax::{Kind, behind_more, more_from, tokenize_more};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -137,7 +137,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the literal vectors at hand as [`crate::args::Args::literal_vectors`] does, if the data go on here, or
+    /// Takes the literal vectors at hand as [`crate::base::args::Args::literal_vectors`] does, if the data go on here, or
     /// behind the comma at hand.
     pub(super) fn take_vectors_of_data(
         &mut self,
@@ -228,14 +228,14 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::options::ReadOptions;
+    use crate::base::source::{FileId, Sources};
     use crate::lang::evaluate;
     use crate::lang::literal::{Ground, Memory};
     use crate::lang::part_cache::Parts;
     use crate::lang::plain::literal_object;
-    use crate::options::ReadOptions;
     use crate::scene::Kind;
-    use crate::source::{FileId, Sources};
-    use crate::texture::Layer;
+    use crate::scene::texture::Layer;
 
     /// How much of a text is read as one object of literals.
     fn reached(text: &str) -> Option<usize> {

@@ -4,10 +4,10 @@ use super::datetime;
 use super::limits;
 use super::reader::Reader;
 use super::value::Value;
-use crate::args::{Parse, Word};
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Kind, Symbol};
 use crate::scene::Charset;
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Kind, Symbol};
 
 impl Reader<'_> {
     /// Whether a word begins a string.

@@ -1,7 +1,7 @@
 //! What one reading of a scene leaves to the next: its names and the tokens of its files.
 
-use crate::source::{FileId, Sources};
-use crate::syntax::{Names, Tokens, Whole};
+use crate::base::source::{FileId, Sources};
+use crate::lang::syntax::{Names, Tokens, Whole};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 use std::sync::Arc;

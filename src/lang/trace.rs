@@ -4,8 +4,8 @@ use super::cursor::{Entered, Frame};
 use super::limits;
 use super::reader::Reader;
 use super::value::Value;
-use crate::source::{Diagnostic, Label};
-use crate::syntax::{Kind, Symbol};
+use crate::base::source::{Diagnostic, Label};
+use crate::lang::syntax::{Kind, Symbol};
 
 impl Reader<'_> {
     /// The diagnostic with the calls, loops and includes that lead to it, innermost first.

@@ -2,8 +2,8 @@
 
 use super::cursor::Start;
 use super::reader::Reader;
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Class, Kind, Token};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::syntax::{Class, Kind, Token};
 
 impl Reader<'_> {
     /// An error inside a block, with the block: the one that is still open where a token stands that begins something

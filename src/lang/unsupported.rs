@@ -1,10 +1,10 @@
 //! What a scene uses and povr does not draw: refused by name where it is drawn, but only if it would be seen.
 
 use super::reader::Reader;
-use crate::args::Word;
+use crate::base::args::Word;
+use crate::base::source::{Diagnostic, Span};
+use crate::scene::texture::{NormalKind, Patterned, Texture};
 use crate::scene::{Kind, Object};
-use crate::source::{Diagnostic, Span};
-use crate::texture::{NormalKind, Patterned, Texture};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 

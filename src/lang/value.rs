@@ -1,8 +1,8 @@
 //! What identifiers hold and expressions give.
 
 use super::macros::Macro;
+use crate::base::source::Diagnostic;
 use crate::scene::Object;
-use crate::source::Diagnostic;
 use std::any::{Any, TypeId};
 use std::fmt;
 use std::rc::Rc;

@@ -5,7 +5,7 @@ use image::codecs::bmp::BmpEncoder;
 
 use super::quantize;
 use super::{EncodeOptions, EncodeResult};
-use crate::film::Film;
+use crate::base::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::of(film, options)?;

@@ -6,7 +6,7 @@ use exr::prelude::*;
 
 use super::quantize::to_linear;
 use super::{EncodeOptions, EncodeResult};
-use crate::film::Film;
+use crate::base::film::Film;
 
 /// ZIP over sixteen lines, as POV-Ray's library does by default.
 const ENCODING: Encoding = Encoding {
@@ -17,7 +17,7 @@ const ENCODING: Encoding = Encoding {
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let linear = to_linear(options.working);
-    let samples = |value_of: &dyn Fn(&crate::film::Pixel) -> f32| {
+    let samples = |value_of: &dyn Fn(&crate::base::film::Pixel) -> f32| {
         let values = film.pixels.iter().map(value_of);
         if options.bits > 16 {
             FlatSamples::F32(values.collect())

@@ -5,7 +5,7 @@ use image::codecs::hdr::HdrEncoder;
 
 use super::quantize::to_linear;
 use super::{EncodeOptions, EncodeResult};
-use crate::film::Film;
+use crate::base::film::Film;
 
 /// The largest value the common exponent can name, 2^127, and a little less.
 const BRIGHTEST: f32 = 1.7e38;

@@ -5,7 +5,7 @@ use image::codecs::jpeg::JpegEncoder;
 
 use super::quantize;
 use super::{EncodeOptions, EncodeResult};
-use crate::film::Film;
+use crate::base::film::Film;
 
 /// What POV-Ray takes when nobody says.
 const POVRAY_QUALITY: u8 = 85;

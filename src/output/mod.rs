@@ -14,14 +14,14 @@ mod png;
 mod ppm;
 mod tga;
 
-pub use crate::encoding::{EncodeOptions, Format};
+pub use crate::base::encoding::{EncodeOptions, Format};
 pub(crate) use place::{Pending, save, try_to_append, try_to_write};
 
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::film::{Film, quantize};
+use crate::base::film::{Film, quantize};
 
 /// Where the bytes go.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Bytes to a file, whole or not at all: a temporary file in the same folder takes them, then takes the name.
 
-use crate::source::only_regular;
+use crate::base::source::only_regular;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

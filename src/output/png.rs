@@ -8,8 +8,8 @@ use std::io::Write;
 
 use super::quantize::{self, Channels, Depth};
 use super::{EncodeOptions, EncodeResult, Refusal};
-use crate::color::Gamma;
-use crate::film::Film;
+use crate::base::color::Gamma;
+use crate::base::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let data = quantize::of(film, options)?;

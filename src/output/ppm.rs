@@ -2,7 +2,7 @@
 
 use super::quantize::{self, Depth};
 use super::{EncodeOptions, EncodeResult};
-use crate::film::Film;
+use crate::base::film::Film;
 
 pub(super) fn encode(film: &Film, options: &EncodeOptions) -> EncodeResult {
     let kind = if options.grayscale { 5 } else { 6 };

@@ -3,10 +3,10 @@ use std::fs;
 use image::{DynamicImage, ImageFormat, load_from_memory_with_format};
 
 use super::*;
-use crate::color::Gamma;
-use crate::color::Rgb;
-use crate::film::Pixel;
-use crate::film::{Levels, Quantizer};
+use crate::base::color::Gamma;
+use crate::base::color::Rgb;
+use crate::base::film::Pixel;
+use crate::base::film::{Levels, Quantizer};
 
 /// Eight pixels, `rgbt <1, .8, .6, .5>` with rising `ambient`: colours brighter than their coverage, and than 1.
 fn film() -> Film {

@@ -5,9 +5,9 @@
 //! records and perhaps a torn one at the end, which is cut off. The key stands for the scene, all it read, the options
 //! and the program: what has another one is not gone on with. Numbers are little-endian.
 
-use crate::film::Pixel;
-use crate::options::CheckpointOptions;
-use crate::source::open_regular;
+use crate::base::film::Pixel;
+use crate::base::options::CheckpointOptions;
+use crate::base::source::open_regular;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -280,7 +280,7 @@ fn read_record(bytes: &[u8], key: u64, size: (u32, u32)) -> Option<(CheckpointTi
     }
     let single = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
     let pixels = stored.chunks_exact(PIXEL).map(|pixel| Pixel {
-        rgb: crate::color::Rgb::new(single(pixel), single(&pixel[4..]), single(&pixel[8..])),
+        rgb: crate::base::color::Rgb::new(single(pixel), single(&pixel[4..]), single(&pixel[8..])),
         transmit: single(&pixel[12..]),
     });
     let errors = errors.chunks_exact(ERROR);
@@ -299,7 +299,7 @@ fn read_record(bytes: &[u8], key: u64, size: (u32, u32)) -> Option<(CheckpointTi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
+    use crate::base::color::Rgb;
     use std::fs;
 
     const SIZE: (u32, u32) = (10, 6);

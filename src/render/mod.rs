@@ -4,17 +4,21 @@ mod adaptive;
 mod antialias;
 mod checkpoint;
 mod photon_pass;
+pub mod photons;
 mod pretrace;
+pub mod radiosity;
 mod radiosity_pass;
+pub mod statistics;
 mod tiles;
+pub mod trace;
 
 pub use checkpoint::{Checkpoint, CheckpointStatus};
 pub use photon_pass::PhotonPass;
 
-use crate::compile::{RayCounts, World};
-use crate::film::{self, Film, Pixel, Quantizer};
-use crate::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions, Sampling};
-use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::base::film::{self, Film, Pixel, Quantizer};
+use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions, Sampling};
+use crate::render::trace::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::world::{RayCounts, World};
 use antialias::Sampler;
 use checkpoint::CheckpointTile;
 use radiosity_pass::RadiosityPass;

@@ -1,8 +1,8 @@
 //! Photons before a picture: shot on one thread, read by all.
 
-use crate::options::PhotonStatistics;
-use crate::photons;
-use crate::trace::Tracer;
+use crate::base::options::PhotonStatistics;
+use crate::render::photons;
+use crate::render::trace::Tracer;
 use std::time::Instant;
 
 /// Photons that were shot.

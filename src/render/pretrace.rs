@@ -3,11 +3,11 @@
 //! before it.
 
 use super::tiles_of;
-use crate::compile::Scratch;
-use crate::math::mersenne;
-use crate::options::RenderOptions;
-use crate::radiosity::Session;
-use crate::trace::Tracer;
+use crate::base::math::mersenne;
+use crate::base::options::RenderOptions;
+use crate::render::radiosity::Session;
+use crate::render::trace::Tracer;
+use crate::world::Scratch;
 use std::ops::Range;
 
 /// Rounding must not add a pass.

@@ -8,10 +8,10 @@
 use super::Tile;
 use super::pretrace::pretrace;
 use super::tiles::DrawnTile;
-use crate::compile::RayCounts;
-use crate::options::{RadiosityStatistics, RenderOptions};
-use crate::radiosity::{Mode, Notes, Session};
-use crate::trace::{BlockScratch, Tracer};
+use crate::base::options::{RadiosityStatistics, RenderOptions};
+use crate::render::radiosity::{Mode, Notes, Session};
+use crate::render::trace::{BlockScratch, Tracer};
+use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::time::Instant;
 

@@ -1,10 +1,10 @@
 //! The picture that tiles are put into as they are drawn, in any order and by any thread.
 
 use super::Tile;
-use crate::compile::RayCounts;
-use crate::film::{Film, Levels, Pixel, Quantizer};
-use crate::options::RenderOptions;
-use crate::trace::BlockScratch;
+use crate::base::film::{Film, Levels, Pixel, Quantizer};
+use crate::base::options::RenderOptions;
+use crate::render::trace::BlockScratch;
+use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 

@@ -8,8 +8,8 @@
 //! inverted after the word has lost it.
 
 use super::{Kind, Object, Operation};
-use crate::shape::Geometry;
-use crate::texture::Texture;
+use crate::scene::shape::Geometry;
+use crate::scene::texture::Texture;
 use std::sync::Arc;
 
 /// What lies around a part of an object.

@@ -5,8 +5,8 @@
 //! the axes cuts. An inverse object has the box of the object itself.
 
 use super::{Attached, Kind, Object, Operation};
-use crate::math::{Bounds, Step, Transform};
-use crate::shape::{Geometry, Plane, Quadric, Shape};
+use crate::base::math::{Bounds, Step, Transform};
+use crate::scene::shape::{Geometry, Plane, Quadric, Shape};
 use glam::DVec3;
 use std::sync::Arc;
 

@@ -1,14 +1,22 @@
 //! The hall: what a scene file says, as plain data. Reading fills it, drawing draws it; a Rust program can build it
 //! without any file.
 
+pub mod atmosphere;
+pub mod camera;
 mod default_texture;
 mod extent;
+pub mod function;
 mod globals;
+pub mod interior;
+pub mod light;
 mod moved;
 mod object;
 mod objects;
+pub mod pattern;
 mod scaled;
 mod seen_in;
+pub mod shape;
+pub mod texture;
 
 pub use extent::Stored;
 pub use globals::{Charset, PhotonDensity, Photons, Radiosity, Subsurface};
@@ -18,11 +26,11 @@ pub use object::{
 pub(crate) use objects::{Colored, Entry, Taken};
 pub use objects::{Look, Objects, Plain};
 
-use crate::atmosphere::Atmosphere;
-use crate::camera::Camera;
-use crate::color::{Color, Gamma, Rgb};
-use crate::math::noise::NoiseGenerator;
-use crate::pattern::Settings;
+use crate::base::color::{Color, Gamma, Rgb};
+use crate::base::math::noise::NoiseGenerator;
+use crate::scene::atmosphere::Atmosphere;
+use crate::scene::camera::Camera;
+use crate::scene::pattern::Settings;
 use glam::DVec3;
 
 /// A whole scene.

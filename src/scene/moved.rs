@@ -6,8 +6,8 @@
 //! scene looks the same wherever it stands, as far as its own numbers go.
 
 use super::{Kind, Object, Scene};
-use crate::math::{Bounds, Step, Transform};
-use crate::shape::Geometry;
+use crate::base::math::{Bounds, Step, Transform};
+use crate::scene::shape::Geometry;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -118,7 +118,7 @@ impl Object {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::{Shape, Sphere};
+    use crate::scene::shape::{Shape, Sphere};
 
     fn ball(centre: DVec3, steps: &[f64]) -> Object {
         let shape = Shape::Sphere(Sphere {

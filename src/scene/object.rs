@@ -1,10 +1,10 @@
 //! Objects: a shape or a combination of objects, with what it carries.
 
-use crate::interior::Interior;
-use crate::light::{Light, ObjectPhotons};
-use crate::math::{Bounds, Step};
-use crate::shape::{FaceTexture, Geometry, Shape};
-use crate::texture::Texture;
+use crate::base::math::{Bounds, Step};
+use crate::scene::interior::Interior;
+use crate::scene::light::{Light, ObjectPhotons};
+use crate::scene::shape::{FaceTexture, Geometry, Shape};
+use crate::scene::texture::Texture;
 use std::num::NonZeroU64;
 use std::sync::Arc;
 
@@ -531,7 +531,7 @@ mod tests {
 
     fn light() -> Arc<Object> {
         Arc::new(Object::new(Kind::Light {
-            light: Arc::new(Light::point(DVec3::ZERO, crate::color::Rgb::WHITE)),
+            light: Arc::new(Light::point(DVec3::ZERO, crate::base::color::Rgb::WHITE)),
             looks_like: None,
             projected_through: None,
         }))

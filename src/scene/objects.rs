@@ -4,10 +4,10 @@
 //! made into an [`Object`] when somebody asks for it.
 
 use super::{Attached, Kind, Object};
-use crate::color::Color;
-use crate::math::Step;
-use crate::shape::{Shape, Sphere};
-use crate::texture::{Finish, Layer, Texture};
+use crate::base::color::Color;
+use crate::base::math::Step;
+use crate::scene::shape::{Shape, Sphere};
+use crate::scene::texture::{Finish, Layer, Texture};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -405,8 +405,8 @@ mod tests {
         let texture = Arc::new(Texture::from(Layer::default()));
         let shared = Look::Texture(Arc::clone(&texture));
         let disc = Shape::read(
-            crate::args::Word::Disc,
-            &mut crate::args::text::TextArgs::new("0, <0, 1, 0>, 1 }"),
+            crate::base::args::Word::Disc,
+            &mut crate::base::args::text::TextArgs::new("0, <0, 1, 0>, 1 }"),
         );
         let mut objects = Objects::default();
         let mut expected = Vec::new();

@@ -5,11 +5,11 @@
 //! as a larger or smaller one.
 
 use super::{Kind, Object, Scene};
-use crate::interior::Interior;
-use crate::light::{Beam, Light};
-use crate::math::conditioning::power_of_two;
-use crate::math::{Step, Transform};
-use crate::shape::Geometry;
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::{Step, Transform};
+use crate::scene::interior::Interior;
+use crate::scene::light::{Beam, Light};
+use crate::scene::shape::Geometry;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;

@@ -6,13 +6,13 @@
 //! the texts anew, to be read before they are kept: is the place right, is the cause named, is there something to do,
 //! is nothing said twice?
 
-use povr::compare as process;
+use povr::app::compare as process;
 
 use libtest_mimic::{Arguments, Failed, Trial};
+use povr::base::options::ReadOptions;
+use povr::base::source::print::{Styling, annotated, pov_line};
+use povr::base::source::{Diagnostic, Severity, Sources};
 use povr::lang::evaluate;
-use povr::options::ReadOptions;
-use povr::source::print::{Styling, annotated, pov_line};
-use povr::source::{Diagnostic, Severity, Sources};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};

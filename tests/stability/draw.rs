@@ -1,6 +1,6 @@
 //! Pictures of scene texts by povr, within this process, and by POV-Ray.
 
-use povr::options::{Event, Input, ReadOptions, RenderOptions};
+use povr::base::options::{Event, Input, ReadOptions, RenderOptions};
 use std::path::Path;
 use std::process::Command;
 use std::sync::Mutex;
@@ -96,7 +96,7 @@ pub(crate) fn by_pov_ray(text: &str, size: (u32, u32), folder: &Path) -> Drawn {
         .arg(format!("+H{}", size.1))
         .args(["-D", "-A", "+WT1", "+FN16", "File_Gamma=1.0"])
         .arg(format!("+L{INCLUDES}"));
-    let ended = povr::compare::run(&mut command, TIME_LIMIT);
+    let ended = povr::app::compare::run(&mut command, TIME_LIMIT);
     let said = match &ended {
         Ok(ended) => ended.stderr.clone(),
         Err(error) => return failed(format!("`povray` does not run: {error}")),

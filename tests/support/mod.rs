@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) mod browser;
 
-pub(crate) use povr::compare::run;
+pub(crate) use povr::app::compare::run;
 
 /// The folder of the project's own scenes.
 pub(crate) const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/pov_scenes");

@@ -6,16 +6,16 @@
 
 use super::reader::color_of;
 use super::{Known, Level, ReplayCache};
-use crate::args::{Parse, Word};
-use crate::color::Color;
+use crate::base::args::{Parse, Word};
+use crate::base::color::Color;
 use crate::lang::numbers::literal_at;
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::streams::Streams;
+use crate::lang::syntax::Tokens;
 use crate::lang::value::Number;
-use crate::shape::Sphere;
-use crate::syntax::Tokens;
-use crate::texture::Layer;
+use crate::scene::shape::Sphere;
+use crate::scene::texture::Layer;
 use std::rc::Rc;
 
 /// A sphere, of one colour or with the default texture.

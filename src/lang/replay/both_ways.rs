@@ -1,8 +1,8 @@
 //! Reading with replays and reading token by token find the same scene, the same text and the same faults.
 
+use crate::base::options::ReadOptions;
+use crate::base::source::Sources;
 use crate::lang::{Reading, evaluate, evaluate_token_by_token};
-use crate::options::ReadOptions;
-use crate::source::Sources;
 
 /// All that a reading gives, as text.
 fn told(reading: &Reading) -> String {

@@ -4,14 +4,14 @@
 //! anything is another way, nothing has happened yet, and they are read.
 
 use super::{Known, Level};
-use crate::args::{Parse, Word};
+use crate::base::args::{Parse, Word};
 use crate::lang::cursor::Entered;
 use crate::lang::flow::EQUAL;
 use crate::lang::limits;
 use crate::lang::macros::{Argument, Arguments};
 use crate::lang::reader::Reader;
+use crate::lang::syntax::{END_OF_FILE, Kind, Token};
 use crate::lang::value::Value;
-use crate::syntax::{END_OF_FILE, Kind, Token};
 
 impl Reader<'_> {
     /// Whether recorded expressions may be used here.

@@ -3,11 +3,11 @@
 use super::AGAIN;
 use super::op::Op;
 use super::stack::{DEPTH, SLOTS};
-use crate::args::Word;
+use crate::base::args::Word;
 use crate::lang::macros::Macro;
 use crate::lang::reader::Reader;
+use crate::lang::syntax::Symbol;
 use crate::lang::value::{Number, Value};
-use crate::syntax::Symbol;
 use std::rc::Rc;
 
 /// Steps of a program; a longer one saves no time.

@@ -1,9 +1,9 @@
 //! The steps that expressions are recorded in.
 
-use crate::args::Word;
+use crate::base::args::Word;
 use crate::lang::builtins;
 use crate::lang::flow::EQUAL;
-use crate::syntax::Symbol;
+use crate::lang::syntax::Symbol;
 
 /// A step on a stack of floats, on which a vector is its components, the first one lowest.
 #[derive(Clone, Copy, Debug)]

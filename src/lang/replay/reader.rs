@@ -6,19 +6,19 @@
 
 use super::ball::Ball;
 use super::{Known, Level, ReplayCache};
-use crate::args::{Args, Interner, Parse, Word};
-use crate::color::{Color, Gamma};
+use crate::base::args::{Args, Interner, Parse, Word};
+use crate::base::color::{Color, Gamma};
+use crate::base::source::{Diagnostic, Span};
 use crate::lang::cursor::is_bare_directive;
 use crate::lang::numbers::literal_at;
 use crate::lang::plain::{Read, plain_object};
 use crate::lang::reader::Reader;
 use crate::lang::scope::Scopes;
 use crate::lang::streams::Streams;
+use crate::lang::syntax::{Class, Kind, Symbol, Token, Tokens};
 use crate::lang::value::{Number, Value};
-use crate::shape::Shape;
-use crate::source::{Diagnostic, Span};
-use crate::syntax::{Class, Kind, Symbol, Token, Tokens};
-use crate::texture::{Layer, Pigment};
+use crate::scene::shape::Shape;
+use crate::scene::texture::{Layer, Pigment};
 use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::cell::Cell;
@@ -303,7 +303,7 @@ impl Args for ReplayReader<'_> {
         give_up()
     }
 
-    fn sampled(&mut self) -> Parse<Option<crate::args::Sampled>> {
+    fn sampled(&mut self) -> Parse<Option<crate::base::args::Sampled>> {
         give_up()
     }
 

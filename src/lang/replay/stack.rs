@@ -1,14 +1,14 @@
 //! Takes the steps of a recorded expression.
 
 use super::op::{Binary, Op};
-use crate::args::Word;
+use crate::base::args::Word;
 use crate::lang::array::whole_index;
 use crate::lang::builtins;
 use crate::lang::flow::EQUAL;
 use crate::lang::scope::Scopes;
 use crate::lang::streams::Streams;
+use crate::lang::syntax::Symbol;
 use crate::lang::value::{Number, Value};
-use crate::syntax::Symbol;
 
 /// The floats of a replay. [`Recording`] has seen to it that they are enough and not too many.
 #[derive(Debug)]

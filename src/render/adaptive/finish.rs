@@ -10,7 +10,7 @@ use super::neighbors::first_estimate;
 use super::sample::{AdaptiveSample, EyeScratch, TOGETHER, pixel};
 use super::slope::{Slopes, Sums};
 use super::tiny_objects::TinyObjects;
-use crate::compile::RayCounts;
+use crate::world::RayCounts;
 use std::ops::Range;
 
 /// The share of `contrast / samples` that a feature may make which no sample saw. A half plane that a (0, 2)-sequence of

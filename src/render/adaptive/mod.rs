@@ -25,10 +25,10 @@ mod triple_edge;
 mod two_class;
 
 use super::{Checkpoint, CheckpointTile, Drawn};
-use crate::compile::RayCounts;
-use crate::film::Film;
-use crate::options::{Adaptive, AdaptiveOutcome, RenderOptions};
-use crate::trace::Tracer;
+use crate::base::film::Film;
+use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
+use crate::render::trace::Tracer;
+use crate::world::RayCounts;
 use band::{Band, ErrorTarget, FinishedPixel, MARGIN};
 use sample::Eye;
 use std::ops::Range;

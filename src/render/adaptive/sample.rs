@@ -1,10 +1,10 @@
 //! What samples of a pixel saw.
 
 use super::tiny_objects::TinyObjects;
-use crate::compile::RayCounts;
-use crate::film::Pixel;
-use crate::math::sobol::Sobol;
-use crate::trace::{BLOCK, BlockScratch, Tracer};
+use crate::base::film::Pixel;
+use crate::base::math::sobol::Sobol;
+use crate::render::trace::{BLOCK, BlockScratch, Tracer};
+use crate::world::RayCounts;
 use std::ops::Range;
 
 /// The most places that are looked at together.
@@ -78,7 +78,7 @@ impl AdaptiveSample {
 )]
 pub(super) fn pixel(mean: [f64; 4]) -> Pixel {
     let [r, g, b, transmit] = mean.map(|c| c as f32);
-    Pixel::new(crate::color::Rgb::new(r, g, b), transmit)
+    Pixel::new(crate::base::color::Rgb::new(r, g, b), transmit)
 }
 
 /// Looks at places of a picture.

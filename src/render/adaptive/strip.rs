@@ -1,7 +1,7 @@
 //! Pixels that a strip crosses: a wire, a gap, what two straight lines bound.
 
 use super::edge::ClassifiedPoint;
-use crate::math::simd::with_widest;
+use crate::base::math::simd::with_widest;
 use std::f64::consts::PI;
 
 /// Directions in which a strip is looked for at once.

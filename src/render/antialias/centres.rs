@@ -1,9 +1,9 @@
 //! The centres of a tile's pixels: graded and compared with their neighbours four at a time.
 
 use super::{ENDLESS, GRADE_CARE, Graded, Scale};
-use crate::film::Pixel;
-use crate::math::powers::power;
-use crate::math::simd::{F64x4, FourWork, fours, with_widest};
+use crate::base::film::Pixel;
+use crate::base::math::powers::power;
+use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
 
 /// The pixels of a tile, with the row above and the column left of it, numbered row by row.
 pub(super) struct Centres {

@@ -2,8 +2,8 @@
 
 use super::super::Tile;
 use super::{Graded, Place, Sampler, Sum};
-use crate::film::Pixel;
-use crate::trace::BlockScratch;
+use crate::base::film::Pixel;
+use crate::render::trace::BlockScratch;
 use rustc_hash::FxHashMap;
 
 /// Samples inside of pixels that are kept at a time: those of a tile divided five times.

@@ -6,9 +6,9 @@
 
 use super::super::{TILE, Tile};
 use super::{Place, Sampler, cells};
-use crate::film::Pixel;
-use crate::options::RenderOptions;
-use crate::trace::BlockScratch;
+use crate::base::film::Pixel;
+use crate::base::options::RenderOptions;
+use crate::render::trace::BlockScratch;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};

@@ -16,13 +16,13 @@ mod lattice;
 mod neighbours;
 
 use super::{TILE, Tile};
-use crate::color::Gamma;
-use crate::film::Pixel;
-use crate::math::jitter;
-use crate::math::powers::{POWER_ERROR, power};
-use crate::math::simd::{F64x4, FourWork, fours, with_widest};
-use crate::options::{Antialias, Method, RenderOptions};
-use crate::trace::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::base::color::Gamma;
+use crate::base::film::Pixel;
+use crate::base::math::jitter;
+use crate::base::math::powers::{POWER_ERROR, power};
+use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
+use crate::base::options::{Antialias, Method, RenderOptions};
+use crate::render::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
 use lattice::{Borders, Point, own_points};
 use neighbours::Neighbours;
@@ -276,9 +276,9 @@ fn cell(column: usize, row: usize) -> [usize; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
-    use crate::math::random::Random;
-    use crate::math::rounding::nearest;
+    use crate::base::color::Rgb;
+    use crate::base::math::random::Random;
+    use crate::base::math::rounding::nearest;
 
     #[test]
     fn points_are_in_the_order_of_their_cells() {

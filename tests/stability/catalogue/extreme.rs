@@ -2,7 +2,7 @@
 //! drawn, and then every pixel is a number (items 29 to 32).
 
 use crate::case::{Asks, Case};
-use povr::shape::Shape;
+use povr::scene::shape::Shape;
 
 /// What takes the place of each number in turn.
 const ODD: [&str; 11] = [

@@ -1,7 +1,7 @@
 //! Families of rays for tori and spheres, the same in every run; those for quadrics are in `quadrics`.
 
 use glam::DVec3;
-use povr::math::Ray;
+use povr::base::math::Ray;
 use std::f64::consts::TAU;
 
 /// A ray and the two radii of the torus it is asked about; a sphere has no first one.

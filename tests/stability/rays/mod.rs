@@ -10,7 +10,7 @@ pub(crate) mod quadrics;
 use crate::certain::{self, Sure, along, of_bernstein, of_quadratic, sure};
 use crate::wide::{Polynomial, Vector, Wide, dot, plus, times, vector, wide};
 use families::{Family, Question, SPHERES, TORI};
-use povr::shape::{Geometry, Root, Sphere, Torus};
+use povr::scene::shape::{Geometry, Root, Sphere, Torus};
 use quadrics::{QUADRICS, quadric_of_povr};
 
 /// Roundings of the problem's size.

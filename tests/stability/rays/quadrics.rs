@@ -5,8 +5,8 @@ use super::{Asked, Digits, TOLERANCE, Verdict};
 use crate::certain::{Sure, along, of_quadratic, sure};
 use crate::wide::{Polynomial, wide};
 use glam::DVec3;
-use povr::math::Ray;
-use povr::shape::{Geometry, Quadric, Root};
+use povr::base::math::Ray;
+use povr::scene::shape::{Geometry, Quadric, Root};
 
 /// A ray and the ten numbers of the quadric it is asked about, in the order of the language.
 #[derive(Clone, Debug)]

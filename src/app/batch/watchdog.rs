@@ -1,0 +1,100 @@
+//! Stops what takes too long.
+
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::base::options::CancelToken;
+
+/// Watches over what is under way, if there is a limit.
+#[derive(Debug)]
+pub(super) struct Watchdog {
+    limit: Option<Duration>,
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    watched: Vec<(Instant, CancelToken)>,
+    is_over: bool,
+}
+
+impl Watchdog {
+    pub(super) fn new(limit: Option<Duration>) -> Self {
+        Watchdog {
+            limit,
+            state: Mutex::default(),
+            changed: Condvar::new(),
+        }
+    }
+
+    /// From now on `stop` is watched; it is asked to stop when the time is over, unless it is dropped before.
+    pub(super) fn watch(&self, stop: &CancelToken) {
+        let deadline = self
+            .limit
+            .and_then(|limit| Instant::now().checked_add(limit));
+        if let Some(deadline) = deadline {
+            self.lock().watched.push((deadline, stop.clone()));
+            self.changed.notify_all();
+        }
+    }
+
+    /// Ends [`Watchdog::run`].
+    pub(super) fn end(&self) {
+        self.lock().is_over = true;
+        self.changed.notify_all();
+    }
+
+    /// Watches, until it is ended.
+    pub(super) fn run(&self) {
+        let mut state = self.lock();
+        while !state.is_over {
+            let now = Instant::now();
+            state.watched.retain(|(deadline, stop)| {
+                if *deadline <= now {
+                    stop.ask();
+                }
+                *deadline > now
+            });
+            let next = state.watched.iter().map(|(deadline, _)| *deadline).min();
+            state = match next {
+                Some(next) => {
+                    let waited = self.changed.wait_timeout(state, next - now);
+                    waited.unwrap_or_else(PoisonError::into_inner).0
+                }
+                None => {
+                    let waited = self.changed.wait(state);
+                    waited.unwrap_or_else(PoisonError::into_inner)
+                }
+            };
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_takes_too_long_is_stopped_and_nothing_else() {
+        let watchdog = Watchdog::new(Some(Duration::from_millis(40)));
+        std::thread::scope(|scope| {
+            scope.spawn(|| watchdog.run());
+            let first = CancelToken::default();
+            watchdog.watch(&first);
+            std::thread::sleep(Duration::from_millis(30));
+            let second = CancelToken::default();
+            watchdog.watch(&second);
+            assert!(!first.is_asked());
+            while !first.is_asked() {
+                std::thread::yield_now();
+            }
+            watchdog.end();
+            assert!(!second.is_asked());
+        });
+    }
+}

@@ -1,0 +1,217 @@
+//! `povr batch`: draws all scenes of folders into a tree like theirs, and what is up to date not again.
+//!
+//! Standard output takes the log of `--json`; all else goes to standard error. Exit code 0: all pictures are there; 1:
+//! some are not; 2: the command line is at fault.
+
+mod list;
+mod tell;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use clap::Parser;
+
+use self::list::List;
+use self::tell::Teller;
+use super::Command;
+use super::arg_words;
+use super::environment::Environment;
+use super::error::CliError;
+use super::long_options::{self, Size};
+use super::report::{MessageFormat, say};
+use super::values::{bytes, duration};
+use crate::app::batch::{self, Batch, Figure, Shard};
+
+pub(super) const COMMAND: Command = Command {
+    name: "batch",
+    about: "render every scene in a folder, skipping those already up to date",
+    run,
+    face: <Face as clap::CommandFactory>::command,
+};
+
+/// Draws all scenes of folders into a tree like theirs.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr batch",
+    override_usage = "povr batch [OPTIONS] [+/-SWITCHES] [Key=Value] FOLDER|PATTERN|SCENE... -o OUT",
+    after_help = "\
+`FOLDER/a/b.pov` becomes `OUT/a/b.png`; with several folders, `OUT/FOLDER/a/b.png`. Patterns: `*`, `?`, `[ab]`, `{a,b}`, \
+and `**` for folders inside folders. `b.ini` beside `b.pov` is read for that scene, before the switches of the command \
+line; an animation becomes its frames. +FN, +FJ, ... choose the type of the files.
+A picture is up to date if it and the scene, every file read or looked for, the options and this program are the same \
+as when it was drawn; scenes that write files are always drawn. A run that was killed may be started again: it goes on where it was.
+Exit code 0: all pictures are there; 1: some are not; 2: the command line is at fault."
+)]
+struct Face {
+    /// The folder of the pictures; it is made if it is missing
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Draw only scenes whose path below their folder, or name, matches; may be given several times
+    #[arg(long, value_name = "PATTERN")]
+    only: Vec<String>,
+    /// Leave out such scenes, or folders
+    #[arg(long, value_name = "PATTERN")]
+    exclude: Vec<String>,
+    /// Size of the pictures in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    size: Option<Size>,
+    /// Scenes read side by side [default: the number of threads]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// Number of threads, for all scenes together [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// A picture that takes longer has failed: 10s, 500ms, 2m
+    #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--timeout"))]
+    timeout: Option<Duration>,
+    /// The most memory that reading a scene may take: 500M, 4G; what the machine has unless given
+    #[arg(long, value_name = "SIZE", value_parser = |text: &str| bytes(text, "--memory"))]
+    memory: Option<u64>,
+    /// Draw one part of several, for several machines: 2/8. In a Slurm array this is known
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// Draw what is up to date as well
+    #[arg(long)]
+    again: bool,
+    /// Write OUT/contact.png and OUT/index.html with all pictures
+    #[arg(long)]
+    sheet: bool,
+    /// Print an object a picture on standard output
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but what failed
+    #[arg(long)]
+    quiet: bool,
+    /// How to print errors: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
+    message_format: Option<MessageFormat>,
+}
+
+/// A command line of this command.
+#[derive(Debug, Default)]
+struct Wanted {
+    names: Vec<String>,
+    switches: Vec<String>,
+    only: Vec<String>,
+    except: Vec<String>,
+    size: Option<Size>,
+    memory: Option<u64>,
+    batch: Batch,
+    has_sheet: bool,
+    is_json: bool,
+    is_quiet: bool,
+    format: Option<MessageFormat>,
+}
+
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+    let mut wanted = match read_arguments(arguments)? {
+        Ok(wanted) => wanted,
+        Err(help) => {
+            say(help.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    if wanted.batch.shard.is_none() {
+        wanted.batch.shard = Shard::of_slurm(|name| std::env::var(name).ok());
+        if let Some(Shard { number, of }) = wanted.batch.shard.filter(|_| !wanted.is_quiet) {
+            say(format_args!("povr: part {number} of {of}, as Slurm has it"));
+        }
+    }
+    let List { pictures, refused } = list::list(&wanted, around)?;
+    let teller = Teller::new(&wanted, &pictures, around);
+    for (scene, refusal) in &refused {
+        teller.refused(scene, refusal);
+    }
+    batch::run(&pictures, &wanted.batch, &|news| teller.hear(news)).map_err(list::refused)?;
+    let failed = teller.finish();
+    if wanted.has_sheet {
+        let figures: Vec<Figure> = pictures
+            .iter()
+            .enumerate()
+            .map(|(index, picture)| Figure {
+                name: picture.output.with_extension("").display().to_string(),
+                file: picture.output.clone(),
+                missing: match failed.get(&index) {
+                    Some(why) => Some(why.clone()),
+                    None if wanted.batch.out.join(&picture.output).is_file() => None,
+                    None => Some("not drawn yet".to_owned()),
+                },
+            })
+            .collect();
+        batch::write_index(&wanted.batch.out, &figures).map_err(list::refused)?;
+    }
+    Ok(if failed.is_empty() && refused.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+/// What the arguments say, or the help they ask for.
+fn read_arguments(arguments: &[String]) -> Result<Result<Wanted, String>, CliError> {
+    let mut wanted = Wanted::default();
+    let mut out = None;
+    let mut rest = arguments;
+    while let Some((first, others)) = rest.split_first() {
+        if first == "--" {
+            wanted.names.extend_from_slice(others);
+            break;
+        }
+        let long = long_options::length::<Face>(rest);
+        if long == 0 {
+            wanted.word(first);
+            rest = others;
+            continue;
+        }
+        let (option, others) = rest.split_at(long);
+        match long_options::parse::<Face>(option) {
+            Ok(face) => {
+                out = face.output.clone().or(out);
+                wanted.take_in(face);
+            }
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+        }
+        rest = others;
+    }
+    if wanted.names.is_empty() {
+        return Err(CliError::new("no folder is named")
+            .with_hint("write `povr batch scenes -o pictures`, or `povr batch --help`"));
+    }
+    wanted.batch.out = out.ok_or_else(|| {
+        CliError::new("no folder for the pictures is named").with_hint("name one with `-o`")
+    })?;
+    Ok(Ok(wanted))
+}
+
+impl Wanted {
+    /// A folder, a pattern or a scene; all else is as on POV-Ray's command line.
+    fn word(&mut self, argument: &str) {
+        let is_switch = argument.starts_with(['+', '-'])
+            || arg_words::assignment(argument).is_some()
+            || argument.ends_with(']') && argument.contains(".ini[")
+            || arg_words::has_ending(argument, ".ini");
+        if is_switch {
+            self.switches.extend(arg_words::of_argument(argument));
+        } else {
+            self.names.push(argument.to_owned());
+        }
+    }
+
+    fn take_in(&mut self, face: Face) {
+        self.only.extend(face.only);
+        self.except.extend(face.exclude);
+        self.size = face.size.or(self.size);
+        self.memory = face.memory.or(self.memory);
+        self.format = face.message_format.or(self.format);
+        self.has_sheet |= face.sheet;
+        self.is_json |= face.json;
+        self.is_quiet |= face.quiet;
+        let batch = &mut self.batch;
+        batch.jobs = face.jobs.map(usize::from).or(batch.jobs);
+        batch.threads = face.threads.map(usize::from).or(batch.threads);
+        batch.timeout = face.timeout.or(batch.timeout);
+        batch.shard = face.shard.or(batch.shard);
+        batch.draws_all |= face.again;
+    }
+}

@@ -1,0 +1,199 @@
+//! What is told of a batch: a bar while it runs, the failures at the end, a log for programs.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+use super::Wanted;
+use crate::app::batch::{News, Outcome, Picture, Status};
+use crate::app::cli::environment::Environment;
+use crate::app::cli::error::CliError;
+use crate::app::cli::report::{MessageFormat, Reporter, Stream, counted, say};
+use crate::base::options::Event;
+use crate::base::source::Message;
+
+/// Tells of a batch.
+pub(super) struct Teller<'a> {
+    pictures: &'a [Picture],
+    out: &'a Path,
+    is_json: bool,
+    is_quiet: bool,
+    format: MessageFormat,
+    started: Instant,
+    bar: ProgressBar,
+    told: Mutex<Told>,
+}
+
+#[derive(Default)]
+struct Told {
+    left: usize,
+    drawn: usize,
+    up_to_date: usize,
+    failed: BTreeMap<usize, Outcome>,
+    refused: usize,
+}
+
+/// A line of `--json`.
+#[derive(Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+enum Line<'a> {
+    Picture {
+        scene: &'a Path,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        output: Option<&'a Path>,
+        status: &'static str,
+        seconds: f64,
+        pixels: u64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        why: Option<&'a str>,
+        errors: &'a [Message],
+    },
+    Total {
+        drawn: usize,
+        up_to_date: usize,
+        failed: usize,
+        seconds: f64,
+    },
+}
+
+impl<'a> Teller<'a> {
+    pub(super) fn new(wanted: &'a Wanted, pictures: &'a [Picture], around: &Environment) -> Self {
+        let target = if wanted.is_quiet || !around.is_terminal {
+            ProgressDrawTarget::hidden()
+        } else {
+            ProgressDrawTarget::stderr()
+        };
+        let bar = ProgressBar::with_draw_target(Some(0), target);
+        let style = ProgressStyle::with_template(
+            "{bar:40} {percent:>3}%  {msg}  {elapsed} elapsed, {eta} to go",
+        );
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Teller {
+            pictures,
+            out: &wanted.batch.out,
+            is_json: wanted.is_json,
+            is_quiet: wanted.is_quiet,
+            format: wanted.format.unwrap_or_else(|| around.message_format()),
+            started: Instant::now(),
+            bar,
+            told: Mutex::default(),
+        }
+    }
+
+    /// Tells of a scene of which nothing can be drawn.
+    pub(super) fn refused(&self, scene: &Path, refusal: &CliError) {
+        let why = refusal.to_string();
+        self.line(&Line::Picture {
+            scene,
+            output: None,
+            status: "failed",
+            seconds: 0.0,
+            pixels: 0,
+            why: Some(&why),
+            errors: &[],
+        });
+        say(format_args!("povr: {}: {why}", scene.display()));
+        self.lock().refused += 1;
+    }
+
+    /// Tells of what happens.
+    pub(super) fn hear(&self, news: News<'_>) {
+        match news {
+            News::Left { pictures, pixels } => {
+                self.lock().left = pictures;
+                self.bar.set_length(pixels);
+                self.bar.reset();
+            }
+            News::Drawn(pixels) => self.bar.inc(pixels),
+            News::Done(outcome) => self.done(outcome),
+        }
+    }
+
+    fn done(&self, outcome: &Outcome) {
+        let picture = &self.pictures[outcome.picture];
+        let (status, why) = match &outcome.status {
+            Status::Drawn => ("drawn", None),
+            Status::UpToDate => ("up-to-date", None),
+            Status::Failed(why) => ("failed", why.as_deref()),
+        };
+        let output = self.out.join(&picture.output);
+        let mut told = self.lock();
+        self.line(&Line::Picture {
+            scene: &picture.scene,
+            output: Some(&output),
+            status,
+            seconds: outcome.seconds,
+            pixels: picture.render.columns.len() as u64 * picture.render.rows.len() as u64,
+            why,
+            errors: &outcome.messages,
+        });
+        match outcome.status {
+            Status::Drawn => told.drawn += 1,
+            Status::UpToDate => told.up_to_date += 1,
+            Status::Failed(_) => drop(told.failed.insert(outcome.picture, outcome.clone())),
+        }
+        let (done, failed) = (told.drawn + told.failed.len(), told.failed.len());
+        self.bar.set_message(match failed {
+            0 => format!("{done} of {}", told.left),
+            _ => format!("{done} of {}, {failed} failed", told.left),
+        });
+    }
+
+    /// Tells what failed and how much was done; gives the pictures that failed, each with why in a line.
+    pub(super) fn finish(&self) -> BTreeMap<usize, String> {
+        self.bar.finish_and_clear();
+        let told = self.lock();
+        let mut failed = BTreeMap::new();
+        for (&index, outcome) in &told.failed {
+            let scene = self.pictures[index].scene.display();
+            let reporter = Reporter::new(self.format, Stream::Err);
+            let why = match &outcome.status {
+                Status::Failed(Some(why)) => {
+                    say(format_args!("povr: {scene}: {why}"));
+                    why.clone()
+                }
+                _ => {
+                    say(format_args!("povr: {scene}: it cannot be drawn"));
+                    for message in &outcome.messages {
+                        reporter.hear(Event::Found(message));
+                    }
+                    let first = outcome.messages.first();
+                    first.map_or_else(|| "it cannot be drawn".to_owned(), Message::short)
+                }
+            };
+            failed.insert(index, why);
+        }
+        let seconds = self.started.elapsed().as_secs_f64();
+        self.line(&Line::Total {
+            drawn: told.drawn,
+            up_to_date: told.up_to_date,
+            failed: failed.len() + told.refused,
+            seconds,
+        });
+        if !self.is_quiet {
+            say(format_args!(
+                "povr: {} drawn, {} up to date, {} failed; {seconds:.1} s",
+                counted(told.drawn, "picture"),
+                told.up_to_date,
+                failed.len() + told.refused
+            ));
+        }
+        failed
+    }
+
+    fn line(&self, line: &Line<'_>) {
+        if let (true, Ok(line)) = (self.is_json, serde_json::to_string(line)) {
+            // A reader that has gone away is no reason to fail.
+            let _ = writeln!(io::stdout(), "{line}");
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Told> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,244 @@
+//! `povr check`: reads scenes to their end and says what is wrong with them, without drawing and without writing files:
+//! what scenes write, they find in memory.
+//!
+//! Findings and counts go to standard output, for they are what the command is for; what scenes write by `#debug` goes
+//! to standard error. Exit code 0: every scene could be drawn; 1: some could not; 2: the command line is at fault.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use super::Command;
+use super::arg_words;
+use super::environment::Environment;
+use super::error::CliError;
+use super::ini::Reader;
+use super::long_options;
+use super::raw_args::RawArgs;
+use super::report::{Line, MessageFormat, Reporter, Stream, counted, say};
+use super::settings::{Scene, find_scene, read_options};
+use crate::app::batch::scenes_below;
+use crate::base::options::{Event, ReadOptions};
+use crate::base::source::{Diagnostic, Message, Sources};
+
+pub(super) const COMMAND: Command = Command {
+    name: "check",
+    about: "read scenes and say what is wrong with them",
+    run,
+    face: <Face as clap::CommandFactory>::command,
+};
+
+/// Reads scenes without drawing them and says what is wrong with them.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr check",
+    override_usage = "povr check [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE|FOLDER|-...",
+    after_help = "\
+In a folder every .pov file is read, and those of the folders inside. `-` is standard input. Nothing is written: files
+that a scene writes are kept in memory.
+POV-Ray's switches and ini files count as far as reading goes: +LFOLDER, Declare=Name=1, +K0.5, +W320, ...
+Exit code: 0 no errors, 1 errors found, 2 bad command line.
+With `short` a finding is a line `file:line:column: error: message`. With `json` it is an object in a line, whose `type` \
+is `finding` (with severity, code, message, file, line, column, end, labels, trace, hints), `said` (text of #debug), \
+`file` or `total` (counts of errors and warnings)."
+)]
+struct Face {
+    /// How to print errors and warnings: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
+    message_format: Option<MessageFormat>,
+    /// Print errors, and nothing of scenes without errors
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// A command line of this command.
+#[derive(Debug, Default)]
+struct Wanted {
+    scenes: Vec<String>,
+    format: Option<MessageFormat>,
+    is_quiet: bool,
+}
+
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+    let standard_folders = around.standard_folders()?;
+    let mut typed = around.typed(&standard_folders)?;
+    let wanted = match read_arguments(arguments, &mut typed, &standard_folders)? {
+        Ok(wanted) => wanted,
+        Err(help) => {
+            say(help.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    let library_paths = [typed.library_paths.as_slice(), &standard_folders].concat();
+    let scenes = find_scenes(&wanted.scenes, &library_paths)?;
+    let mut reporter = Reporter::new(wanted.format.unwrap_or(MessageFormat::Human), Stream::Out);
+    let is_quiet = wanted.is_quiet || typed.quiet;
+    reporter.warns = typed.warnings && !is_quiet;
+    reporter.debugs = typed.debugs && !is_quiet;
+    if reporter.warns {
+        for doubt in &typed.doubts {
+            say(format_args!("povr: warning: {doubt}"));
+        }
+    }
+    let are_right = check(
+        &scenes,
+        &read_options(&typed, library_paths),
+        &reporter,
+        is_quiet,
+    );
+    Ok(if are_right {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}
+
+/// What the arguments say, or the help they ask for.
+fn read_arguments(
+    arguments: &[String],
+    typed: &mut RawArgs,
+    standard_folders: &[PathBuf],
+) -> Result<Result<Wanted, String>, CliError> {
+    let mut wanted = Wanted::default();
+    let mut reader = Reader::new(typed, standard_folders);
+    let mut rest = arguments;
+    while let Some((first, others)) = rest.split_first() {
+        if first == "--" {
+            wanted.scenes.extend_from_slice(others);
+            break;
+        }
+        let long = long_options::length::<Face>(rest);
+        if long == 0 {
+            read_word(first, &mut reader, &mut wanted.scenes)?;
+            rest = others;
+            continue;
+        }
+        let (option, others) = rest.split_at(long);
+        match long_options::parse::<Face>(option) {
+            Ok(face) => {
+                wanted.is_quiet |= face.quiet;
+                wanted.format = face.message_format.or(wanted.format);
+            }
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+        }
+        rest = others;
+    }
+    if wanted.scenes.is_empty() {
+        // Of an ini file, or of `+I`.
+        wanted.scenes.extend(typed.scene.take());
+    }
+    if wanted.scenes.is_empty() {
+        return Err(CliError::new("no scene is named")
+            .with_hint("write `povr check scene.pov`, or `povr check --help`"));
+    }
+    Ok(Ok(wanted))
+}
+
+/// A scene or folder goes to `scenes`; all else is as on POV-Ray's command line.
+fn read_word(
+    argument: &str,
+    reader: &mut Reader<'_>,
+    scenes: &mut Vec<String>,
+) -> Result<(), CliError> {
+    let is_ini = argument.ends_with(']') || arg_words::has_ending(argument, ".ini");
+    let is_scene = argument == "-"
+        || Path::new(argument).exists() && !is_ini
+        || !argument.starts_with(['+', '-'])
+            && arg_words::assignment(argument).is_none()
+            && !is_ini;
+    if is_scene {
+        scenes.push(argument.to_owned());
+        return Ok(());
+    }
+    arg_words::of_argument(argument)
+        .iter()
+        .try_for_each(|word| arg_words::read(reader, word))
+}
+
+/// The scenes that the names stand for: files in the order given, those of a folder sorted, none twice.
+pub(super) fn find_scenes(
+    names: &[String],
+    library_paths: &[PathBuf],
+) -> Result<Vec<Scene>, CliError> {
+    let mut scenes = Vec::new();
+    for name in names {
+        let path = Path::new(name);
+        let found = if name == "-" {
+            vec![Scene::Stdin]
+        } else if path.is_dir() {
+            let files = scenes_below(path).map_err(|error| CliError::new(error.to_string()))?;
+            if files.is_empty() {
+                return Err(CliError::new(format!("no scene (`.pov`) lies in `{name}`")));
+            }
+            files.into_iter().map(Scene::File).collect()
+        } else {
+            // A file that is missing is told among the findings: the others are read all the same.
+            let file = find_scene(name, library_paths).unwrap_or_else(|_| path.to_owned());
+            vec![Scene::File(file)]
+        };
+        for scene in found {
+            if !scenes.contains(&scene) {
+                scenes.push(scene);
+            }
+        }
+    }
+    Ok(scenes)
+}
+
+/// Reads all scenes, with a line about each and one about all; whether they could be drawn.
+fn check(scenes: &[Scene], options: &ReadOptions, reporter: &Reporter, is_quiet: bool) -> bool {
+    let is_json = reporter.format == MessageFormat::Json;
+    let (mut errors, mut warnings, mut faulty) = (0, 0, 0);
+    for scene in scenes {
+        let listen = |event: Event<'_>| reporter.hear(event);
+        match scene.input() {
+            // Why not has been heard.
+            Ok(input) => drop(crate::check(&input, options, &listen)),
+            Err(refusal) => {
+                let error = Diagnostic::error(None, refusal.to_string());
+                listen(Event::Found(&Message::new(&error, &Sources::default())));
+            }
+        }
+        let counts = reporter.take_counts();
+        let file = scene.name();
+        if is_json {
+            reporter.json(&Line::File {
+                file: &file,
+                errors: counts.errors,
+                warnings: counts.warnings,
+            });
+        } else if counts.errors > 0 || !is_quiet {
+            reporter.line(format_args!("{file}: {counts}"));
+        }
+        errors += counts.errors;
+        warnings += counts.warnings;
+        faulty += usize::from(counts.errors > 0);
+    }
+    if is_json {
+        reporter.json(&Line::Total {
+            files: scenes.len(),
+            errors,
+            warnings,
+        });
+    } else if scenes.len() > 1 && (faulty > 0 || !is_quiet) {
+        reporter.line(format_args!(
+            "{}: {} right, {faulty} faulty; {}, {}",
+            counted(scenes.len(), "scene"),
+            scenes.len() - faulty,
+            counted(errors, "error"),
+            counted(warnings, "warning"),
+        ));
+    }
+    faulty == 0
+}
+
+impl Scene {
+    /// What messages call it.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Scene::File(path) => path.display().to_string(),
+            Scene::Stdin => "standard input".to_owned(),
+        }
+    }
+}

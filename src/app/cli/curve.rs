@@ -1,0 +1,307 @@
+//! `povr curve`: draws a scene with many settings and reports error against run time.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::Command;
+use super::draw::{Request, request, request_of};
+use super::environment::Environment;
+use super::error::CliError;
+use super::long_options;
+use super::report::{Reporter, Stream, say};
+use super::settings::{Scene, Settings};
+use crate::app::curve::{self, CurveError, Drawn, Family, Report, Setting, Step, Sweep, Task};
+use crate::base::options::{Event, Input, RenderOptions, Sampling};
+
+pub(super) const COMMAND: Command = Command {
+    name: "curve",
+    about: "draw with many settings: error against run time",
+    run,
+    face: <Face as clap::CommandFactory>::command,
+};
+
+/// Draws a scene with many settings and reports error against run time.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr curve",
+    override_usage = "povr curve [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
+    after_help = "\
+POV-Ray's switches and ini files count, but for those of antialiasing: +W320 +H240, +LFOLDER, Declare=Name=1, ...
+Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, curve.png, the pictures, and the \
+truth that they are measured against. Run again, it measures only what is missing."
+)]
+struct Face {
+    /// Folder for all files [default: SCENE-curve]
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// Settings to measure, switches each, divided by semicolons: "--error 1; +A0.1 +AM1 +R3"
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    settings: Option<String>,
+    /// Measure POV-Ray itself too, with those of the settings that it knows
+    #[arg(long)]
+    povray: bool,
+    /// Drawings with each setting
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    runs: Option<u16>,
+    /// The estimated error of the truth in steps of 1/255
+    #[arg(long, value_name = "E")]
+    truth: Option<f64>,
+    /// Measure everything anew
+    #[arg(long)]
+    fresh: bool,
+}
+
+/// How often each setting is drawn unless somebody chooses.
+const RUNS: u16 = 3;
+
+/// What was asked for beside the switches of drawing.
+#[derive(Debug, Default)]
+struct Wanted {
+    out: Option<PathBuf>,
+    settings: Option<String>,
+    has_povray: bool,
+    runs: Option<u16>,
+    truth: Option<f64>,
+    is_fresh: bool,
+}
+
+fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+    let (wanted, rest) = match read_arguments(arguments)? {
+        Ok(read) => read,
+        Err(help) => {
+            say(help.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    let settings = match request_of("povr curve", &rest, around)? {
+        Request::Print(text) => {
+            say(text.trim_end());
+            return Ok(ExitCode::SUCCESS);
+        }
+        Request::Draw(settings) => *settings,
+    };
+    let Scene::File(file) = &settings.scene else {
+        return Err(CliError::new(
+            "a curve is drawn of a file, not of standard input",
+        ));
+    };
+    let sweep = sweep(&wanted, &settings, file, around)?;
+    if wanted.is_fresh && sweep.folder.is_dir() {
+        // What is not there need not go.
+        let _ = std::fs::remove_file(sweep.folder.join("curve.json"));
+        let _ = std::fs::remove_file(sweep.folder.join("truth.json"));
+    }
+    let report = measured(&sweep, &settings, file)?;
+    if !settings.talk.quiet {
+        say(summary(&report, &sweep.folder));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The options of this command, and all other arguments.
+fn read_arguments(arguments: &[String]) -> Result<Result<(Wanted, Vec<String>), String>, CliError> {
+    let mut wanted = Wanted::default();
+    let mut others = Vec::new();
+    let mut rest = arguments;
+    while let Some((first, behind)) = rest.split_first() {
+        let is_own = first.split('=').next().is_some_and(|name| {
+            [
+                "--out",
+                "--settings",
+                "--povray",
+                "--runs",
+                "--truth",
+                "--fresh",
+                "--help",
+                "-h",
+            ]
+            .contains(&name)
+        });
+        let length = if is_own {
+            long_options::length::<Face>(rest)
+        } else {
+            0
+        };
+        if length == 0 {
+            others.push(first.clone());
+            rest = behind;
+            continue;
+        }
+        let (option, behind) = rest.split_at(length);
+        match long_options::parse::<Face>(option) {
+            Ok(face) => {
+                wanted.out = face.out.or(wanted.out);
+                wanted.settings = face.settings.or(wanted.settings);
+                wanted.has_povray |= face.povray;
+                wanted.runs = face.runs.or(wanted.runs);
+                wanted.truth = face.truth.or(wanted.truth);
+                wanted.is_fresh |= face.fresh;
+            }
+            Err(said) => return long_options::printed::<Face>(&said).map(Err),
+        }
+        rest = behind;
+    }
+    Ok(Ok((wanted, others)))
+}
+
+/// What is to be measured.
+fn sweep(
+    wanted: &Wanted,
+    settings: &Settings,
+    file: &Path,
+    around: &Environment,
+) -> Result<Sweep, CliError> {
+    let list = match &wanted.settings {
+        Some(list) => list.split(';').map(str::trim).map(str::to_owned).collect(),
+        None => curve::USUAL
+            .iter()
+            .map(|&text| text.to_owned())
+            .collect::<Vec<_>>(),
+    };
+    let mut chosen = Vec::new();
+    for switches in list.iter().filter(|switches| !switches.is_empty()) {
+        let setting = setting(switches, file, around)?;
+        let is_known = !matches!(setting.sampling, Sampling::Converging(_));
+        let theirs = Setting {
+            family: Family::PovRay,
+            ..setting.clone()
+        };
+        chosen.push(setting);
+        if wanted.has_povray && is_known {
+            chosen.push(theirs);
+        }
+    }
+    let folder = wanted.out.clone().unwrap_or_else(|| {
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{stem}-curve"))
+    });
+    let text = std::fs::read(file)
+        .map_err(|error| CliError::new(format!("cannot read `{}`: {error}", file.display())))?;
+    let mut hasher = DefaultHasher::new();
+    (text, env!("CARGO_PKG_VERSION")).hash(&mut hasher);
+    let render = RenderOptions {
+        sampling: Sampling::Centres,
+        ..settings.render.clone()
+    };
+    format!("{:?} {render:?}", settings.read).hash(&mut hasher);
+    Ok(Sweep {
+        scene: file.display().to_string(),
+        key: format!("{:016x}", hasher.finish()),
+        settings: chosen,
+        runs: usize::from(wanted.runs.unwrap_or(RUNS)),
+        povray: Task {
+            scene: std::path::absolute(file).unwrap_or_else(|_| file.to_owned()),
+            size: (settings.render.width, settings.render.height),
+            library_paths: settings.read.library_paths.clone(),
+            declares: settings.read.declares.clone(),
+            threads: settings.render.threads.unwrap_or(1),
+        },
+        truth_error: wanted.truth.unwrap_or(curve::ERROR),
+        folder,
+    })
+}
+
+/// A setting by its switches, which are read as those of drawing are.
+fn setting(switches: &str, file: &Path, around: &Environment) -> Result<Setting, CliError> {
+    let mut arguments: Vec<String> = switches.split_whitespace().map(str::to_owned).collect();
+    arguments.push(format!("+I{}", file.display()));
+    let Request::Draw(settings) = request(&arguments, around)? else {
+        return Err(CliError::new(format!("`{switches}` is no setting"))
+            .with_hint("write switches of antialiasing, like `--error 1` or `+A0.3 +AM2 +R3`"));
+    };
+    let sampling = settings.render.sampling;
+    Ok(Setting {
+        family: match sampling {
+            Sampling::Centres => Family::Centres,
+            Sampling::PovRay(_) => Family::Grid,
+            Sampling::Converging(_) => Family::Converging,
+        },
+        switches: switches.split_whitespace().collect::<Vec<_>>().join(" "),
+        sampling,
+    })
+}
+
+/// Measures, with a bar on a terminal and a line for each setting elsewhere.
+fn measured(sweep: &Sweep, settings: &Settings, file: &Path) -> Result<Report, CliError> {
+    let mut reporter = Reporter::new(settings.talk.format, Stream::Err);
+    reporter.warns = false;
+    reporter.debugs = false;
+    let input = Input::File(file.to_owned());
+    let draw = |sampling| {
+        let render = RenderOptions {
+            sampling,
+            threads: Some(sweep.povray.threads),
+            ..settings.render.clone()
+        };
+        let heard = |event: Event<'_>| reporter.hear(event);
+        match crate::draw(&input, &settings.read, &render, &heard) {
+            Ok(picture) => Ok(Drawn::of(&picture)),
+            Err(_) => Err(CurveError::new("the scene cannot be drawn")),
+        }
+    };
+    let is_quiet = settings.talk.quiet;
+    let bar = (!is_quiet && std::io::stderr().is_terminal()).then(|| {
+        let bar = ProgressBar::new(sweep.settings.len() as u64 + 1);
+        let style = ProgressStyle::with_template("{bar:30} {pos}/{len}  {elapsed}  {msg}");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar.enable_steady_tick(std::time::Duration::from_millis(200));
+        bar
+    });
+    let report = sweep.run(&draw, &|step: Step<'_>| match &bar {
+        Some(bar) => {
+            bar.set_position(step.done as u64);
+            bar.set_message(step.next.to_owned());
+        }
+        None if is_quiet => {}
+        None => say(format_args!("{}/{}: {}", step.done, step.of, step.next)),
+    });
+    if let Some(bar) = bar {
+        bar.finish_and_clear();
+    }
+    report.map_err(|error| {
+        let refusal = CliError::new(error.message);
+        match error.hint {
+            Some(hint) => refusal.with_hint(hint),
+            None => refusal,
+        }
+    })
+}
+
+/// The table for people, and where the page is.
+fn summary(report: &Report, folder: &Path) -> String {
+    let mut text = format!(
+        "{:<34} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>8}\n",
+        "setting", "CPU s", "wall s", "spp", "RMSE", "max", "99.9 %", "FLIP"
+    );
+    for m in &report.measured {
+        let program = match m.family {
+            Family::PovRay => "povray",
+            _ => "povr",
+        };
+        text += &format!(
+            "{:<34} {:>9.3} {:>9.3} {:>8.2} {:>8.5} {:>8.4} {:>8.4} {:>8.5}\n",
+            format!("{program} {}", m.switches),
+            m.processor.median,
+            m.wall.median,
+            m.samples_a_pixel,
+            m.errors.rmse,
+            m.errors.max,
+            m.errors.p999,
+            m.errors.flip
+        );
+    }
+    let truth = &report.truth;
+    text += &format!(
+        "truth: {:.0} samples a pixel, estimated error {:.5} (root mean square), {:.5} at most\n{}",
+        truth.samples_a_pixel,
+        truth.rms,
+        truth.largest,
+        folder.join("index.html").display()
+    );
+    text
+}

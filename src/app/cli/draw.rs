@@ -1,0 +1,288 @@
+//! The command without a name: draws a scene as POV-Ray would, by POV-Ray's switches and ini files.
+
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use clap::error::ErrorKind::DisplayVersion;
+
+use super::animate;
+use super::arg_words;
+use super::console::{self, Console};
+use super::done;
+use super::environment::Environment;
+use super::error::CliError;
+use super::ini::Reader;
+use super::interrupt;
+use super::long_options::{self, LongOptions};
+use super::progress::{Progress, ProgressKind};
+use super::report::{Line, MessageFormat, Reporter, Stream, say};
+use super::settings::{self, Scene, Settings, Talk};
+use super::streams::{self, Files};
+use super::unfinished;
+use crate::base::options::{
+    AdaptiveOutcome, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
+    Statistics,
+};
+use crate::base::source::MAX_FILE_BYTES;
+use crate::output::{self, OutputError};
+
+/// Draws a scene: what the stages do together.
+pub(super) type Draw<'a> = dyn Fn(&Input, &ReadOptions, &RenderOptions, &EventHandler<'_>) -> Result<Picture, Failure>
+    + Sync
+    + 'a;
+
+/// What a command line asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// To draw.
+    Draw(Box<Settings>),
+    /// To print a text: help, or the version.
+    Print(String),
+}
+
+/// Does what the arguments ask for. Every message goes to standard error; standard output takes the picture, if that
+/// is where it is to go, and nothing else.
+pub(super) fn run(arguments: &[String], around: &Environment) -> Result<ExitCode, CliError> {
+    match request(arguments, around)? {
+        Request::Print(text) => {
+            say(text.trim_end());
+            Ok(ExitCode::SUCCESS)
+        }
+        Request::Draw(mut settings) => {
+            settings.read.stop = settings.render.stop.clone();
+            match &settings.frames {
+                Some(frames) => animate::run(&settings, frames),
+                None if unfinished::is_done(&settings) => Ok(ExitCode::SUCCESS),
+                None => {
+                    unfinished::keep(&mut settings);
+                    carry_out(&settings, &|input, read, render, listen| {
+                        interrupt::heed(&render.stop);
+                        crate::draw(input, read, render, listen)
+                    })
+                }
+            }
+        }
+    }
+}
+
+/// What the arguments, without the program's own name, ask for.
+///
+/// # Errors
+/// When an option is unknown, has no sense, or asks for what is not built; when a named file is not there.
+pub fn request(arguments: &[String], around: &Environment) -> Result<Request, CliError> {
+    request_of("povr", arguments, around)
+}
+
+/// The same for a command that draws, which remedies name.
+pub(super) fn request_of(
+    command: &str,
+    arguments: &[String],
+    around: &Environment,
+) -> Result<Request, CliError> {
+    let standard_folders: Vec<PathBuf> = around.standard_folders()?;
+    let mut typed = around.typed(&standard_folders)?;
+    let mut reader = Reader::new(&mut typed, &standard_folders);
+    let mut rest = arguments;
+    while let Some((first, others)) = rest.split_first() {
+        if first == "--" {
+            if let Some(scene) = others.last() {
+                reader.typed.scene = Some(scene.clone());
+            }
+            break;
+        }
+        let modern = long_options::length::<LongOptions>(rest);
+        if modern > 0 {
+            let (option, others) = rest.split_at(modern);
+            match long_options::parse::<LongOptions>(option) {
+                Ok(given) => given.set(reader.typed),
+                Err(said) if said.kind() == DisplayVersion && around.is_povray => {
+                    return Ok(Request::Print(console::version()));
+                }
+                Err(said) => {
+                    return long_options::printed::<LongOptions>(&said).map(Request::Print);
+                }
+            }
+            rest = others;
+        } else {
+            for word in arg_words::of_argument(first) {
+                arg_words::read(&mut reader, &word)?;
+            }
+            rest = others;
+        }
+    }
+    let settings = settings::settle(typed, &standard_folders, around, command)?;
+    Ok(Request::Draw(Box::new(settings)))
+}
+
+/// Draws and writes.
+///
+/// # Errors
+/// When the scene cannot be had, or the picture cannot be written. What is wrong with a faulty scene has been said.
+pub(super) fn carry_out(settings: &Settings, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
+    let talk = settings.talk;
+    let started = Instant::now();
+    let input = settings.scene.input()?;
+    let render = RenderOptions {
+        only_for: settings.output.as_ref().map(|(_, options)| options.clone()),
+        ..settings.render.clone()
+    };
+    let mut reporter = reporter(settings);
+    reporter.files = Files::create(&settings.streams)?;
+    reporter.files.begin(settings);
+    let console = Console::new(talk);
+    console.begin(settings);
+    console.parsing();
+    let progress = Progress::new(progress_kind(talk), pixels(&settings.render));
+    let kept = AtomicU64::new(0);
+    let drawn = draw(&input, &settings.read, &render, &|event| match event {
+        Event::Kept(pixels) => kept.store(pixels, Ordering::Relaxed),
+        // What comes of stopping: tiles that are left out count as drawn, and the end is a failure.
+        _ if render.stop.is_asked() => {}
+        Event::Drawn(pixels) => progress.advance(pixels),
+        event => {
+            reporter.hear(event);
+            if matches!(event, Event::Read { .. }) && reporter.counts().errors == 0 {
+                console.rendering(settings, Some(started.elapsed()));
+            }
+        }
+    });
+    progress.finish();
+    let counts = reporter.take_counts();
+    let Ok(picture) = drawn else {
+        if render.stop.is_asked() {
+            interrupt::tell(settings, kept.into_inner(), pixels(&settings.render));
+            console.cancelled();
+            return Ok(ExitCode::from(interrupt::INTERRUPTED));
+        }
+        reporter.total(settings, counts);
+        console.failed();
+        return Ok(ExitCode::FAILURE);
+    };
+    if let Some(reached) = picture.statistics.reached.filter(|_| !talk.quiet) {
+        say(told(&reached, pixels(&settings.render)));
+    }
+    if let Some((target, options)) = &settings.output {
+        let options = output::EncodeOptions {
+            working: picture.working,
+            ..options.clone()
+        };
+        let write = || output::write(&picture.film, target, &options);
+        let mut written = write();
+        if written.as_ref().is_err_and(OutputError::lacks_room) {
+            // What was kept of the drawing takes the room that its picture needs.
+            unfinished::forget(settings);
+            written = write();
+        }
+        written.map_err(refused)?;
+        unfinished::forget(settings);
+    }
+    done::tell(settings, started.elapsed());
+    tell_statistics(&picture.statistics, talk, &reporter);
+    console.drawn(settings, &picture.statistics);
+    console.finished();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Who tells of the scene, once it has told of the command line.
+pub(super) fn reporter(settings: &Settings) -> Reporter {
+    let talk = settings.talk;
+    let mut reporter = Reporter::new(talk.format, Stream::Err);
+    reporter.warns = talk.warnings && !talk.quiet;
+    reporter.debugs = talk.debugs && !talk.quiet;
+    if reporter.warns {
+        settings.warnings.iter().for_each(say);
+    }
+    if talk.verbose && !talk.quiet {
+        settings.notes.iter().for_each(say);
+    }
+    reporter
+}
+
+/// A refusal to write, as this program says it.
+pub(super) fn refused(refused: output::OutputError) -> CliError {
+    let error = CliError::new(refused.to_string());
+    match refused.hint() {
+        Some(hint) => error.with_hint(hint),
+        None => error,
+    }
+}
+
+/// What `--stats` and `--json` ask for.
+pub(super) fn tell_statistics(statistics: &Statistics, talk: Talk, reporter: &Reporter) {
+    reporter
+        .files
+        .write(streams::Stream::Statistics, &statistics.to_string());
+    if talk.stats {
+        say(statistics.to_string().trim_end());
+    }
+    if talk.json {
+        reporter.json(&Line::Statistics(statistics));
+    }
+}
+
+impl Scene {
+    /// The scene as reading takes it; standard input is read to its end.
+    pub(super) fn input(&self) -> Result<Input, CliError> {
+        let Scene::File(path) = self else {
+            let mut text = Vec::new();
+            io::stdin()
+                .lock()
+                .take(MAX_FILE_BYTES + 1)
+                .read_to_end(&mut text)
+                .map_err(|error| CliError::new(format!("cannot read standard input: {error}")))?;
+            if text.len() as u64 > MAX_FILE_BYTES {
+                return Err(CliError::new("standard input is too large for a scene"));
+            }
+            return Ok(Input::Text {
+                name: "standard input".to_owned(),
+                text,
+            });
+        };
+        Ok(Input::File(path.clone()))
+    }
+}
+
+/// What a picture that was sampled until its error is small came to.
+pub(super) fn told(reached: &AdaptiveOutcome, pixels: u64) -> String {
+    #[allow(clippy::cast_precision_loss, reason = "rounded to two places")]
+    let samples = reached.samples as f64 / pixels.max(1) as f64;
+    let AdaptiveOutcome {
+        target,
+        largest,
+        rms,
+        ..
+    } = reached;
+    let aim = if *target > 0.0 && largest <= target {
+        format!("held the error of {target}")
+    } else if *target > 0.0 {
+        format!("did not hold the error of {target}")
+    } else {
+        "stopped".to_owned()
+    };
+    format!(
+        "povr: {aim}: estimated {largest:.3} at most and {rms:.3} on the average (steps of 1/255), \
+         {samples:.2} samples a pixel"
+    )
+}
+
+pub(super) fn progress_kind(talk: Talk) -> ProgressKind {
+    if talk.is_povray && !talk.is_silent {
+        ProgressKind::Lines
+    } else if talk.quiet || talk.format == MessageFormat::Json {
+        ProgressKind::Nothing
+    } else if talk.is_terminal {
+        ProgressKind::Bar
+    } else if talk.verbose {
+        ProgressKind::Lines
+    } else {
+        ProgressKind::Nothing
+    }
+}
+
+pub(super) fn pixels(render: &RenderOptions) -> u64 {
+    u64::from(render.columns.end - render.columns.start)
+        * u64::from(render.rows.end - render.rows.start)
+}

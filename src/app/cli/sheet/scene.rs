@@ -1,0 +1,92 @@
+//! The scenes of a sheet: a moved shape among the axes, and all moved shapes side by side.
+
+use super::transforms::Move;
+use crate::app::cli::long_options::Size;
+use std::fmt::Write;
+
+/// The shape of a sheet as its scenes say it.
+#[derive(Clone, Debug)]
+pub(super) struct Subject {
+    /// What its folder is called.
+    pub(super) name: String,
+    /// Declares `Shape`.
+    pub(super) declaration: String,
+    /// A file that the declaration includes: its name and its text.
+    pub(super) file: Option<(String, String)>,
+}
+
+const LOOKS: &str = "\
+#declare Looks = texture {
+  pigment { gradient <1, 0.7, 0.4> color_map { [0 rgb <1, 0.35, 0.2>] [1 rgb <0.2, 0.5, 1>] } scale 5 translate -2.5 }
+  finish { ambient 0.2 diffuse 0.7 phong 0.4 }
+}
+";
+
+/// x is blue, y is yellow, z is red; the thick end is the positive one.
+const AXES: &str = "\
+#declare Axes = union {
+  cylinder { -2.2*x, 2.2*x, 0.03 pigment { rgb <0.1, 0.2, 1> } }
+  cone { 2.2*x, 0.1, 2.5*x, 0 pigment { rgb <0.1, 0.2, 1> } }
+  cylinder { -2.2*y, 2.2*y, 0.03 pigment { rgb <1, 0.9, 0> } }
+  cone { 2.2*y, 0.1, 2.5*y, 0 pigment { rgb <1, 0.9, 0> } }
+  cylinder { -2.2*z, 2.2*z, 0.03 pigment { rgb <1, 0.1, 0> } }
+  cone { 2.2*z, 0.1, 2.5*z, 0 pigment { rgb <1, 0.1, 0> } }
+  finish { ambient 0.5 diffuse 0.5 }
+}
+";
+
+const HEAD: &str = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n";
+const BACKGROUND: &str = "background { rgb <0.75, 0.8, 0.85> }\n";
+
+/// Columns of the overview.
+const COLUMNS: u32 = 8;
+/// The room that an object has in the overview.
+const ROOM: f64 = 5.4;
+
+impl Subject {
+    /// The scene of one transform.
+    pub(super) fn scene(&self, moved: &Move, Size(width, height): Size) -> String {
+        let shown = if moved.text.is_empty() {
+            "as it is"
+        } else {
+            &moved.text
+        };
+        let ratio = f64::from(width) / f64::from(height);
+        format!(
+            "// {}: {shown}\n{HEAD}\
+             camera {{ location <3.2, 2.8, -6> right {ratio}*x look_at 0 angle 45 }}\n\
+             light_source {{ <2, 6, -8> rgb 1 }}\n{BACKGROUND}\n{LOOKS}\n{AXES}\n{}\n\
+             object {{ Axes }}\nobject {{ Shape texture {{ Looks }} {} }}\n",
+            self.name, self.declaration, moved.text
+        )
+    }
+
+    /// The scene of all transforms.
+    pub(super) fn overview(&self, moves: &[Move], Size(width, height): Size) -> String {
+        let rows = u32::try_from(moves.len())
+            .unwrap_or(u32::MAX)
+            .div_ceil(COLUMNS);
+        let ratio = f64::from(width) / f64::from(height);
+        let across = ROOM * f64::from(COLUMNS).max(f64::from(rows) * ratio);
+        let mut text = format!(
+            "// {}: all transforms\n{HEAD}\
+             camera {{ orthographic location <0, 0, -40> direction z right {across}*x up {}*y }}\n\
+             light_source {{ <-60, 90, -120> rgb 1 parallel point_at 0 }}\n{BACKGROUND}\n{LOOKS}\n{}\n",
+            self.name,
+            across / ratio,
+            self.declaration
+        );
+        for (number, moved) in (0_u32..).zip(moves) {
+            let column = f64::from(number % COLUMNS) - 0.5 * f64::from(COLUMNS - 1);
+            let row = 0.5 * f64::from(rows - 1) - f64::from(number / COLUMNS);
+            let place = (column * ROOM, row * ROOM);
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                text,
+                "object {{ Shape texture {{ Looks }} {} rotate 28*y rotate -22*x translate <{}, {}, 0> }}",
+                moved.text, place.0, place.1
+            );
+        }
+        text
+    }
+}

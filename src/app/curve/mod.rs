@@ -1,0 +1,273 @@
+//! Error against run time: a scene is drawn with many settings, and each picture compared with one that is as good as
+//! the truth.
+//!
+//! The form is that of work-precision diagrams (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I",
+//! 1993): the logarithm of the error over the logarithm of the time, a line for each method. Times are those of tracing;
+//! the median of several runs counts, and their spread is told. Everything is written as soon as it is known, and a later
+//! run with the same scene goes on where an earlier one ended.
+
+mod error;
+mod page;
+mod plot;
+mod povray;
+mod setting;
+mod store;
+mod truth;
+
+pub use error::{Errors, Linear};
+pub use povray::Task;
+pub use setting::{Family, Setting, USUAL};
+pub use store::{Measured, Report, Spread};
+pub use truth::{ERROR, Truth};
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use crate::base::color::Gamma;
+use crate::base::options::{AdaptiveOutcome, Picture, Sampling};
+
+/// A picture and what it took.
+#[derive(Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub picture: Linear,
+    /// What sampling until the error is small came to.
+    pub reached: Option<AdaptiveOutcome>,
+    /// Camera rays for each pixel.
+    pub samples_a_pixel: f64,
+    /// Seconds of tracing of all processors.
+    pub processor: f64,
+    /// The same by the clock.
+    pub wall: f64,
+}
+
+/// Draws the scene with a sampling.
+pub type Draw<'a> = dyn Fn(Sampling) -> Result<Drawn, CurveError> + 'a;
+
+/// What is to be measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// The scene, as people call it.
+    pub scene: String,
+    /// All that decides about its picture but the sampling: what was measured under another key does not count.
+    pub key: String,
+    /// The settings.
+    pub settings: Vec<Setting>,
+    /// How often each is drawn.
+    pub runs: usize,
+    /// What POV-Ray is told beside the switches of a setting.
+    pub povray: Task,
+    /// The error asked of the truth, in steps of 1/255.
+    pub truth_error: f64,
+    /// Where all files go.
+    pub folder: PathBuf,
+}
+
+/// How far a sweep is.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
+    /// What has been done of `of`.
+    pub done: usize,
+    /// How much there is to do.
+    pub of: usize,
+    /// What comes next.
+    pub next: &'a str,
+}
+
+/// Why a sweep ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CurveError {
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it.
+    pub hint: Option<String>,
+}
+
+impl CurveError {
+    /// An error in lower case, without a full stop.
+    #[must_use]
+    pub fn new(message: impl Into<String>) -> Self {
+        CurveError {
+            message: message.into(),
+            hint: None,
+        }
+    }
+
+    fn with_hint(mut self, hint: &str) -> Self {
+        self.hint = Some(hint.to_owned());
+        self
+    }
+}
+
+impl fmt::Display for CurveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for CurveError {}
+
+impl Drawn {
+    /// From a picture that the stages gave.
+    #[must_use]
+    pub fn of(picture: &Picture) -> Drawn {
+        let statistics = &picture.statistics;
+        let trace = statistics.stages.iter().find(|stage| stage.name == "trace");
+        let working: Option<Gamma> = picture.working;
+        Drawn {
+            picture: Linear::of_film(&picture.film, working),
+            reached: statistics.reached,
+            samples_a_pixel: statistics.samples_a_pixel,
+            processor: trace.map_or(0.0, |stage| stage.processor),
+            wall: trace.map_or(0.0, |stage| stage.wall),
+        }
+    }
+}
+
+impl Sweep {
+    /// Measures what has not been measured yet, and writes all files. `tell` hears what comes next.
+    ///
+    /// # Errors
+    /// When the scene cannot be drawn, POV-Ray does not run, or a file cannot be written.
+    pub fn run(&self, draw: &Draw<'_>, tell: &dyn Fn(Step<'_>)) -> Result<Report, CurveError> {
+        let pictures = self.folder.join("pictures");
+        std::fs::create_dir_all(&pictures).map_err(|error| {
+            CurveError::new(format!("cannot create `{}`: {error}", pictures.display()))
+                .with_hint("name another folder with `--out`")
+        })?;
+        let of = self.settings.len() + 1;
+        let step = |done, next: &str| tell(Step { done, of, next });
+        step(0, "the truth");
+        let (truth, picture) =
+            truth::kept_or_drawn(&self.key, self.truth_error, &self.folder, draw)?;
+        write_png(&pictures.join("truth.png"), &picture, &picture.srgb())?;
+        let json = self.folder.join("curve.json");
+        let before = Report::kept(&json, &self.key);
+        let mut report = Report {
+            key: self.key.clone(),
+            scene: self.scene.clone(),
+            threads: self.povray.threads,
+            truth,
+            measured: Vec::new(),
+        };
+        for (number, setting) in self.settings.iter().enumerate() {
+            let known = before
+                .iter()
+                .flat_map(|report| &report.measured)
+                .find(|known| {
+                    known.file_stem == setting.file_stem() && known.processor.runs >= self.runs
+                });
+            if let Some(known) = known {
+                report.measured.push(known.clone());
+                continue;
+            }
+            step(number + 1, &setting.name());
+            let measured = self.measure(setting, &picture, &pictures, draw)?;
+            report.measured.push(measured);
+            // What an earlier run measured and this one has not come to yet is kept for the next.
+            let mut kept = report.clone();
+            let of_before = before.iter().flat_map(|report| &report.measured);
+            let to_come = &self.settings[number + 1..];
+            kept.measured.extend(
+                of_before
+                    .filter(|known| to_come.iter().any(|s| s.file_stem() == known.file_stem))
+                    .cloned(),
+            );
+            store::write_json(&json, &kept)?;
+        }
+        step(of, "the page");
+        store::write_json(&json, &report)?;
+        self.publish(&report)?;
+        Ok(report)
+    }
+
+    /// Writes table, plot and page.
+    fn publish(&self, report: &Report) -> Result<(), CurveError> {
+        let svg = plot::svg(report)?;
+        store::write(&self.folder.join("curve.csv"), report.csv().as_bytes())?;
+        store::write(&self.folder.join("curve.svg"), svg.as_bytes())?;
+        store::write(&self.folder.join("curve.png"), &plot::png(&svg)?)?;
+        let page = page::html(report, &svg, &self.folder.join("pictures"))?;
+        store::write(&self.folder.join("index.html"), page.as_bytes())
+    }
+
+    fn measure(
+        &self,
+        setting: &Setting,
+        truth: &Linear,
+        pictures: &Path,
+        draw: &Draw<'_>,
+    ) -> Result<Measured, CurveError> {
+        let mut processor = Vec::new();
+        let mut wall = Vec::new();
+        let mut last = None;
+        for _ in 0..self.runs.max(1) {
+            let drawn = match setting.family {
+                Family::PovRay => {
+                    let by = povray::draw(&self.povray, &setting.switches, &self.folder)?;
+                    Drawn {
+                        picture: by.picture,
+                        reached: None,
+                        samples_a_pixel: by.samples_a_pixel,
+                        processor: by.processor,
+                        wall: by.wall,
+                    }
+                }
+                _ => draw(setting.sampling)?,
+            };
+            processor.push(drawn.processor);
+            wall.push(drawn.wall);
+            last = Some(drawn);
+        }
+        let Some(drawn) = last else {
+            return Err(CurveError::new("nothing was drawn"));
+        };
+        let is_alike = (drawn.picture.width, drawn.picture.height) == (truth.width, truth.height);
+        if !is_alike {
+            return Err(CurveError::new(format!(
+                "`{}` drew another size",
+                setting.name()
+            )));
+        }
+        let stem = setting.file_stem();
+        let difference = truth.difference(&drawn.picture);
+        write_png(
+            &pictures.join(format!("{stem}.png")),
+            truth,
+            &drawn.picture.srgb(),
+        )?;
+        write_png(
+            &pictures.join(format!("{stem}-difference.png")),
+            truth,
+            &difference,
+        )?;
+        Ok(Measured {
+            family: setting.family,
+            switches: setting.switches.clone(),
+            file_stem: stem,
+            processor: Spread::of(processor),
+            wall: Spread::of(wall),
+            samples_a_pixel: drawn.samples_a_pixel,
+            estimated: drawn
+                .reached
+                .map(|reached| (reached.largest / 255.0, reached.rms / 255.0)),
+            errors: truth.errors(&drawn.picture),
+        })
+    }
+}
+
+/// Writes bytes of red, green and blue as a PNG file of the size of a picture.
+fn write_png(path: &Path, size: &Linear, bytes: &[u8]) -> Result<(), CurveError> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, size.width, size.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder
+        .write_header()
+        .and_then(|mut writer| {
+            writer.write_image_data(bytes)?;
+            writer.finish()
+        })
+        .map_err(|error| CurveError::new(format!("cannot write `{}`: {error}", path.display())))?;
+    store::write(path, &file)
+}

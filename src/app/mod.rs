@@ -1,0 +1,6 @@
+//! The programs: the command line, batches, convergence curves and comparisons.
+
+pub mod batch;
+pub mod cli;
+pub mod compare;
+pub mod curve;

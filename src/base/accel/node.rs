@@ -1,0 +1,520 @@
+//! Nodes of eight boxes in single precision, and a ray made ready for them.
+//!
+//! Every rounding goes outward: boxes grow, the ray's origin becomes an interval, and the stretch in a box gets the error
+//! of three roundings at either end. Whatever a box holds in double precision is never lost.
+
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::rounding::{loose_above, loose_below, nearest};
+use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight, with_widest};
+use crate::base::math::{Bounds, Ray};
+use glam::DVec3;
+
+/// How many children a node has room for.
+pub(super) const WIDTH: usize = 8;
+
+/// Twice the relative error of `(plane - origin) / dir` in single precision, three roundings, and of this correction: a
+/// stretch that ends so much later is met wherever it is met exactly, for errors grow with their numbers.
+const ERROR: f32 = 12.0 / 16_777_216.0;
+
+/// A coordinate far outside of any tree's frame.
+const NOWHERE: f32 = 2e38;
+
+/// Directions below this, against a longest component near one, say nothing about an axis in single precision.
+const FLAT: f64 = 1e-30;
+
+/// Above the relative error of a point in single precision, all its coordinates together.
+const LOOSE: f32 = 2.0 * f32::EPSILON;
+
+/// A point that may be so far off may be anywhere; the square of that has a number still.
+const UNKNOWN: f32 = 1e15;
+
+/// Eight boxes. Unused places hold a point where rays do not come.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Node {
+    /// By axis and end (low, high), the planes of the eight boxes.
+    planes: [[[f32; WIDTH]; 2]; 3],
+    children: [Child; WIDTH],
+}
+
+/// What hangs below a place in a node: a node, a block, an item, or nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Child(u32);
+
+/// What a child is; an unused place is an item of no meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ChildKind {
+    Node(u32),
+    Block(u32),
+    Item(u32),
+}
+
+/// A box in single precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Aabb32 {
+    pub(super) low: [f32; 3],
+    pub(super) high: [f32; 3],
+}
+
+/// The frame of the tree: centred and scaled by a power of two so that its boxes are near one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    centre: DVec3,
+    scale: f64,
+}
+
+/// A ray in the frame of a tree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FrameRay {
+    /// The interval of the origin. Low planes of boxes are seen from its high end and high planes from its low one, so
+    /// that whichever comes first comes sooner, and the other later.
+    low: [f32; 3],
+    high: [f32; 3],
+    inverse: [f32; 3],
+    /// For balls: a point near the origin, and how far off it may be at most.
+    pub(super) middle: [f32; 3],
+    pub(super) slack: f32,
+    pub(super) dir: [f32; 3],
+    /// The square of the length of `dir`.
+    pub(super) speed_sq: f32,
+    /// Frame parameter of a ray parameter: `t · rate - start`.
+    rate: f64,
+    start: f64,
+}
+
+impl Child {
+    /// Set where the child is an item.
+    const ITEM: u32 = 1 << 31;
+
+    /// Set where the child is a block, which is no item.
+    const BLOCK: u32 = 1 << 30;
+
+    /// So many items may be told apart, and so many nodes and blocks.
+    pub(super) const MOST: usize = (1 << 30) - 1;
+
+    /// An unused place. It must be known as such: a ray that meets everything meets its box as well.
+    pub(super) const NOTHING: Child = Child(u32::MAX);
+
+    pub(super) fn of_node(index: u32) -> Self {
+        Child(index)
+    }
+
+    pub(super) fn of_block(index: u32) -> Self {
+        Child(index | Child::BLOCK)
+    }
+
+    #[inline(always)]
+    pub(super) fn of_item(item: u32) -> Self {
+        Child(item | Child::ITEM)
+    }
+
+    #[inline(always)]
+    pub(super) fn kind(self) -> ChildKind {
+        if self.0 & Child::ITEM != 0 {
+            ChildKind::Item(self.0 & !Child::ITEM)
+        } else if self.0 & Child::BLOCK != 0 {
+            ChildKind::Block(self.0 & !Child::BLOCK)
+        } else {
+            ChildKind::Node(self.0)
+        }
+    }
+
+    /// The item, if it is one.
+    #[inline(always)]
+    pub(super) fn item(self) -> Option<u32> {
+        (self.0 & Child::ITEM != 0 && self != Child::NOTHING).then_some(self.0 & !Child::ITEM)
+    }
+
+    /// The same with the indices of nodes and blocks moved by so much.
+    pub(super) fn shifted(self, nodes: u32, blocks: u32) -> Self {
+        match self.kind() {
+            ChildKind::Node(node) => Child::of_node(node + nodes),
+            ChildKind::Block(block) => Child::of_block(block + blocks),
+            ChildKind::Item(_) => self,
+        }
+    }
+}
+
+/// The second where one is not a number; one instruction, unlike `f32::min`, which asks whether both are.
+#[inline(always)]
+pub(super) fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// As [`smaller`].
+#[inline(always)]
+pub(super) fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+impl Aabb32 {
+    /// The corners with the smallest and the largest coordinates.
+    pub(super) fn ends(&self) -> (DVec3, DVec3) {
+        let corner = |of: [f32; 3]| DVec3::from(of.map(f64::from));
+        (corner(self.low), corner(self.high))
+    }
+}
+
+impl Frame {
+    /// The frame for boxes within `bounds`.
+    pub(super) fn new(bounds: &Bounds) -> Self {
+        let half = 0.5 * bounds.max - 0.5 * bounds.min;
+        if bounds.is_empty() || !bounds.is_finite() {
+            return Frame {
+                centre: DVec3::ZERO,
+                scale: 1.0,
+            };
+        }
+        let size = power_of_two(half.max_element());
+        Frame {
+            centre: 0.5 * bounds.min + 0.5 * bounds.max,
+            // The largest power of two has a subnormal inverse, which would cost bits.
+            scale: 1.0 / size.min(1.0 / f64::MIN_POSITIVE),
+        }
+    }
+
+    /// A point in this frame.
+    pub(super) fn place(&self, point: DVec3) -> DVec3 {
+        (point - self.centre) * self.scale
+    }
+
+    /// The length in this frame of a unit of length.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// A box rounded outward; unknown ends become infinite.
+    #[inline]
+    pub(super) fn cell(&self, bounds: &Bounds) -> Aabb32 {
+        let low = self.place(bounds.min);
+        let high = self.place(bounds.max);
+        // Spelt out: `map` is not always inlined.
+        let below = |axis: usize| larger(loose_below(low[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| smaller(loose_above(high[axis]), f32::INFINITY);
+        Aabb32 {
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
+        }
+    }
+
+    /// A ray in this frame. One that cannot be brought into it meets every box.
+    #[inline(always)]
+    pub(super) fn ray(&self, ray: &Ray) -> FrameRay {
+        let length = power_of_two(ray.dir.abs().max_element());
+        let dir = ray.dir * (1.0 / length);
+        let origin = (ray.origin - self.centre) * self.scale;
+        let rate = self.scale * length;
+        if !(origin.is_finite() && dir.is_finite() && rate.is_normal()) {
+            return FrameRay::BLIND;
+        }
+        // From far away the rounding of the origin would blow up every box: start at the point nearest to the centre.
+        let size = origin.abs().max_element();
+        if size < 8.0 {
+            return FrameRay::new(origin, 0.0, dir, rate, 0.0);
+        }
+        let start = -origin.dot(dir) / dir.dot(dir);
+        let error = 8.0 * f64::EPSILON * (size + start.abs());
+        if !error.is_finite() {
+            return FrameRay::BLIND;
+        }
+        FrameRay::new(origin + start * dir, error, dir, rate, start)
+    }
+
+    /// A box that holds a point; unknown ends are infinite.
+    pub(super) fn point(&self, point: DVec3) -> Aabb32 {
+        let place = self.place(point);
+        let known = |end: f32, unknown: f32| if end.is_nan() { unknown } else { end };
+        let below = |axis: usize| known(loose_below(place[axis]), f32::NEG_INFINITY);
+        let above = |axis: usize| known(loose_above(place[axis]), f32::INFINITY);
+        Aabb32 {
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
+        }
+    }
+}
+
+impl FrameRay {
+    /// The ray that meets every box at every time.
+    pub(super) const BLIND: FrameRay = FrameRay {
+        low: [f32::NEG_INFINITY; 3],
+        high: [f32::INFINITY; 3],
+        inverse: [1.0; 3],
+        middle: [0.0; 3],
+        slack: f32::INFINITY,
+        dir: [1.0, 0.0, 0.0],
+        speed_sq: 1.0,
+        rate: f64::NAN,
+        start: 0.0,
+    };
+
+    #[inline(always)]
+    fn new(origin: DVec3, error: f64, dir: DVec3, rate: f64, start: f64) -> Self {
+        let mut ray = FrameRay {
+            rate,
+            start,
+            ..FrameRay::BLIND
+        };
+        for axis in 0..3 {
+            let steepness = dir[axis].abs();
+            if steepness < FLAT && steepness != 0.0 {
+                continue;
+            }
+            ray.low[axis] = loose_below(origin[axis] - error);
+            ray.high[axis] = loose_above(origin[axis] + error);
+            ray.inverse[axis] = nearest(1.0 / dir[axis]);
+        }
+        ray.dir = [dir.x, dir.y, dir.z].map(nearest);
+        let [u, v, w] = ray.dir;
+        ray.speed_sq = u * u + v * v + w * w;
+        let size = origin.abs().max_element();
+        let slack = nearest(error) + LOOSE * nearest(size);
+        if slack < UNKNOWN {
+            ray.middle = [origin.x, origin.y, origin.z].map(nearest);
+            ray.slack = slack;
+        }
+        ray
+    }
+
+    #[inline]
+    fn error(&self, t: f64) -> f64 {
+        4.0 * f64::EPSILON * (t.abs() + self.start.abs())
+    }
+
+    /// A bound below a ray parameter in the frame.
+    #[inline(always)]
+    pub(super) fn from(&self, t: f64) -> f32 {
+        let t = t * self.rate;
+        let from = loose_below(t - self.start - self.error(t));
+        if from.is_nan() {
+            f32::NEG_INFINITY
+        } else {
+            from
+        }
+    }
+
+    /// A bound above a ray parameter in the frame.
+    #[inline(always)]
+    pub(super) fn to(&self, t: f64) -> f32 {
+        let t = t * self.rate;
+        let to = loose_above(t - self.start + self.error(t));
+        let to = to + to.abs() * ERROR;
+        if to.is_nan() { f32::INFINITY } else { to }
+    }
+}
+
+impl Node {
+    pub(super) fn empty() -> Self {
+        Node {
+            planes: [
+                [[NOWHERE; WIDTH]; 2],
+                [[-NOWHERE; WIDTH]; 2],
+                [[NOWHERE; WIDTH]; 2],
+            ],
+            children: [Child::NOTHING; WIDTH],
+        }
+    }
+
+    pub(super) fn set(&mut self, place: usize, cell: &Aabb32, child: Child) {
+        for axis in 0..3 {
+            self.planes[axis][0][place] = cell.low[axis];
+            self.planes[axis][1][place] = cell.high[axis];
+        }
+        self.children[place] = child;
+    }
+
+    /// By axis and end (low, high), the planes of the eight boxes.
+    #[inline(always)]
+    pub(super) fn planes(&self) -> &[[[f32; WIDTH]; 2]; 3] {
+        &self.planes
+    }
+
+    /// One of the boxes.
+    #[inline(always)]
+    pub(super) fn cell(&self, place: usize) -> Aabb32 {
+        // Spelt out: `map` is not always inlined.
+        let [x, y, z] = &self.planes;
+        Aabb32 {
+            low: [x[0][place], y[0][place], z[0][place]],
+            high: [x[1][place], y[1][place], z[1][place]],
+        }
+    }
+
+    /// What hangs below a place, if it is used.
+    #[inline(always)]
+    pub(super) fn child(&self, place: usize) -> Option<Child> {
+        let child = self.children[place];
+        (child != Child::NOTHING).then_some(child)
+    }
+
+    /// Which places hold items, one bit each.
+    #[inline(always)]
+    pub(super) fn items(&self) -> u32 {
+        let mut items = 0;
+        for (place, child) in self.children.iter().enumerate() {
+            items |= u32::from(child.item().is_some()) << place;
+        }
+        items
+    }
+
+    /// The node with the indices of child nodes and blocks moved by so much.
+    pub(super) fn shifted(&self, nodes: u32, blocks: u32) -> Self {
+        let mut node = self.clone();
+        for child in &mut node.children {
+            *child = child.shifted(nodes, blocks);
+        }
+        node
+    }
+
+    /// Has children of this list in place of its items.
+    pub(super) fn hang(&mut self, list: &[Child]) {
+        for child in &mut self.children {
+            if let Some(item) = child.item() {
+                *child = list[item as usize];
+            }
+        }
+    }
+
+    /// How many items it has.
+    pub(super) fn count(&self) -> usize {
+        self.children
+            .iter()
+            .filter_map(|child| child.item())
+            .count()
+    }
+
+    /// Calls its items by numbers from `first` on, and puts them at the front of a list; gives their number.
+    pub(super) fn renumber(&mut self, first: u32, order: &mut [u32]) -> u32 {
+        let mut count = 0;
+        for child in &mut self.children {
+            if let Some(item) = child.item() {
+                order[count as usize] = item;
+                *child = Child::of_item(first + count);
+                count += 1;
+            }
+        }
+        count
+    }
+
+    /// Where the ray enters each box, at the latest so much later than in truth that [`FrameRay::to`] allows for it, and
+    /// which boxes it may meet between `from` and `to`, one bit each.
+    #[inline(always)]
+    pub(super) fn meet(
+        &self,
+        lanes: SimdLevel,
+        ray: &FrameRay,
+        (from, to): (f32, f32),
+    ) -> ([f32; WIDTH], u32) {
+        let node = self;
+        eight(
+            lanes,
+            &RayAndNode {
+                ray,
+                node,
+                from,
+                to,
+            },
+        )
+    }
+
+    /// Which boxes share a point with a box, one bit each.
+    #[inline]
+    pub(super) fn overlap(&self, cell: &Aabb32) -> u32 {
+        with_widest(
+            #[inline(always)]
+            |lanes| eight(lanes, &NodeAndBox { node: self, cell }),
+        )
+    }
+}
+
+/// The boxes of a node against another.
+struct NodeAndBox<'a> {
+    node: &'a Node,
+    cell: &'a Aabb32,
+}
+
+impl Kernel for NodeAndBox<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let mut shared = (1 << WIDTH) - 1;
+        for axis in 0..3 {
+            let [low, high] = &self.node.planes[axis];
+            shared &= E::load(low).not_above(E::all(self.cell.high[axis]));
+            shared &= E::all(self.cell.low[axis]).not_above(E::load(high));
+        }
+        shared
+    }
+}
+
+/// A ray against the boxes of a node, between two of its parameters.
+struct RayAndNode<'a> {
+    ray: &'a FrameRay,
+    node: &'a Node,
+    from: f32,
+    to: f32,
+}
+
+impl Kernel for RayAndNode<'_> {
+    type Answer = ([f32; WIDTH], u32);
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> ([f32; WIDTH], u32) {
+        let (ray, planes) = (self.ray, &self.node.planes);
+        let mut enter = E::all(self.from);
+        let mut leave = E::all(self.to);
+        for (axis, [low, high]) in planes.iter().enumerate() {
+            let inverse = E::all(ray.inverse[axis]);
+            let to_low = E::load(low).minus(E::all(ray.high[axis])).times(inverse);
+            let to_high = E::load(high).minus(E::all(ray.low[axis])).times(inverse);
+            // Zero times infinity is none: it comes of a plane along the ray and beside it, so that the box is missed.
+            enter = to_low.smaller(to_high).larger(enter);
+            leave = to_low.larger(to_high).smaller(leave);
+        }
+        let slack = leave
+            .size()
+            .times(E::all(ERROR))
+            .plus(E::all(f32::MIN_POSITIVE));
+        (enter.store(), enter.not_above(leave.plus(slack)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::math::random::Random;
+
+    #[test]
+    fn wide_and_narrow_lanes_give_the_same_bits() {
+        let mut rng = Random::new(9);
+        let special = [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 1e-40];
+        let mut any = 0;
+        for round in 0..20_000_usize {
+            let mut number = || {
+                let bits = usize::try_from(rng.bits() % 64).expect("small");
+                special
+                    .get(bits)
+                    .copied()
+                    .unwrap_or_else(|| nearest(rng.share() - 0.5))
+            };
+            let mut three = || [number(), number(), number()];
+            let ray = FrameRay {
+                low: three(),
+                high: three(),
+                inverse: three(),
+                ..FrameRay::BLIND
+            };
+            let mut node = Node::empty();
+            node.planes = [(); 3].map(|()| [(); 2].map(|()| [(); 8].map(|()| number())));
+            let from = [f32::NEG_INFINITY, 0.0][usize::from(round % 3 > 0)];
+            let to = [1.0, f32::INFINITY][round % 2];
+            let wide = node.meet(SimdLevel::widest(), &ray, (from, to));
+            let narrow = node.meet(SimdLevel::NARROW, &ray, (from, to));
+            assert_eq!(wide.1, narrow.1);
+            assert!((0..8).all(|i| wide.0[i].to_bits() == narrow.0[i].to_bits()
+                || wide.0[i].is_nan() && narrow.0[i].is_nan()));
+            any += wide.1.count_ones();
+        }
+        assert!(any > 1000);
+    }
+}

@@ -1,0 +1,260 @@
+//! Eight rays from one point against a ball or a box, and eight groups of them against a ball, in single precision with
+//! every doubt in favour of being met.
+
+use super::node::{Aabb32, larger, smaller};
+use crate::base::math::rounding::{loose_above, loose_below, nearest};
+use crate::base::math::simd::{Eight, Kernel};
+use glam::{DVec3, Vec3};
+
+/// How many rays are tried at once.
+pub(super) const LANES: usize = 8;
+
+/// Above the relative error of the single precision arithmetic here, some ten roundings.
+pub(super) const DOUBT: f32 = 1.0e-6;
+
+/// Eight rays: unit directions, and where each ends in the frame. A ray that is done ends before it begins.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub(crate) struct RayPacket8 {
+    pub(super) dir: [[f32; LANES]; 3],
+    pub(super) end: [f32; LANES],
+}
+
+/// A box as seen from the common origin, rounded outward.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ViewBox {
+    pub(super) low: [f32; 3],
+    pub(super) high: [f32; 3],
+}
+
+impl ViewBox {
+    /// Of nothing.
+    pub(super) const NOTHING: ViewBox = ViewBox {
+        low: [f32::INFINITY; 3],
+        high: [f32::NEG_INFINITY; 3],
+    };
+
+    // Spelt out: `map` is not always inlined.
+    #[inline(always)]
+    pub(super) fn new(cell: &Aabb32, origin: DVec3) -> Self {
+        let below = |axis: usize| loose_below(f64::from(cell.low[axis]) - origin[axis]);
+        let above = |axis: usize| loose_above(f64::from(cell.high[axis]) - origin[axis]);
+        ViewBox {
+            low: [below(0), below(1), below(2)],
+            high: [above(0), above(1), above(2)],
+        }
+    }
+
+    /// Whether a ray from the origin in this direction may meet it before `end`: [`GroupAndBox`] for a single one.
+    #[inline(always)]
+    pub(super) fn is_met(&self, dir: Vec3, end: f32) -> bool {
+        let (mut enter, mut leave) = (0.0, end);
+        for axis in 0..3 {
+            let inverse = 1.0 / dir[axis];
+            let (low, high) = (self.low[axis] * inverse, self.high[axis] * inverse);
+            enter = larger(smaller(low, high), enter);
+            leave = smaller(larger(high, low), leave);
+        }
+        let slack = 4.0 * DOUBT * (enter.abs() + leave.abs());
+        enter - slack <= leave + f32::MIN_POSITIVE
+    }
+}
+
+impl RayPacket8 {
+    pub(super) const EMPTY: RayPacket8 = RayPacket8 {
+        dir: [[0.0; LANES]; 3],
+        end: [f32::NEG_INFINITY; LANES],
+    };
+
+    /// Takes in the first or second half of its rays: unit directions, and where each ends, in a frame of this scale.
+    #[inline(always)]
+    pub(super) fn take(
+        &mut self,
+        half: usize,
+        (dir, end): (&[[f64; 4]; 3], &[f64; 4]),
+        scale: f64,
+    ) {
+        let at = 4 * half;
+        // Spelt out: `map` is not always inlined.
+        for (to, from) in self.dir.iter_mut().zip(dir) {
+            for (to, from) in to[at..at + 4].iter_mut().zip(from) {
+                *to = nearest(*from);
+            }
+        }
+        for (to, from) in self.end[at..at + 4].iter_mut().zip(end) {
+            *to = frame_end(*from, scale);
+        }
+    }
+
+    /// The farthest end; negative when all are done.
+    #[inline(always)]
+    pub(super) fn farthest(&self) -> f32 {
+        let mut farthest = f32::NEG_INFINITY;
+        for end in self.end {
+            farthest = larger(end, farthest);
+        }
+        farthest
+    }
+
+    #[inline(always)]
+    pub(super) fn dot(&self, with: Vec3) -> [f32; LANES] {
+        let [x, y, z] = &self.dir;
+        let mut dot = [0.0; LANES];
+        for i in 0..LANES {
+            dot[i] = x[i] * with.x + y[i] * with.y + z[i] * with.z;
+        }
+        dot
+    }
+
+    /// The middle direction, and a bound on the distance of the others from it.
+    #[inline(always)]
+    pub(super) fn cone(&self) -> (Vec3, f32) {
+        #[allow(clippy::cast_precision_loss, reason = "8 is exact")]
+        let middle = Vec3::from_array(
+            self.dir
+                .map(|lanes| lanes.iter().sum::<f32>() / LANES as f32),
+        );
+        let mut off = [0.0; LANES];
+        for (i, off) in off.iter_mut().enumerate() {
+            let [x, y, z] = [0, 1, 2].map(|axis| self.dir[axis][i] - middle[axis]);
+            *off = x * x + y * y + z * z;
+        }
+        let farthest = off.into_iter().fold(0.0, larger);
+        (middle, farthest.sqrt() + 4.0 * DOUBT)
+    }
+}
+
+/// Which rays of a group may meet a ball, one bit each: its centre lies near the line, neither behind nor beyond the end.
+pub(super) struct PacketAndSphere<'a> {
+    pub(super) group: &'a RayPacket8,
+    pub(super) centre: Vec3,
+    pub(super) radius: f32,
+}
+
+impl Kernel for PacketAndSphere<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let dir: [E; 3] = load(&self.group.dir);
+        let centre = all(self.centre.to_array());
+        let radius = E::all(self.radius);
+        let limit = E::all(self.radius * self.radius * (1.0 + 4.0 * DOUBT));
+        let along = dot(dir, centre);
+        let is_near = length_sq(cross(dir, centre)).not_above(limit);
+        let is_ahead = E::all(0.0).not_above(along.plus(radius));
+        let is_before = along.minus(radius).not_above(E::load(&self.group.end));
+        is_near & is_ahead & is_before
+    }
+}
+
+/// Which rays of a group may meet a box, one bit each.
+pub(super) struct PacketAndBox<'a> {
+    pub(super) group: &'a RayPacket8,
+    pub(super) slab: &'a ViewBox,
+}
+
+impl Kernel for PacketAndBox<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let dir: [E; 3] = load(&self.group.dir);
+        let one = E::all(1.0);
+        let inverse = [one.over(dir[0]), one.over(dir[1]), one.over(dir[2])];
+        meet_box(inverse, E::load(&self.group.end), self.slab)
+    }
+}
+
+/// Which of eight rays of these inverse directions may meet a box before their ends, one bit each.
+#[inline(always)]
+pub(super) fn meet_box<E: Eight>(inverse: [E; 3], end: E, slab: &ViewBox) -> u32 {
+    let (mut enter, mut leave) = (E::all(0.0), end);
+    for (axis, inverse) in inverse.into_iter().enumerate() {
+        let low = E::all(slab.low[axis]).times(inverse);
+        let high = E::all(slab.high[axis]).times(inverse);
+        // The running bound where a plane says nothing (zero times infinity).
+        enter = low.smaller(high).larger(enter);
+        leave = high.larger(low).smaller(leave);
+    }
+    let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
+    enter
+        .minus(slack)
+        .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+}
+
+/// The middle directions of eight groups, and how far a direction of the group can lie from it.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub(super) struct PacketCones {
+    pub(super) middle: [[f32; LANES]; 3],
+    pub(super) spread: [f32; LANES],
+}
+
+/// Which of eight groups may hold a ray that meets a ball, one bit each. Moving a direction by a length moves its
+/// distance from the centre by no more than that share of the distance of the centre.
+pub(super) struct ConesAndSphere<'a> {
+    pub(super) cones: &'a PacketCones,
+    pub(super) centre: Vec3,
+    pub(super) radius: f32,
+    pub(super) distance: f32,
+}
+
+impl Kernel for ConesAndSphere<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<E: Eight>(&self) -> u32 {
+        let middle: [E; 3] = load(&self.cones.middle);
+        let centre = all(self.centre.to_array());
+        let reach = E::all(self.distance).times(E::load(&self.cones.spread));
+        let limit = E::all(self.radius).plus(reach);
+        let limit_sq = limit.times(limit).times(E::all(1.0 + 4.0 * DOUBT));
+        let is_near = length_sq(cross(middle, centre)).not_above(limit_sq);
+        is_near & E::all(0.0).not_above(limit)
+    }
+}
+
+#[inline(always)]
+pub(super) fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
+}
+
+#[inline(always)]
+pub(super) fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
+    [
+        a[1].times(b[2]).minus(a[2].times(b[1])),
+        a[2].times(b[0]).minus(a[0].times(b[2])),
+        a[0].times(b[1]).minus(a[1].times(b[0])),
+    ]
+}
+
+// A closure would not take part in the wide lanes of its caller, so these are spelt out.
+
+#[inline(always)]
+pub(super) fn load<E: Eight>(from: &[[f32; LANES]; 3]) -> [E; 3] {
+    [E::load(&from[0]), E::load(&from[1]), E::load(&from[2])]
+}
+
+#[inline(always)]
+pub(super) fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
+    [E::all(of[0]), E::all(of[1]), E::all(of[2])]
+}
+
+#[inline(always)]
+pub(super) fn length_sq<E: Eight>(a: [E; 3]) -> E {
+    dot(a, a)
+}
+
+/// Where a ray ends in the frame, at the latest.
+#[inline(always)]
+pub(super) fn frame_end(end: f64, scale: f64) -> f32 {
+    let end = nearest(end * scale);
+    if end.is_nan() {
+        f32::INFINITY
+    } else {
+        end * (1.0 + 4.0 * DOUBT)
+    }
+}

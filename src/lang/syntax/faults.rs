@@ -1,0 +1,110 @@
+//! What is said about text of which no token can be made.
+
+use super::token::Tokens;
+use crate::base::source::{Diagnostic, FileId, Span};
+
+/// What stands at `at`, of which no token can be made: a string or a comment that is not closed. `before` holds the
+/// tokens before it.
+pub(super) fn unclosed(before: &Tokens, at: usize) -> Diagnostic {
+    match &before.text.as_bytes()[at..] {
+        [b'/', b'*', ..] => unclosed_comment(&before.text, before.file, at),
+        [b'"', ..] => unclosed_string(before, at),
+        // pest gives up where the stack is all but used up, whatever the text is.
+        _ => {
+            let span = Span::new(before.file, offset(at), offset(line_end(&before.text, at)));
+            Diagnostic::error(span, "too deep within macros and includes to read on here")
+        }
+    }
+}
+
+/// A number with two points.
+pub(super) fn bad_number(text: &str, span: Span) -> Diagnostic {
+    let number = &text[span.start as usize..span.end as usize];
+    let error = Diagnostic::error(span, format!("`{number}` has two decimal points"));
+    match number.split_once("..") {
+        Some((before, after)) if !before.contains('.') && !after.contains('.') => {
+            error.with_hint(format!("Write `{before}.{after}`."))
+        }
+        _ => error.with_hint("Write a comma or a space between two numbers."),
+    }
+}
+
+/// A missing quote turns all the later strings inside out, and the last quote of the text is the one left over. So the
+/// first string that spans lines is the likely place.
+fn unclosed_string(before: &Tokens, at: usize) -> Diagnostic {
+    let (text, file) = (&before.text, before.file);
+    let span = Span::new(file, offset(at), offset(line_end(text, at)));
+    let mut error = Diagnostic::error(span, "no closing quote for this string");
+    let spans_lines = |range: &&std::ops::Range<u32>| {
+        text[range.start as usize..range.end as usize].contains(['\n', '\r'])
+    };
+    if let Some(range) = before.strings.iter().find(spans_lines) {
+        let start = range.start as usize - 1;
+        let first_line = Span::new(file, offset(start), offset(line_end(text, start)));
+        error = Diagnostic::error(first_line, "this string is not closed in its line")
+            .with_label(
+                Span::new(file, range.end, range.end + 1),
+                "it ends only here",
+            )
+            .with_label(span, "so that this one has no end")
+            .with_hint("Write `\"` at the end of the string.");
+    } else {
+        error = error.with_hint("Write `\"` at the end of the string.");
+    }
+    error
+}
+
+/// Comments nest, so it is the outermost one that stays open, mostly because of an inner `/*` without its `*/`.
+fn unclosed_comment(text: &str, file: FileId, at: usize) -> Diagnostic {
+    let mark = |start: usize| Span::new(file, offset(start), offset(start + 2));
+    let mut error = Diagnostic::error(mark(at), "no `*/` for this comment");
+    if let Some(&innermost) = open_comments(text.as_bytes(), at)
+        .last()
+        .filter(|&&last| last > at)
+    {
+        error = error
+            .with_label(
+                mark(innermost),
+                "comments nest, and this one is open as well",
+            )
+            .with_hint("Each `/*` needs a `*/` of its own.");
+    } else if let Some(inner) = text[at + 2..line_end(text, at)].find("/*") {
+        error = error
+            .with_label(
+                mark(at + 2 + inner),
+                "comments nest: this opens another one",
+            )
+            .with_hint("Each `/*` needs a `*/` of its own.");
+    } else {
+        error = error.with_hint("Write `*/` at the end of the comment.");
+    }
+    error
+}
+
+/// Where the comments begin that are open at the end of the text, outermost first.
+fn open_comments(text: &[u8], start: usize) -> Vec<usize> {
+    let mut open = Vec::new();
+    let mut at = start;
+    while at + 1 < text.len() {
+        match &text[at..at + 2] {
+            b"/*" => open.push(at),
+            b"*/" => drop(open.pop()),
+            _ => {
+                at += 1;
+                continue;
+            }
+        }
+        at += 2;
+    }
+    open
+}
+
+fn line_end(text: &str, start: usize) -> usize {
+    text[start..]
+        .find(['\n', '\r'])
+        .map_or(text.len(), |length| start + length)
+}
+
+fn offset(at: usize) -> u32 {
+    u32::try_from(at).expect("texts are shorter than 4 GiB")
+}

@@ -1,0 +1,462 @@
+//! Drives the grammar over a text, one slice after the other, and makes tokens of what it finds.
+//!
+//! Plain text, in which no comment, string or directive can begin, is split into words, numbers and marks here, ten times
+//! as fast as by pest, which gets the rest of the line behind it. A slice may end within a token: what touches its end is
+//! read again at the start of the next slice, and a slice that holds not even one whole token grows. Both keep the time
+//! linear in the length of the text.
+
+use super::faults;
+use super::groups;
+use super::names::Names;
+use super::scan::{self, Item};
+use super::stretch;
+use super::token::{Directive, END_OF_FILE, Kind, Token, Tokens};
+use crate::base::source::{Diagnostic, FileId, Span};
+use crate::base::word::{Class, Word};
+use grammar::{Grammar, Rule};
+use pest::{Parser, Token as Edge};
+use std::ops::Range;
+use std::sync::Arc;
+
+#[allow(
+    missing_docs,
+    unreachable_pub,
+    reason = "pest_derive makes a public enum of the rules, without docs"
+)]
+mod grammar {
+    /// The rules of `grammar/pov.pest`.
+    #[derive(pest_derive::Parser)]
+    #[grammar = "grammar/pov.pest"]
+    pub(super) struct Grammar;
+}
+
+/// Bytes of a slice: pest's pairs for one stay in the cache of a core.
+const SLICE: usize = 1 << 15;
+
+/// Bytes of a slice of plain text, of which pest makes a single pair.
+const PLAIN_SLICE: usize = 1 << 20;
+
+/// Shorter stretches of plain text than this get their tokens at once: they are the scenes that people write.
+const PLAIN_MIN: usize = 1 << 16;
+
+/// How many faults of one text are told; a file that is no scene has thousands.
+const MAX_FAULTS: usize = 20;
+
+/// The tokens of a text, with its groups of directives linked; identifiers go to `names`.
+///
+/// # Errors
+/// All strings and comments that are not closed and all numbers with two points, skipped regions included, up to 20 of
+/// them; a text of 4 GiB or more.
+pub fn tokenize(
+    file: FileId,
+    text: &Arc<String>,
+    names: &mut Names,
+) -> Result<Tokens, Vec<Diagnostic>> {
+    tokenize_by(file, text, names, Data::Tokens)
+}
+
+/// The same, but in the place of long stretches of data there is [`Kind::More`], and their tokens are made when reading
+/// gets there, by [`super::tokenize_more`]. They hold no strings, comments and directives.
+///
+/// # Errors
+/// As [`tokenize`], without numbers in those stretches.
+pub fn tokenize_around_data(
+    file: FileId,
+    text: &Arc<String>,
+    names: &mut Names,
+) -> Result<Tokens, Vec<Diagnostic>> {
+    tokenize_by(file, text, names, Data::Waits)
+}
+
+/// What becomes of long stretches of data.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Data {
+    /// Their tokens are made at once.
+    Tokens,
+    /// They get one [`Kind::More`].
+    Waits,
+}
+
+fn tokenize_by(
+    file: FileId,
+    text: &Arc<String>,
+    names: &mut Names,
+    data: Data,
+) -> Result<Tokens, Vec<Diagnostic>> {
+    if u32::try_from(text.len()).is_err() {
+        let error = Diagnostic::error(None, "a text of 4 GiB or more is too long for a scene");
+        return Err(vec![error]);
+    }
+    let mut lexer = Lexer::new(file, text, names);
+    lexer.data = data;
+    if data == Data::Tokens {
+        // A token takes five to six bytes of ordinary text.
+        lexer.out.tokens.reserve(text.len() / 5 + 1);
+    }
+    lexer.run();
+    lexer.push(Kind::End, 0, text.len());
+    if !lexer.faults.is_empty() {
+        return Err(lexer.faults);
+    }
+    let mut tokens = lexer.out;
+    tokens.tokens.shrink_to_fit();
+    groups::link(&mut tokens);
+    Ok(tokens)
+}
+
+/// The tokens of a range of a text that holds no string, comment or directive, and what is wrong there.
+pub(super) fn tokenize_data(
+    file: FileId,
+    text: &Arc<String>,
+    range: Range<usize>,
+    names: &mut Names,
+) -> (Tokens, Vec<Diagnostic>) {
+    let mut lexer = Lexer::new(file, text, names);
+    let slice = Slice {
+        text: &text[..range.end],
+        base: 0,
+        is_cut: false,
+    };
+    lexer.push_plain(slice, range);
+    (lexer.out, lexer.faults)
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    names: &'a mut Names,
+    out: Tokens,
+    faults: Vec<Diagnostic>,
+    data: Data,
+}
+
+/// The part of the text that pest reads at once.
+#[derive(Clone, Copy)]
+struct Slice<'a> {
+    text: &'a str,
+    /// Where it begins in the whole text.
+    base: usize,
+    /// Whether more text follows.
+    is_cut: bool,
+}
+
+impl<'a> Slice<'a> {
+    /// About `size` bytes of `text` from `base` on.
+    fn new(text: &'a str, base: usize, size: usize) -> Self {
+        let mut end = base.saturating_add(size).min(text.len());
+        while !text.is_char_boundary(end) {
+            end += 1;
+        }
+        Slice {
+            text: &text[base..end],
+            base,
+            is_cut: end < text.len(),
+        }
+    }
+
+    /// Whether a token that ends here might go on behind the slice.
+    fn cuts(&self, end: usize) -> bool {
+        self.is_cut && end == self.text.len()
+    }
+}
+
+impl<'a> Lexer<'a> {
+    fn new(file: FileId, text: &'a Arc<String>, names: &'a mut Names) -> Self {
+        Lexer {
+            text,
+            names,
+            out: Tokens {
+                file,
+                tokens: Vec::new(),
+                numbers: Vec::new(),
+                directives: Vec::new(),
+                text: Arc::clone(text),
+                strings: Vec::new(),
+                stretches: Vec::new(),
+                part: None,
+            },
+            faults: Vec::new(),
+            data: Data::Tokens,
+        }
+    }
+
+    fn run(&mut self) {
+        let mut at = 0;
+        // Of the slice for pest; the rest of the line if it is zero.
+        let mut size = 0;
+        while at < self.text.len() && self.faults.len() < MAX_FAULTS {
+            at = self.read_plain(at);
+            if at == self.text.len() {
+                return;
+            }
+            if self.text[at..].starts_with("//") {
+                at = self.line_end(at);
+                continue;
+            }
+            if size == 0 {
+                size = (self.line_end(at) + 1 - at).min(SLICE);
+            }
+            let slice = Slice::new(self.text, at, size);
+            at = self.read_rule(slice, Rule::piece);
+            if at == slice.base {
+                at = self.read_hard(at);
+            }
+            if at > slice.base {
+                size = 0;
+            } else if slice.is_cut && !self.text[at..].starts_with("/*") {
+                size = size.saturating_mul(2).max(SLICE);
+            } else {
+                self.faults.push(faults::unclosed(&self.out, at));
+                return;
+            }
+        }
+    }
+
+    /// Where the line with this place ends.
+    fn line_end(&self, at: usize) -> usize {
+        let rest = &self.text.as_bytes()[at..];
+        at + memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len())
+    }
+
+    /// Reads a comment within which another begins, or a directive with one before its word.
+    fn read_hard(&mut self, at: usize) -> usize {
+        let rest = Slice::new(self.text, at, usize::MAX);
+        match rest.text.as_bytes() {
+            [b'/', b'*', ..] => self.read_rule(rest, Rule::nested),
+            [b'#', ..] => self.read_rule(rest, Rule::nested_directive),
+            _ => at,
+        }
+    }
+
+    /// Reads plain text; gives where to go on.
+    fn read_plain(&mut self, start: usize) -> usize {
+        let mut at = start;
+        while at < self.text.len() {
+            let slice = Slice::new(self.text, at, PLAIN_SLICE);
+            let bytes = slice.text.as_bytes();
+            let plain = memchr::memchr3(b'#', b'"', b'/', bytes).unwrap_or(bytes.len());
+            let reached = match self.stretch(at..at + plain) {
+                Some(stretch) => {
+                    self.push_plain(slice, 0..stretch.start - at);
+                    if stretch::is_in_parentheses(&self.out.tokens) {
+                        slice.base + self.push_plain(slice, stretch.start - at..plain)
+                    } else {
+                        self.push_stretch(stretch.clone());
+                        stretch.end
+                    }
+                }
+                None => slice.base + self.push_plain(slice, 0..plain),
+            };
+            if reached == at {
+                break;
+            }
+            at = reached;
+        }
+        at
+    }
+
+    /// What of a range of plain text can wait.
+    fn stretch(&self, plain: Range<usize>) -> Option<Range<usize>> {
+        match self.data {
+            Data::Waits if plain.len() >= PLAIN_MIN => {
+                stretch::between_seams(self.text.as_bytes(), plain)
+            }
+            Data::Tokens | Data::Waits => None,
+        }
+    }
+
+    fn push_stretch(&mut self, stretch: Range<usize>) {
+        let (start, end) = (offset(stretch.start), offset(stretch.end));
+        if let (Some(Kind::More), Some(last)) = (
+            self.out.tokens.last().map(|token| token.kind),
+            self.out.stretches.last_mut(),
+        ) && last.end == start
+        {
+            last.end = end;
+            return;
+        }
+        let index = offset(self.out.stretches.len());
+        self.push(Kind::More, index, stretch.start);
+        self.out.stretches.push(start..end);
+    }
+
+    /// Makes tokens of what pest finds in a slice; gives where to go on, which is the start of the slice if it begins
+    /// with a token that it does not hold whole.
+    fn read_rule(&mut self, slice: Slice<'a>, rule: Rule) -> usize {
+        let Ok(pairs) = Grammar::parse(rule, slice.text) else {
+            return slice.base;
+        };
+        let mut start = 0;
+        let mut directive = None;
+        let mut head = None;
+        let mut done = 0;
+        for edge in pairs.tokens() {
+            let (rule, end) = match edge {
+                Edge::Start { rule, pos } => {
+                    start = pos.pos();
+                    if matches!(rule, Rule::directive | Rule::nested_directive) {
+                        directive = Some(start);
+                    }
+                    continue;
+                }
+                Edge::End { rule, pos } => (rule, pos.pos()),
+            };
+            match (rule, directive) {
+                (Rule::directive, Some(start))
+                    if slice.cuts(end) || head.is_none() && self.has_comment(slice.base + end) =>
+                {
+                    return slice.base + start;
+                }
+                (Rule::directive | Rule::nested_directive, Some(start)) => {
+                    self.push_directive(slice, start..end, head.take());
+                    directive = None;
+                }
+                (Rule::head, _) => head = Some((start, end)),
+                (_, Some(_)) | (Rule::piece, _) => continue,
+                (Rule::numbers, None) => {
+                    let reached = self.push_plain(slice, start..end);
+                    if reached < end {
+                        return slice.base + reached;
+                    }
+                }
+                _ if slice.cuts(end) => return slice.base + start,
+                (Rule::word, None) => self.push_word(slice, start, end),
+                (Rule::string, None) => self.push_string(slice.base + start, slice.base + end),
+                (Rule::mark | Rule::other | Rule::comparison, None) => {
+                    self.push_mark(slice, start, end);
+                }
+                _ => {}
+            }
+            done = end;
+        }
+        slice.base + skip_blanks(slice.text, done)
+    }
+
+    /// Whether a comment begins here, be it within the slice or not.
+    fn has_comment(&self, at: usize) -> bool {
+        matches!(self.text.as_bytes().get(at..at + 2), Some(b"/*" | b"//"))
+    }
+
+    fn push(&mut self, kind: Kind, value: u32, start: usize) {
+        let start = offset(start);
+        self.out.tokens.push(Token { kind, value, start });
+    }
+
+    fn push_word(&mut self, slice: Slice, start: usize, end: usize) {
+        let spelling = &slice.text[start..end];
+        let start = slice.base + start;
+        if let Some(word) = Word::from_spelling(spelling) {
+            self.push(Kind::Word, word as u32, start);
+        } else {
+            let symbol = self.names.intern(spelling);
+            self.push(Kind::Name, symbol.0, start);
+        }
+    }
+
+    fn push_mark(&mut self, slice: Slice, start: usize, end: usize) {
+        let text = &slice.text[start..end];
+        let start = slice.base + start;
+        match text.as_bytes() {
+            b"<=" => self.push(Kind::LessEqual, 0, start),
+            b">=" => self.push(Kind::GreaterEqual, 0, start),
+            b"!=" => self.push(Kind::NotEqual, 0, start),
+            &[mark] => self.push(Kind::Mark, u32::from(mark), start),
+            _ => {
+                let code = text.chars().next().map_or(0, u32::from);
+                self.push(Kind::Mark, code, start);
+            }
+        }
+    }
+
+    fn push_string(&mut self, start: usize, end: usize) {
+        let index = offset(self.out.strings.len());
+        self.out.strings.push(offset(start + 1)..offset(end - 1));
+        self.push(Kind::String, index, start);
+    }
+
+    /// `#` with its word, if it has one. What is no directive's word is a token of its own, and the `#` is passed over, but
+    /// for one that the reader has to judge.
+    fn push_directive(&mut self, slice: Slice, place: Range<usize>, head: Option<(usize, usize)>) {
+        let (start, end) = (slice.base + place.start, slice.base + place.end);
+        let Some((head_start, head_end)) = head else {
+            if before_number_or_semicolon(&self.text.as_bytes()[end..]) {
+                self.push_hash(None, start, start + 1);
+            }
+            return;
+        };
+        let word = Word::from_spelling(&slice.text[head_start..head_end]);
+        if word.is_some_and(is_directive) {
+            self.push_hash(word, start, slice.base + head_end);
+            return;
+        }
+        if word.is_none_or(Word::gives_float) {
+            self.push_hash(None, start, start + 1);
+        }
+        self.push_word(slice, head_start, head_end);
+    }
+
+    fn push_hash(&mut self, word: Option<Word>, start: usize, stop: usize) {
+        let index = offset(self.out.directives.len());
+        self.out.directives.push(Directive {
+            word,
+            next: END_OF_FILE,
+            end: END_OF_FILE,
+            stop: offset(stop),
+        });
+        self.push(Kind::Directive, index, start);
+    }
+
+    /// Makes tokens of a stretch without comments, strings and directives; gives where in the slice that ended, before
+    /// the end of the stretch if the slice cuts the last token.
+    fn push_plain(&mut self, slice: Slice, stretch: Range<usize>) -> usize {
+        scan::split_plain(
+            slice.text,
+            stretch,
+            slice.is_cut,
+            |token, item| match item {
+                Item::Word => self.push_word(slice, token.start, token.end),
+                Item::Number(value) => self.push_number(slice, token, value),
+                Item::Byte(mark) => {
+                    self.push(Kind::Mark, u32::from(mark), slice.base + token.start);
+                }
+                Item::Mark => self.push_mark(slice, token.start, token.end),
+            },
+        )
+    }
+
+    fn push_number(&mut self, slice: Slice, place: Range<usize>, value: Option<f64>) {
+        let Range { start, end } = place;
+        let index = offset(self.out.numbers.len());
+        self.push(Kind::Number, index, slice.base + start);
+        self.out.numbers.push(value.unwrap_or(0.0));
+        if value.is_none() && self.faults.len() < MAX_FAULTS {
+            let (start, end) = (offset(slice.base + start), offset(slice.base + end));
+            let span = Span::new(self.out.file, start, end);
+            self.faults.push(faults::bad_number(self.text, span));
+        }
+    }
+}
+
+/// A byte of the text, or a count of tokens in it. [`tokenize`] refuses texts that are longer.
+fn offset(at: usize) -> u32 {
+    u32::try_from(at).expect("texts are shorter than 4 GiB")
+}
+
+/// pest gives no pair for blanks.
+fn skip_blanks(text: &str, start: usize) -> usize {
+    let rest = &text[start..];
+    start + rest.len() - rest.trim_start_matches(scan::is_blank).len()
+}
+
+/// Tells whether a text begins with a number or `;`.
+fn before_number_or_semicolon(text: &[u8]) -> bool {
+    match text {
+        [b'.', digit, ..] | [digit, ..] if digit.is_ascii_digit() => true,
+        _ => text.starts_with(b";"),
+    }
+}
+
+/// Whether `#` with this word is a directive. `#deprecated`, `#once` and `#append` are words that stand elsewhere.
+fn is_directive(word: Word) -> bool {
+    let is_of_class = word.class() == Class::Directive || word == Word::Default;
+    is_of_class && !matches!(word, Word::Deprecated | Word::Once | Word::Append)
+}

@@ -1,0 +1,86 @@
+//! Photons in files, as POV-Ray's `save_file` writes them: for surfaces and for media each their number and then twenty
+//! bytes for each photon, with the lowest byte first.
+
+use super::{Map, Photon};
+
+const RECORD: usize = 20;
+
+/// The bytes of a file with the photons of both maps.
+#[must_use]
+pub fn write(maps: [&Map; 2]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for map in maps {
+        let photons = map.photons();
+        bytes.extend(u32::try_from(photons.len()).unwrap_or(0).to_le_bytes());
+        for photon in photons {
+            bytes.extend(photon.place.iter().flat_map(|x| x.to_le_bytes()));
+            bytes.extend(photon.light);
+            bytes.push(photon.axis);
+            bytes.extend(photon.from.map(|angle| angle.to_le_bytes()[0]));
+            bytes.push(0);
+        }
+    }
+    bytes
+}
+
+/// The two maps of a file; a map that is missing is empty. `None` if the bytes are no such file.
+#[must_use]
+pub fn read(bytes: &[u8]) -> Option<[Map; 2]> {
+    let mut rest = bytes;
+    let mut maps = [Map::default(), Map::default()];
+    for map in &mut maps {
+        if rest.is_empty() {
+            break;
+        }
+        let (count, records) = rest.split_first_chunk::<4>()?;
+        let size = (u32::from_le_bytes(*count) as usize).checked_mul(RECORD)?;
+        let (records, behind) = records.split_at_checked(size)?;
+        let photons = records.chunks_exact(RECORD).map(photon);
+        *map = Map::of_sorted(photons.collect::<Option<_>>()?);
+        rest = behind;
+    }
+    Some(maps)
+}
+
+fn photon(record: &[u8]) -> Option<Photon> {
+    let (place, rest) = record.split_at_checked(12)?;
+    let mut photon = Photon::default();
+    for (x, bytes) in photon.place.iter_mut().zip(place.chunks_exact(4)) {
+        *x = f32::from_le_bytes(bytes.try_into().ok()?);
+    }
+    let (light, rest) = rest.split_first_chunk::<4>()?;
+    photon.light = *light;
+    let [axis, rise, around, ..] = *rest else {
+        return None;
+    };
+    photon.axis = axis;
+    photon.from = [rise, around].map(|byte| i8::from_le_bytes([byte]));
+    Some(photon)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::color::Rgb;
+    use glam::DVec3;
+
+    #[test]
+    fn a_file_holds_both_maps() {
+        let photon = Photon::new(
+            DVec3::new(1.0, 2.0, -3.5),
+            Rgb::WHITE,
+            DVec3::new(4.0, -5.0, 0.0),
+        );
+        let maps = [
+            Map::new(vec![photon; 3]),
+            Map::new(vec![Photon::default(); 2]),
+        ];
+        let bytes = write([&maps[0], &maps[1]]);
+        assert_eq!(bytes.len(), 8 + 5 * RECORD);
+        let [surface, media] = read(&bytes).unwrap();
+        assert_eq!(surface.photons(), maps[0].photons());
+        assert_eq!(media.photons(), maps[1].photons());
+        assert!(read(&bytes[..bytes.len() - 1]).is_none());
+        assert!(read(&bytes[..4 + 3 * RECORD]).unwrap()[1].is_empty());
+    }
+}

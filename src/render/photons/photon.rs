@@ -1,0 +1,163 @@
+//! One photon, in the twenty bytes that POV-Ray keeps: where it lies in single precision, its light with one exponent for
+//! three channels (Ward 1991, "Real Pixels"), and where it came from in two angles of a byte each.
+
+use crate::base::color::Rgb;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// What is added to the exponent of light, modulo 256.
+const EXPONENT: i32 = 250;
+/// Light below this is none.
+const NOTHING: f64 = 1e-32;
+/// Angles of half a turn are this many steps.
+const STEPS: f64 = 127.0;
+
+/// Light that came to rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Photon {
+    /// Where it lies in the world.
+    pub place: [f32; 3],
+    /// Red, green, blue and their exponent.
+    pub light: [u8; 4],
+    /// The axis by which the map is divided here.
+    pub axis: u8,
+    /// How far above the horizon it came from, and from where around the y axis, from x towards z.
+    pub from: [i8; 2],
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the photon is kept in few bits"
+)]
+impl Photon {
+    /// Light of so much at a place that came from a point.
+    #[must_use]
+    pub fn new(place: DVec3, light: Rgb, origin: DVec3) -> Photon {
+        let from = (origin - place).normalize_or_zero();
+        let rise = from.y.asin();
+        let level = from.x.hypot(from.z);
+        let around = if level == 0.0 {
+            0.0
+        } else {
+            (from.x / level).clamp(-1.0, 1.0).acos().copysign(from.z)
+        };
+        Photon {
+            place: place.to_array().map(|x| x as f32),
+            light: packed(light),
+            axis: 0,
+            from: [rise, around].map(|angle| (angle * STEPS / PI) as i8),
+        }
+    }
+
+    /// Where it lies.
+    #[must_use]
+    #[inline]
+    pub fn at(&self) -> DVec3 {
+        DVec3::from(self.place.map(f64::from))
+    }
+}
+
+/// What the bytes of photons stand for, worked out once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Unpacking {
+    /// Sines and cosines, by the byte of the angle.
+    turns: Vec<(f64, f64)>,
+    /// The light of a channel's least step, by the exponent.
+    steps: Vec<f32>,
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "light is kept in single precision"
+)]
+impl Unpacking {
+    pub(super) fn new() -> Unpacking {
+        let turn = |angle: u8| (f64::from(angle.cast_signed()) * PI / STEPS).sin_cos();
+        let step = |exponent: u8| match exponent {
+            0 => 0.0,
+            _ => f64::from(i32::from(exponent) - EXPONENT - 8).exp2() as f32,
+        };
+        Unpacking {
+            turns: (0..=u8::MAX).map(turn).collect(),
+            steps: (0..=u8::MAX).map(step).collect(),
+        }
+    }
+
+    /// The light of a photon.
+    #[inline]
+    pub(super) fn light(&self, photon: &Photon) -> Rgb {
+        let [r, g, b, exponent] = photon.light;
+        let step = self.steps[usize::from(exponent)];
+        let channel = |byte: u8| f32::from(byte) * step;
+        Rgb::new(channel(r), channel(g), channel(b))
+    }
+
+    /// The unit direction to where a photon came from.
+    #[inline]
+    pub(super) fn dir(&self, photon: &Photon) -> DVec3 {
+        let [rise, around] = photon
+            .from
+            .map(|angle| self.turns[usize::from(angle.cast_unsigned())]);
+        DVec3::new(rise.1 * around.1, rise.0, rise.1 * around.0)
+    }
+}
+
+/// Three channels with one exponent.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "channels are below 256, and the exponent goes round"
+)]
+fn packed(light: Rgb) -> [u8; 4] {
+    let most = f64::from(light.max());
+    if !(most >= NOTHING && most.is_finite()) {
+        return [0; 4];
+    }
+    let exponent = exponent_of(most);
+    let unit = f64::from(8 - exponent).exp2();
+    let channel = |c: f32| (f64::from(c) * unit) as u8;
+    [
+        channel(light.r),
+        channel(light.g),
+        channel(light.b),
+        (exponent + EXPONENT).rem_euclid(256) as u8,
+    ]
+}
+
+/// The least power of two that is more than a positive normal number.
+#[allow(clippy::cast_possible_truncation, reason = "eleven bits are taken")]
+fn exponent_of(number: f64) -> i32 {
+    ((number.to_bits() >> 52) & 0x7ff) as i32 - 1022
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_keeps_eight_bits_of_its_largest_channel() {
+        let photon = Photon::new(DVec3::ZERO, Rgb::new(0.75, 0.5, 0.001), DVec3::Y);
+        assert_eq!(photon.light, [192, 128, 0, 250]);
+        assert_eq!(Unpacking::new().light(&photon), Rgb::new(0.75, 0.5, 0.0));
+        assert_eq!(Photon::new(DVec3::ZERO, Rgb::BLACK, DVec3::Y).light, [0; 4]);
+    }
+
+    #[test]
+    fn directions_are_kept_to_a_degree_or_so() {
+        for from in [
+            DVec3::new(1.0, 2.0, 3.0),
+            DVec3::new(-1.0, -2.0, 0.5),
+            DVec3::new(0.2, 0.1, -3.0),
+            DVec3::NEG_Y,
+        ] {
+            let photon = Photon::new(DVec3::ZERO, Rgb::WHITE, from);
+            assert!(
+                Unpacking::new().dir(&photon).dot(from.normalize()) > 0.999,
+                "{from}"
+            );
+        }
+        let photon = Photon::new(DVec3::ZERO, Rgb::WHITE, DVec3::Y);
+        assert_eq!(photon.from, [63, 0]);
+    }
+}

@@ -1,0 +1,103 @@
+//! The directions in which light is gathered.
+
+use crate::base::math::halton;
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// How many directions there are if the scene asks for no other number.
+pub(super) const USUAL: u32 = 1600;
+
+/// How nearly a normal must point along y for the frame to be that of the world.
+const UPRIGHT: f64 = 0.999;
+/// How nearly along z for y to be the axis about which the frame is built.
+const ALONG: f64 = 0.9;
+
+/// So many directions over the half sphere about y, the dense the nearer to y: by the cosine.
+pub(super) fn pool(count: u32) -> Vec<DVec3> {
+    (1..=count).map(direction).collect()
+}
+
+fn direction(number: u32) -> DVec3 {
+    let point = halton(number);
+    let (radius, (sin, cos)) = (point.x.sqrt(), (TAU * point.y).sin_cos());
+    DVec3::new(radius * cos, (1.0 - radius * radius).sqrt(), radius * sin)
+}
+
+/// The axes of the half sphere about a normal, as POV-Ray lays them.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    x: DVec3,
+    normal: DVec3,
+    z: DVec3,
+}
+
+impl Frame {
+    /// About a unit normal.
+    #[must_use]
+    pub fn about(normal: DVec3) -> Self {
+        if normal.y.abs() > UPRIGHT {
+            // The axes of the world, all turned round below a ceiling.
+            let sign = normal.y.signum();
+            return Frame {
+                x: sign * DVec3::X,
+                normal: sign * DVec3::Y,
+                z: sign * DVec3::Z,
+            };
+        }
+        let axis = if normal.z.abs() > ALONG {
+            DVec3::Y
+        } else {
+            DVec3::Z
+        };
+        let x = normal.cross(axis).normalize();
+        let z = x.cross(normal).normalize();
+        Frame { x, normal, z }
+    }
+
+    /// A direction about y, about the normal.
+    #[must_use]
+    pub fn turned(&self, dir: DVec3) -> DVec3 {
+        dir.x * self.x + dir.y * self.normal + dir.z * self.z
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_those_of_the_half_sphere_by_the_cosine() {
+        let pool = pool(USUAL);
+        assert!(
+            pool.iter()
+                .all(|dir| dir.y >= 0.0 && (dir.length() - 1.0).abs() < 1e-12)
+        );
+        let mean: f64 = pool.iter().map(|dir| dir.y).sum::<f64>() / f64::from(USUAL);
+        // The mean cosine by the cosine is two thirds.
+        assert!((mean - 2.0 / 3.0).abs() < 1e-3, "{mean}");
+        // h2(1) = 1/2, h3(1) = 1/3.
+        let first = DVec3::new(
+            -0.5 * 0.5f64.sqrt(),
+            0.5f64.sqrt(),
+            0.75f64.sqrt() * 0.5f64.sqrt(),
+        );
+        assert!((pool[0] - first).length() < 1e-12, "{}", pool[0]);
+    }
+
+    #[test]
+    fn frames_stand_on_their_normals() {
+        for normal in [
+            DVec3::Y,
+            -DVec3::Y,
+            DVec3::X,
+            -DVec3::Z,
+            DVec3::new(0.6, 0.64, 0.48),
+        ] {
+            let frame = Frame::about(normal);
+            assert!((frame.turned(DVec3::Y) - normal).length() < 1e-12);
+            let dir = DVec3::new(0.48, 0.6, 0.64);
+            assert!((frame.turned(dir).length() - 1.0).abs() < 1e-12);
+            assert!((frame.turned(dir).dot(normal) - 0.6).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! A pixel through a lens: samples until they agree.
+
+use super::{Sample, Tracer};
+use crate::base::color::Rgb;
+use crate::scene::camera::{Lens, LensRay, Spread};
+use crate::world::Scratch;
+
+impl Tracer<'_> {
+    /// What a camera of several rays at each point sees: the mean of those that it has.
+    #[cold]
+    pub(super) fn several(
+        &self,
+        at: (f64, f64),
+        size: (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let camera = &self.world.camera;
+        let rays = (0..camera.rays()).filter_map(|number| camera.numbered_ray(number, at, size));
+        let mut count: f32 = 0.0;
+        let mut sum = Sample::BLACK;
+        for ray in rays {
+            let seen = self.sample(Some(ray), scratch);
+            sum.rgb += seen.rgb;
+            sum.transmit += seen.transmit;
+            count += 1.0;
+        }
+        if count == 0.0 {
+            return self.sample(None, scratch);
+        }
+        Sample {
+            rgb: sum.rgb.map(|c| c / count),
+            transmit: sum.transmit / count,
+        }
+    }
+
+    /// What a lens shows at a point of a picture of `size`, its width and height.
+    pub(super) fn through_lens(
+        &self,
+        lens: &Lens,
+        (x, y): (f64, f64),
+        size: (u32, u32),
+        scratch: &mut Scratch,
+    ) -> Sample {
+        let mut spread = Spread::default();
+        let mut rgb = Rgb::BLACK;
+        let mut transmit = 0.0;
+        let mut count = 0;
+        for (stop, &end) in lens.stops().iter().enumerate() {
+            for sample in count..end {
+                let sample = LensRay { sample, x, y };
+                let ray = lens.ray(&self.world.camera, &sample, size.0, size.1);
+                let seen = self.sample(ray, scratch);
+                // Where the picture keeps no transparency the background is opaque, whatever it says.
+                let is_opaque = ray.is_some() && !self.world.globals.has_alpha;
+                spread.add(seen.rgb, if is_opaque { 0.0 } else { seen.transmit });
+                rgb += seen.rgb;
+                transmit += seen.transmit;
+            }
+            count = end;
+            if lens.is_enough(stop, &spread) {
+                break;
+            }
+        }
+        #[allow(clippy::cast_precision_loss, reason = "samples are few")]
+        let count = count as f32;
+        Sample {
+            rgb: rgb.map(|c| c / count),
+            transmit: transmit / count,
+        }
+    }
+}

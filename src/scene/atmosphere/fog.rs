@@ -1,0 +1,261 @@
+//! `fog`: air that takes away light by `exp(-d / distance)` and gives its own colour for it.
+//!
+//! Ground fog (`fog_type 2`) is full up to the height `fog_offset` and thins out above it as `1 / (1 + y²)`, `y` in
+//! units of `fog_alt`. Turbulence shortens the way through the fog.
+
+use super::Tint;
+use crate::base::args::{Args, Parse, Word, declared, transform_step};
+use crate::base::color::Color;
+use crate::base::math::Ray;
+use crate::base::math::noise::{NoiseGenerator, Octaves};
+use crate::base::source::Diagnostic;
+use glam::DVec3;
+
+/// Up to this two heights, in units of `fog_alt`, are one; POV-Ray's value.
+const NOTHING: f64 = 1e-10;
+/// The `fog_type` of ground fog. All others are the same everywhere, as in POV-Ray.
+const GROUND: f64 = 2.0;
+
+/// A fog.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fog {
+    /// The distance over which light falls to a third; 0 for no fog.
+    pub distance: f64,
+    /// What it shows; `filter` tints what is behind it, `transmit` is the least share that comes through.
+    pub color: Color,
+    /// Whether it lies on the ground.
+    pub is_ground: bool,
+    /// The unit direction upwards.
+    pub up: DVec3,
+    /// `fog_alt`: above `offset`, the height at which ground fog is half as dense.
+    pub alt: f64,
+    /// `fog_offset`: up to here ground fog is full.
+    pub offset: f64,
+    /// The factors on the middle of the way at which turbulence is looked up; zero for none.
+    pub turbulence: DVec3,
+    /// `turb_depth`: how much of the way turbulence may take away.
+    pub turb_depth: f64,
+    /// How its noise is summed.
+    pub octaves: Octaves,
+}
+
+impl Default for Fog {
+    fn default() -> Self {
+        Fog {
+            distance: 0.0,
+            color: Color::default(),
+            is_ground: false,
+            up: DVec3::Y,
+            alt: 0.0,
+            offset: 0.0,
+            turbulence: DVec3::ZERO,
+            turb_depth: 0.5,
+            octaves: Octaves::default(),
+        }
+    }
+}
+
+impl Fog {
+    /// The fog of a block.
+    ///
+    /// # Errors
+    /// A malformed value, or an `up` without direction.
+    pub fn read(args: &mut dyn Args) -> Parse<Fog> {
+        args.open()?;
+        let mut fog = match declared::<Fog>(args)? {
+            Some(known) => Fog::clone(&known),
+            None => Fog::default(),
+        };
+        let at = args.last_span();
+        while !args.accept_close()? {
+            fog.read_item(args)?;
+        }
+        let Some(up) = fog.up.try_normalize() else {
+            let error = Diagnostic::error(at, "the `up` of this fog has no direction");
+            return Err(Box::new(error.with_hint("Write `up y`.")));
+        };
+        fog.up = up;
+        Ok(fog)
+    }
+
+    fn read_item(&mut self, args: &mut dyn Args) -> Parse<()> {
+        if let Some(color) = args.color_if_any()? {
+            self.color = color;
+            return Ok(());
+        }
+        if let Some(step) = transform_step(args)? {
+            // Transforms turn only what is up.
+            self.up = step
+                .transform()
+                .world_from_object
+                .transform_vector3(self.up);
+            return Ok(());
+        }
+        let Some(word) = args.word()? else {
+            return Err(args.expected("a parameter of `fog` or `}`"));
+        };
+        let slot = match word {
+            Word::Distance => &mut self.distance,
+            Word::FogAlt => &mut self.alt,
+            Word::FogOffset => &mut self.offset,
+            Word::TurbDepth => &mut self.turb_depth,
+            Word::FogType => {
+                args.accept(word)?;
+                self.is_ground = args.float()?.trunc() == GROUND;
+                return Ok(());
+            }
+            Word::Up | Word::Turbulence => {
+                args.accept(word)?;
+                let vector = args.vector()?;
+                if word == Word::Up {
+                    self.up = vector;
+                } else {
+                    self.turbulence = vector;
+                }
+                return Ok(());
+            }
+            Word::Octaves | Word::Omega | Word::Lambda => return self.read_octaves(word, args),
+            _ => return Err(args.expected("a parameter of `fog` or `}`")),
+        };
+        args.accept(word)?;
+        *slot = args.float()?;
+        Ok(())
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "turbulence is single precision, as in POV-Ray"
+    )]
+    fn read_octaves(&mut self, word: Word, args: &mut dyn Args) -> Parse<()> {
+        args.accept(word)?;
+        let value = args.float()?;
+        match word {
+            Word::Octaves => self.octaves.count = Octaves::count_of(value),
+            Word::Omega => self.octaves.omega = value as f32,
+            _ => self.octaves.lambda = value as f32,
+        }
+        Ok(())
+    }
+
+    /// Whether there is any fog.
+    #[must_use]
+    pub fn exists(&self) -> bool {
+        self.distance != 0.0
+    }
+
+    /// What a stretch of this fog does to light, from the start of a ray of unit direction over `length`.
+    #[must_use]
+    pub fn tint(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Tint {
+        let mut way = length;
+        if self.turbulence != DVec3::ZERO {
+            let middle = ray.at(0.5 * length) * self.turbulence;
+            let depth = self.turb_depth * noise.turbulence(middle, &self.octaves);
+            way *= 1.0 - (-length / self.distance).exp() * depth.min(1.0);
+        }
+        let density = if self.is_ground {
+            self.density(ray.origin.dot(self.up), ray.at(length).dot(self.up))
+        } else {
+            1.0
+        };
+        let least = f64::from(self.color.transmit);
+        let kept = (-way * density / self.distance).exp().max(least);
+        let Color { rgb, filter, .. } = self.color;
+        let filtered = rgb.map(|c| (1.0 - filter) + filter * c);
+        Tint {
+            factor: filtered * kept,
+            added: rgb * (1.0 - kept),
+        }
+    }
+
+    /// The mean density of ground fog between two heights.
+    fn density(&self, from: f64, to: f64) -> f64 {
+        let (s, t) = (
+            (from - self.offset) / self.alt,
+            (to - self.offset) / self.alt,
+        );
+        match (s <= 0.0, t <= 0.0) {
+            (true, true) => 1.0,
+            (true, false) => (t.atan() - s) / (t - s),
+            (false, true) => (s.atan() - t) / (s - t),
+            (false, false) if (s - t).abs() > NOTHING => (s.atan() - t.atan()) / (s - t),
+            // Also without `alt`: above its offset there is none of such a fog.
+            (false, false) => 1.0 / (s * s + 1.0),
+        }
+    }
+}
+
+/// What several fogs together do to light: they do not lie behind each other, their own light simply adds up.
+#[must_use]
+pub fn sum_of(tints: impl Iterator<Item = Tint>) -> Tint {
+    tints.fold(Tint::NONE, |sum, tint| Tint {
+        factor: sum.factor * tint.factor,
+        added: sum.added + tint.added,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::base::color::Rgb;
+
+    fn read(text: &str) -> Fog {
+        Fog::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    /// A wall of rgb <.2, .5, .9> three units in front of the camera, as POV-Ray 3.7 draws it in one or more fogs.
+    fn check(fogs: &[&str], expected: [f32; 3]) {
+        let ray = Ray::new(DVec3::ZERO, DVec3::new(0.31589, 0.0, 0.94880));
+        let tints = fogs
+            .iter()
+            .map(|text| read(text).tint(&ray, 3.0 / 0.94880, NoiseGenerator::default()));
+        let Rgb { r, g, b } = sum_of(tints).of(Rgb::new(0.2, 0.5, 0.9));
+        for (found, expected) in [r, g, b].into_iter().zip(expected) {
+            assert!((found - expected).abs() < 2e-3, "{fogs:?}: {r} {g} {b}");
+        }
+    }
+
+    #[test]
+    fn fog_takes_light_away_and_gives_its_own() {
+        check(
+            &["{ distance 2 rgb <0.6, 0.5, 0.4> }"],
+            [0.51768, 0.50001, 0.50291],
+        );
+        assert!(!read("{ rgb 1 }").exists());
+    }
+
+    #[test]
+    fn filter_tints_and_transmit_is_the_least_that_comes_through() {
+        let text = "{ distance 2 rgbft <0.6, 0.5, 0.4, 0.3, 0.2> }";
+        check(&[text], [0.51273, 0.48457, 0.46957]);
+        let far = "{ distance 0.2 rgbft <0.6, 0.5, 0.4, 0.3, 0.2> }";
+        check(&[far], [0.51521, 0.48499, 0.46760]);
+    }
+
+    #[test]
+    fn several_fogs_add_up() {
+        let fogs = [
+            "{ distance 2 rgbft <0.6, 0.5, 0.4, 0.3, 0.2> }",
+            "{ distance 5 rgbft <0.3, 0.5, 0.9, 0.1, 0.3> }",
+        ];
+        check(&fogs, [0.63500, 0.67556, 0.81935]);
+    }
+
+    #[test]
+    fn ground_fog_thins_out_above_its_offset() {
+        let ground = |rest: &str| {
+            format!("{{ fog_type 2 distance 2 fog_offset -0.2 rgb <0.6, 0.5, 0.4> {rest} }}")
+        };
+        check(&[&ground("fog_alt 0.5")], [0.49761, 0.50001, 0.52798]);
+        check(&[&ground("")], [0.2, 0.5, 0.9]);
+        check(&[&ground("fog_alt -0.5")], [0.51768, 0.50001, 0.50291]);
+    }
+
+    #[test]
+    fn transforms_turn_what_is_up() {
+        let fog = read("{ up <0, 2, 0> rotate <90, 0, 0> translate 5 scale 3 }");
+        assert!((fog.up - DVec3::Z).length() < 1e-12);
+        let error = Fog::read(&mut TextArgs::new("{ up 0 }")).expect_err("no direction");
+        assert_eq!(error.message, "the `up` of this fog has no direction");
+    }
+}

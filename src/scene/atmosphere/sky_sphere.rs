@@ -1,0 +1,208 @@
+//! `sky_sphere`: pigments on a sphere that no ray ever reaches, in front of the background.
+
+use crate::base::args::{Args, Parse, Word, declared, transform_step};
+use crate::base::color::{Color, Rgb};
+use crate::base::math::Step;
+use crate::base::source::Diagnostic;
+use crate::scene::pattern::{Settings, SurfacePoint};
+use crate::scene::texture::{Pigment, PreparedPigment};
+use glam::DVec3;
+
+/// The sky of a scene.
+#[derive(Clone, Debug)]
+pub struct SkySphere {
+    /// The pigments, the lowest first, never none.
+    pub pigments: Vec<Pigment>,
+    /// The factor on their light.
+    pub emission: Rgb,
+    /// The transforms of all of them.
+    pub steps: Vec<Step>,
+}
+
+/// A sky ready for rays.
+#[derive(Debug)]
+pub struct PreparedSky {
+    /// The top one first.
+    pigments: Vec<PreparedPigment>,
+    emission: Rgb,
+    rules_37: bool,
+}
+
+/// What is seen of the sky in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Its own light.
+    pub rgb: Rgb,
+    /// The factor on the background.
+    pub factor: Rgb,
+}
+
+impl SkySphere {
+    /// The sky of a block.
+    ///
+    /// # Errors
+    /// A malformed value, or no pigment.
+    pub fn read(args: &mut dyn Args) -> Parse<SkySphere> {
+        args.open()?;
+        let mut sky = match declared::<SkySphere>(args)? {
+            Some(known) => SkySphere::clone(&known),
+            None => SkySphere {
+                pigments: Vec::new(),
+                emission: Rgb::WHITE,
+                steps: Vec::new(),
+            },
+        };
+        while !args.accept_close()? {
+            if let Some(step) = transform_step(args)? {
+                sky.steps.push(step);
+            } else if args.accept(Word::Pigment)? {
+                sky.pigments.push(Pigment::read(args, &Pigment::default())?);
+            } else if args.accept(Word::Emission)? {
+                sky.emission = args.color()?.rgb;
+            } else {
+                return Err(
+                    args.expected("`pigment`, `emission`, a transform or `}` in `sky_sphere`")
+                );
+            }
+        }
+        if sky.pigments.is_empty() {
+            let error = Diagnostic::error(args.last_span(), "this `sky_sphere` has no pigment");
+            return Err(Box::new(
+                error.with_hint("Write `pigment { ... }` into it."),
+            ));
+        }
+        Ok(sky)
+    }
+
+    /// The form for rays; `settings` are what patterns take from the whole scene, and `rules_37` is for scenes of
+    /// version 3.7 and later.
+    #[must_use]
+    pub fn prepare(&self, settings: &Settings, rules_37: bool) -> PreparedSky {
+        let prepare = |pigment: &Pigment| PreparedPigment::new(pigment, &self.steps, settings);
+        PreparedSky {
+            pigments: self.pigments.iter().rev().map(prepare).collect(),
+            emission: self.emission,
+            rules_37,
+        }
+    }
+}
+
+impl PreparedSky {
+    /// What is seen in a unit direction.
+    ///
+    /// From version 3.7 on, the upper pigments filter the lower ones. Before, colours below are only weakened, and
+    /// the background shows through the product of all transmits, and of all filters with all colours (measured).
+    #[must_use]
+    pub fn seen(&self, dir: DVec3) -> Seen {
+        if self.rules_37 {
+            self.seen_by_layers(dir)
+        } else {
+            self.seen_before_37(dir)
+        }
+    }
+
+    fn seen_by_layers(&self, dir: DVec3) -> Seen {
+        let nothing = Seen {
+            rgb: Rgb::BLACK,
+            factor: Rgb::WHITE,
+        };
+        self.colors(dir).fold(nothing, |above, color| {
+            let light = color.rgb * (1.0 - color.filter - color.transmit);
+            Seen {
+                rgb: above.rgb + light * above.factor * self.emission,
+                factor: above.factor * color.transmission(),
+            }
+        })
+    }
+
+    fn seen_before_37(&self, dir: DVec3) -> Seen {
+        let mut rgb = Rgb::BLACK;
+        let mut passing = 1.0;
+        let mut through = Color {
+            rgb: Rgb::WHITE,
+            filter: 1.0,
+            transmit: 1.0,
+        };
+        for color in self.colors(dir) {
+            let own = 1.0 - color.filter - color.transmit;
+            rgb += color.rgb * (passing * own) * self.emission;
+            passing *= color.filter + color.transmit;
+            through.rgb *= color.rgb;
+            through.filter *= color.filter;
+            through.transmit *= color.transmit;
+        }
+        Seen {
+            rgb,
+            factor: through.transmission(),
+        }
+    }
+
+    fn colors(&self, dir: DVec3) -> impl Iterator<Item = Color> + '_ {
+        self.pigments
+            .iter()
+            .map(move |pigment| pigment.color(&SurfacePoint::at(dir)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn read(text: &str) -> Parse<SkySphere> {
+        SkySphere::read(&mut TextArgs::new(text))
+    }
+
+    /// Compares with what POV-Ray 3.7 shows in front of a background of this colour.
+    fn check(text: &str, rules_37: bool, background: Rgb, expected: [f32; 3]) {
+        let seen = read(text)
+            .unwrap()
+            .prepare(&Settings::default(), rules_37)
+            .seen(DVec3::Z);
+        let Rgb { r, g, b } = seen.rgb + seen.factor * background;
+        for (found, expected) in [r, g, b].into_iter().zip(expected) {
+            assert!((found - expected).abs() < 3e-5, "{text}: {r} {g} {b}");
+        }
+    }
+
+    const ONE: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } }";
+    const TWO: &str = "{ pigment { rgbft <0.8, 0.6, 0.4, 0.3, 0.2> } \
+        pigment { rgbft <0.3, 0.5, 0.7, 0.1, 0.4> } }";
+
+    #[test]
+    fn upper_pigments_filter_the_lower_ones() {
+        check(ONE, true, Rgb::BLACK, [0.4, 0.3, 0.2]);
+        check(TWO, true, Rgb::BLACK, [0.322, 0.385, 0.444]);
+        check(
+            TWO,
+            true,
+            Rgb::new(0.5, 0.6, 0.7),
+            [0.4166, 0.4876, 0.54928],
+        );
+    }
+
+    #[test]
+    fn before_3_7_upper_pigments_weaken_the_lower_ones() {
+        check(TWO, false, Rgb::BLACK, [0.35, 0.4, 0.45]);
+        check(ONE, false, Rgb::new(0.5, 0.6, 0.7), [0.62, 0.528, 0.424]);
+        check(
+            TWO,
+            false,
+            Rgb::new(0.5, 0.6, 0.7),
+            [0.39361, 0.45341, 0.51188],
+        );
+    }
+
+    #[test]
+    fn emission_scales_the_light_of_the_sky() {
+        let text = TWO.replacen('{', "{ emission rgb <0.5, 2, 1>", 1);
+        let background = Rgb::new(0.5, 0.6, 0.7);
+        check(&text, false, background, [0.2186, 0.85341, 0.51188]);
+    }
+
+    #[test]
+    fn a_sky_needs_a_pigment() {
+        let error = read("{ emission 1 }").expect_err("it is empty");
+        assert_eq!(error.message, "this `sky_sphere` has no pigment");
+    }
+}

@@ -1,0 +1,179 @@
+//! `media` as rays need it: what it does to light at a point.
+
+use super::{Media, Phase, Sampling, Scattering};
+use crate::base::color::Rgb;
+use crate::base::math::Step;
+use crate::scene::pattern::{Settings, SurfacePoint};
+use crate::scene::texture::PreparedPigment;
+use glam::DVec3;
+
+/// A medium ready for rays.
+#[derive(Debug)]
+pub struct PreparedMedia {
+    absorption: Rgb,
+    emission: Rgb,
+    scattering: Scattering,
+    densities: Vec<PreparedPigment>,
+    /// What it does where it is the same everywhere.
+    even: Option<Effect>,
+    /// Whether photons are kept in it.
+    pub collects: bool,
+    /// How a ray is sampled.
+    pub sampling: Sampling,
+}
+
+/// What media do to light over a unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effect {
+    /// The share that is taken away.
+    pub extinction: Rgb,
+    /// What is given.
+    pub emission: Rgb,
+    /// The share of light from elsewhere that is scattered, into all directions together.
+    pub scattering: Rgb,
+}
+
+impl Effect {
+    /// None.
+    pub const NONE: Effect = Effect {
+        extinction: Rgb::BLACK,
+        emission: Rgb::BLACK,
+        scattering: Rgb::BLACK,
+    };
+}
+
+impl Media {
+    /// The form for drawing, with the transforms of what holds the medium.
+    #[must_use]
+    pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedMedia {
+        let densities = self.densities.iter();
+        let mut media = PreparedMedia {
+            absorption: self.absorption,
+            emission: self.emission,
+            scattering: self.scattering,
+            collects: self.collect,
+            densities: densities
+                .map(|density| PreparedPigment::new(&density.0, after, settings))
+                .collect(),
+            even: None,
+            sampling: self.sampling,
+        };
+        let is_plain = |density: &PreparedPigment| matches!(density, PreparedPigment::Plain(_));
+        if media.densities.iter().all(is_plain) {
+            media.even = Some(media.effect(DVec3::ZERO));
+        }
+        media
+    }
+}
+
+impl PreparedMedia {
+    /// Whether the scene gives it a density.
+    #[must_use]
+    pub fn has_density(&self) -> bool {
+        !self.densities.is_empty()
+    }
+
+    /// Whether it is the same everywhere.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.even.is_some()
+    }
+
+    /// Whether it takes light away anywhere.
+    #[must_use]
+    pub fn takes_light(&self) -> bool {
+        let scattered = self.scattering.color * self.scattering.extinction;
+        self.absorption != Rgb::BLACK || scattered != Rgb::BLACK
+    }
+
+    /// Adds what it does at a point.
+    #[inline]
+    pub fn add_effect(&self, point: DVec3, sum: &mut Effect) {
+        let effect = match &self.even {
+            Some(effect) => *effect,
+            None => self.effect(point),
+        };
+        sum.extinction += effect.extinction;
+        sum.emission += effect.emission;
+        sum.scattering += effect.scattering;
+    }
+
+    fn effect(&self, point: DVec3) -> Effect {
+        let spot = SurfacePoint::at(point);
+        let mut density = Rgb::WHITE;
+        for factor in &self.densities {
+            density *= factor.color(&spot).rgb;
+            if density == Rgb::BLACK {
+                break;
+            }
+        }
+        let scattering = self.scattering.color;
+        Effect {
+            extinction: density * (self.absorption + scattering * self.scattering.extinction),
+            emission: density * self.emission,
+            scattering: density * scattering,
+        }
+    }
+
+    /// How much more light it scatters towards a viewer than into all directions on average; `cosine` is that between the
+    /// directions from the viewer to the point and from there to the light.
+    #[must_use]
+    pub fn phase(&self, cosine: f64) -> f64 {
+        match self.scattering.phase {
+            Phase::Isotropic => 1.0,
+            Phase::MieHazy => 0.576_655_375 * (1.0 + 9.0 * (0.5 * (1.0 + cosine)).powi(8)),
+            Phase::MieMurky => 0.495_714_547 * (1.0 + 50.0 * (0.5 * (1.0 + cosine)).powi(32)),
+            Phase::Rayleigh => 0.799_372_013 * (1.0 + cosine * cosine),
+            Phase::HenyeyGreenstein => {
+                let g = self.scattering.eccentricity;
+                (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn prepare(text: &str) -> PreparedMedia {
+        let media = Media::read(&mut TextArgs::new(text)).unwrap();
+        media.prepare(&[], &Settings::default())
+    }
+
+    #[test]
+    fn densities_multiply_and_extinction_is_what_is_absorbed_and_scattered() {
+        let media = prepare(
+            "{ absorption 0.5 emission 2 scattering { 1, 0.25 extinction 2 }
+               density { rgb 0.5 } density { gradient <1,0,0> } }",
+        );
+        let mut effect = Effect::NONE;
+        media.add_effect(DVec3::new(0.5, 0.0, 0.0), &mut effect);
+        assert_eq!(effect.extinction, Rgb::splat(0.25));
+        assert_eq!(effect.emission, Rgb::splat(0.5));
+        assert_eq!(effect.scattering, Rgb::splat(0.0625));
+        assert!(media.has_density() && !media.is_even());
+    }
+
+    #[test]
+    fn what_only_gives_or_scatters_without_extinction_takes_no_light() {
+        for text in ["{ emission 1 }", "{ scattering { 1, 1 extinction 0 } }"] {
+            assert!(!prepare(text).takes_light(), "{text}");
+        }
+        for text in ["{ absorption 1 }", "{ scattering { 1, 1 } }"] {
+            assert!(prepare(text).takes_light(), "{text}");
+        }
+    }
+
+    #[test]
+    fn types_1_and_5_scatter_as_much_as_they_take() {
+        for text in ["1, 1", "5, 1 eccentricity 0.6", "5, 1 eccentricity -0.3"] {
+            let media = prepare(&format!("{{ scattering {{ {text} }} }}"));
+            let steps = 2000;
+            let cosine = |i: i32| (f64::from(i) + 0.5) / f64::from(steps) * 2.0 - 1.0;
+            let sum: f64 = (0..steps).map(|i| media.phase(cosine(i))).sum();
+            assert!((sum / f64::from(steps) - 1.0).abs() < 1e-3, "{text}");
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! `fade_distance` and `fade_power`: light that weakens with the distance, `2 / (1 + (d / distance)^power)`.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::powers::exact_power;
+
+/// How light weakens; the default does not.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fade {
+    /// The distance at which all of the light arrives; nearer there is more, up to twice as much.
+    pub distance: f64,
+    /// The power of the distance.
+    pub power: f64,
+}
+
+impl Fade {
+    /// Takes `word` and its value if it is one of this element, and says whether it was.
+    ///
+    /// # Errors
+    /// A malformed value.
+    pub(super) fn read_item(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let slot = match word {
+            Word::FadeDistance => &mut self.distance,
+            Word::FadePower => &mut self.power,
+            _ => return Ok(false),
+        };
+        args.accept(word)?;
+        *slot = args.float()?;
+        Ok(true)
+    }
+
+    /// Whether light weakens at all.
+    #[must_use]
+    #[inline]
+    pub fn fades(&self) -> bool {
+        self.power > 0.0 && self.distance != 0.0
+    }
+
+    /// The share of light that arrives over a distance. Behind a parallel light distances are negative, and have no powers
+    /// that are not whole: nothing arrives there (measured with POV-Ray).
+    #[must_use]
+    #[inline]
+    pub fn share(&self, distance: f64) -> f64 {
+        if self.fades() {
+            let share = 2.0 / (1.0 + exact_power(distance / self.distance, self.power));
+            if share.is_nan() { 0.0 } else { share }
+        } else {
+            1.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_light_arrives_at_the_fade_distance() {
+        let fade = Fade {
+            distance: 4.0,
+            power: 2.0,
+        };
+        assert_eq!((fade.share(4.0), fade.share(12.0)), (1.0, 0.2));
+    }
+
+    #[test]
+    fn nothing_arrives_from_before_the_light_where_the_distance_has_no_power() {
+        let fade = |power| {
+            let distance = 4.0;
+            Fade { distance, power }.share(-2.0)
+        };
+        assert_eq!((fade(2.0), fade(1.5)), (1.6, 0.0));
+    }
+
+    #[test]
+    fn light_without_distance_or_power_does_not_fade() {
+        let fade = |distance, power| Fade { distance, power }.share(12.0);
+        assert_eq!((fade(0.0, 2.0), fade(4.0, 0.0)), (1.0, 1.0));
+    }
+}

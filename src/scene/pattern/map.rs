@@ -1,0 +1,294 @@
+//! The blend map: entries of any kind at positions, between which values are blended.
+//!
+//! Colour maps, pigment maps, normal maps, slope maps, texture maps and density maps are all of this form.
+
+use super::Stop;
+use crate::base::args::{Args, Parse, declared};
+use crate::base::color::Color;
+use crate::base::word::Class;
+use std::sync::Arc;
+
+/// Most entries of a map, as in POV-Ray.
+pub const MOST_ENTRIES: usize = 256;
+
+/// A map with at most this many entries is searched one by one.
+const FEW: usize = 8;
+
+/// Entries at positions in the order of the scene, never none.
+#[derive(Debug)]
+pub struct Map<T> {
+    entries: Arc<[(f32, T)]>,
+    is_sorted: bool,
+}
+
+/// The entries that a value lies between.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Between<'a, T> {
+    /// At one entry, or beyond the ends.
+    One(&'a T),
+    /// Between two; the share of the second.
+    Two(&'a T, &'a T, f64),
+}
+
+/// The numbers before the entries of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keys {
+    /// At which value of the pattern each entry stands.
+    Positions,
+    /// How much each entry weighs in the mean of `average`; 1 where the scene does not say it.
+    Weights,
+}
+
+impl Keys {
+    fn read(self, args: &mut dyn Args) -> Parse<f32> {
+        if self == Keys::Positions {
+            return args.single();
+        }
+        // POV-Ray takes a colour for the beginning of a weight.
+        let word = args.word()?;
+        if word.is_some_and(|word| word.class() == Class::Color) {
+            return Err(args.expected("a weight before the colour of an entry"));
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "weights are single precision"
+        )]
+        let weight = args.float_or(1.0)? as f32;
+        Ok(weight)
+    }
+}
+
+/// Reads one entry of a map and appends it.
+type ReadEntry<'a, T> = dyn FnMut(&mut dyn Args, &mut Vec<(f32, T)>) -> Parse<()> + 'a;
+
+/// Maps share their entries.
+impl<T> Clone for Map<T> {
+    fn clone(&self) -> Self {
+        Map {
+            entries: Arc::clone(&self.entries),
+            is_sorted: self.is_sorted,
+        }
+    }
+}
+
+impl<T> Map<T> {
+    /// A map of these entries, or `None` if there are none.
+    #[must_use]
+    pub fn new(entries: Vec<(f32, T)>) -> Option<Self> {
+        let is_sorted = entries.is_sorted_by(|a, b| a.0 <= b.0);
+        (!entries.is_empty()).then(|| Map {
+            entries: entries.into(),
+            is_sorted,
+        })
+    }
+
+    /// Reads `{ [position entry] ... }` or `{ Name }`; `entry` reads up to the `]`, which it leaves, and `what` is the
+    /// word of the map for messages.
+    ///
+    /// # Errors
+    /// A malformed entry, none, or too many.
+    pub fn read(
+        what: &str,
+        keys: Keys,
+        args: &mut dyn Args,
+        entry: &mut dyn FnMut(&mut dyn Args) -> Parse<T>,
+    ) -> Parse<Map<T>>
+    where
+        T: Send + Sync + 'static,
+    {
+        Map::read_entries(what, args, &mut |args, entries| {
+            let at = keys.read(args)?;
+            args.comma()?;
+            entries.push((at, entry(args)?));
+            Ok(())
+        })
+    }
+
+    fn read_entries(what: &str, args: &mut dyn Args, entry: &mut ReadEntry<'_, T>) -> Parse<Map<T>>
+    where
+        T: Send + Sync + 'static,
+    {
+        args.open()?;
+        if let Some(known) = declared::<Map<T>>(args)? {
+            args.close()?;
+            return Ok(Map::clone(&known));
+        }
+        let mut entries = Vec::new();
+        while args.accept_mark('[')? {
+            entry(args, &mut entries)?;
+            if !args.accept_mark(']')? {
+                return Err(args.expected(&format!("`]` after an entry of `{what}`")));
+            }
+            if entries.len() > MOST_ENTRIES {
+                let most = format!("at most {MOST_ENTRIES} entries in `{what}`");
+                return Err(args.expected(&most));
+            }
+        }
+        match Map::new(entries) {
+            Some(map) => args.close().map(|()| map),
+            None => Err(args.expected(&format!("`[` and an entry of `{what}`"))),
+        }
+    }
+
+    /// The entries with their positions.
+    #[must_use]
+    pub fn entries(&self) -> &[(f32, T)] {
+        &self.entries
+    }
+
+    /// A map with other entries at the same positions.
+    #[must_use]
+    pub fn map<U>(&self, change: impl Fn(&T) -> U) -> Map<U> {
+        Map {
+            entries: self
+                .entries
+                .iter()
+                .map(|(at, t)| (*at, change(t)))
+                .collect(),
+            is_sorted: self.is_sorted,
+        }
+    }
+
+    /// The entries about a value. Before the first and from the last on there is one; at the value of several entries it
+    /// is the first of them.
+    #[must_use]
+    pub fn between(&self, value: f64) -> Between<'_, T> {
+        let entries = &*self.entries;
+        let last = &entries[entries.len() - 1];
+        // Asked in the positive: NaN goes to the last entry.
+        let is_before_last = value < f64::from(last.0);
+        if !is_before_last {
+            return Between::One(&last.1);
+        }
+        let is_below = |entry: &(f32, T)| f64::from(entry.0) < value;
+        let next = if self.is_sorted && entries.len() > FEW {
+            entries.partition_point(is_below)
+        } else {
+            let found = entries.iter().position(|entry| !is_below(entry));
+            found.unwrap_or(entries.len() - 1)
+        };
+        let to = &entries[next];
+        if next == 0 || f64::from(to.0) == value {
+            return Between::One(&to.1);
+        }
+        let from = &entries[next - 1];
+        let (start, end) = (f64::from(from.0), f64::from(to.0));
+        Between::Two(&from.1, &to.1, (value - start) / (end - start))
+    }
+}
+
+impl Map<Color> {
+    /// A map of these colours, which must not be none.
+    #[must_use]
+    pub fn of_stops(stops: &[Stop]) -> Self {
+        Map {
+            entries: stops.into(),
+            is_sorted: stops.is_sorted_by(|a, b| a.0 <= b.0),
+        }
+    }
+
+    /// The colour at a value, blended in single precision.
+    #[must_use]
+    #[inline]
+    pub fn color(&self, value: f64) -> Color {
+        match self.between(value) {
+            Between::One(color) => *color,
+            Between::Two(from, to, share) => from.blended(to, share),
+        }
+    }
+
+    /// Reads `color_map { ... }` behind its word. An entry may give two positions and two colours, the old form.
+    ///
+    /// # Errors
+    /// A malformed entry, none, or too many.
+    pub fn read_colors(args: &mut dyn Args) -> Parse<Map<Color>> {
+        Map::read_entries("color_map", args, &mut |args, entries| {
+            let from = args.single()?;
+            args.comma()?;
+            if let Some(color) = args.color_if_any()? {
+                entries.push((from, color));
+                return Ok(());
+            }
+            let to = args.single()?;
+            for at in [from, to] {
+                args.comma()?;
+                entries.push((at, args.color()?));
+            }
+            Ok(())
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn colors(text: &str) -> Parse<Map<Color>> {
+        Map::read_colors(&mut TextArgs::new(text))
+    }
+
+    fn map(positions: &[f32]) -> Map<f32> {
+        Map::new(positions.iter().map(|&at| (at, at)).collect()).expect("there are entries")
+    }
+
+    #[test]
+    fn values_beyond_the_ends_take_the_last_entry() {
+        let map = map(&[0.25, 0.75]);
+        assert_eq!(map.between(0.0), Between::One(&0.25));
+        assert_eq!(map.between(0.75), Between::One(&0.75));
+        assert_eq!(map.between(2.0), Between::One(&0.75));
+        assert_eq!(map.between(0.5), Between::Two(&0.25, &0.75, 0.5));
+    }
+
+    #[test]
+    fn of_equal_entries_the_first_stands_at_the_value_and_the_last_above() {
+        let entries = vec![(0.0, 'a'), (0.5, 'b'), (0.5, 'c'), (1.0, 'd')];
+        let map = Map::new(entries).expect("there are entries");
+        assert_eq!(map.between(0.5), Between::One(&'b'));
+        assert_eq!(map.between(0.75), Between::Two(&'c', &'d', 0.5));
+    }
+
+    #[test]
+    fn a_long_map_is_searched_like_a_short_one() {
+        let positions: Vec<f32> = (0..=100u8).map(|i| f32::from(i) / 128.0).collect();
+        let map = map(&positions);
+        assert_eq!(map.between(0.5), Between::One(&0.5));
+        let share = 0.25;
+        let expected = Between::Two(&positions[64], &positions[65], share);
+        assert_eq!(map.between(0.5 + share / 128.0), expected);
+    }
+
+    #[test]
+    fn an_unsorted_map_is_searched_from_its_start() {
+        // POV-Ray takes the entries in the order in which they are written.
+        let map = map(&[0.5, 0.25, 1.0]);
+        assert_eq!(map.between(0.125), Between::One(&0.5));
+        assert_eq!(map.between(0.75), Between::Two(&0.25, &1.0, 2.0 / 3.0));
+    }
+
+    #[test]
+    fn the_old_form_gives_two_entries() {
+        let map = colors("{ [0, 0.5 color rgb 0 color rgb 1] [0.5 rgb 1] }").unwrap();
+        let positions: Vec<f32> = map.entries().iter().map(|entry| entry.0).collect();
+        assert_eq!(positions, [0.0, 0.5, 0.5]);
+        assert_eq!(map.color(0.25).rgb, crate::base::color::Rgb::splat(0.5));
+    }
+
+    #[test]
+    fn a_declared_map_can_be_used() {
+        let known = colors("{ [0 rgb 0] [1 rgb 1] }").unwrap();
+        let mut args = TextArgs::new("{ M }").with("M", known);
+        assert_eq!(Map::read_colors(&mut args).unwrap().entries().len(), 2);
+        assert!(args.is_done());
+    }
+
+    #[test]
+    fn a_map_has_entries() {
+        let error = colors("{ }").expect_err("it is empty").message;
+        assert_eq!(error, "expected `[` and an entry of `color_map`, found `}`");
+        let many = format!("{{ {} }}", "[0 rgb 1]".repeat(MOST_ENTRIES + 1));
+        let error = colors(&many).expect_err("it is too long").message;
+        assert!(error.starts_with("expected at most 256 entries"), "{error}");
+    }
+}

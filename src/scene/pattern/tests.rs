@@ -1,0 +1,132 @@
+//! The values of patterns, as POV-Ray 3.7 prints them.
+
+use super::*;
+use crate::base::args::text::TextArgs;
+
+/// The value of a pattern with its modifiers, waves included.
+pub(super) fn value(text: &str, point: DVec3) -> f64 {
+    let mut args = TextArgs::new(text);
+    let word = args
+        .word()
+        .unwrap()
+        .expect("a pattern begins with its word");
+    let mut pattern = read_named(word, &mut args).unwrap().expect("it is built");
+    let mut modifiers = Modifiers::default();
+    while let Some(word) = args.word().unwrap() {
+        let is_own = pattern.read_modifier(word, &mut args).unwrap();
+        assert!(is_own || modifiers.read(word, &mut args).unwrap(), "{word}");
+    }
+    assert!(args.is_done());
+    let prepared = modifiers.prepare(&*pattern, &[], &Settings::default());
+    prepared.value(prepared.moved(point), &SurfacePoint::at(point))
+}
+
+#[test]
+fn the_words_of_the_list_are_patterns() {
+    for (word, _) in PATTERNS {
+        assert!(is_pattern(*word), "{word}");
+    }
+    assert!(is_pattern(Word::Bozo) && is_pattern(Word::Spherical));
+    assert!(!is_pattern(Word::Solid) && !is_pattern(Word::Phong));
+}
+
+#[test]
+fn values_are_those_of_pov_ray() {
+    // Facts, appendix A: `function { pattern { ... } }` at three points.
+    let points = [
+        DVec3::new(0.3, 0.2, 0.1),
+        DVec3::new(-1.7, 2.25, 0.6),
+        DVec3::new(12.34, -5.67, 8.9),
+    ];
+    let expected = [
+        (
+            "bozo noise_generator 1",
+            [0.209_924_647_6, 0.801_849_110_5, 0.392_921_149_1],
+        ),
+        ("bozo", [0.373_438_962_5, 0.663_396_605_6, 0.463_080_863_8]),
+        (
+            "bozo noise_generator 3",
+            [0.578_735_912_4, 0.517_431_379_0, 0.543_519_081_6],
+        ),
+        (
+            "granite",
+            [0.371_002_399_5, 0.590_381_938_7, 0.220_615_439_4],
+        ),
+        (
+            "marble turbulence 0.6",
+            [0.646_904_208_7, 0.118_907_587_3, 0.165_073_236_1],
+        ),
+        ("agate", [0.370_484_161_2, 0.976_760_365_2, 0.699_516_322_7]),
+        (
+            "wood turbulence 0.3",
+            [0.441_562_870_5, 0.904_589_165_5, 0.953_111_315_7],
+        ),
+        (
+            "crackle",
+            [0.272_295_231_9, 0.338_916_222_9, 0.231_947_774_8],
+        ),
+        ("cells", [0.711_818_915_3, 0.208_934_925_3, 0.089_998_814_0]),
+        (
+            "wrinkles",
+            [0.321_998_498_8, 0.646_061_256_4, 0.487_418_422_6],
+        ),
+        (
+            "ripples",
+            [0.729_252_127_0, 0.452_698_833_1, 0.563_908_183_0],
+        ),
+        ("waves", [0.724_810_307_7, 0.434_478_222_1, 0.336_429_373_4]),
+        (
+            "leopard",
+            [0.039_207_030_0, 0.013_692_967_4, 0.080_666_227_7],
+        ),
+        (
+            "radial",
+            [0.948_791_808_8, 0.554_000_096_7, 0.900_554_611_2],
+        ),
+    ];
+    for (text, expected) in expected {
+        for (point, expected) in points.into_iter().zip(expected) {
+            let found = value(text, point);
+            assert!((found - expected).abs() < 1e-10, "{text} {point}: {found}");
+        }
+    }
+}
+
+#[test]
+fn turbulence_acts_before_transforms_wherever_it_stands() {
+    let point = DVec3::new(0.3, 1.2, -0.7);
+    let first = value("bozo turbulence 0.5 scale 2", point);
+    assert_eq!(first, value("bozo scale 2 turbulence 0.5", point));
+    let warped = value("bozo warp { turbulence 0.5 } scale 2", point);
+    assert!((first - warped).abs() < 1e-12);
+    assert!(warped != value("bozo scale 2 warp { turbulence 0.5 }", point));
+}
+
+/// The patterns that are made of a file or an object.
+const NEEDS_MORE: [Word; 4] = [
+    Word::DensityFile,
+    Word::Function,
+    Word::ImagePattern,
+    Word::Object,
+];
+
+#[test]
+fn every_pattern_has_a_value_everywhere() {
+    let words = PATTERNS.iter().map(|entry| entry.0);
+    let far = [f64::NAN, f64::INFINITY, -1e300, -1e17, 0.0, 1e17];
+    for word in words.filter(|word| !NEEDS_MORE.contains(word)) {
+        let tail = match word {
+            Word::Gradient => " <1, 0, 0> turbulence 1",
+            Word::Spiral1 | Word::Spiral2 => " 3 turbulence 1",
+            Word::Julia => " <0.3, 0.2>, 20 turbulence 1",
+            Word::Magnet => " 1 mandel 20 turbulence 1",
+            Word::Tiling => " 3 turbulence 1",
+            Word::Mandel => " 20 turbulence 1",
+            Word::Slope => " <0, 1, 0> turbulence 1",
+            _ => " turbulence 1",
+        };
+        for coordinate in far {
+            let _ = value(&format!("{word}{tail}"), DVec3::splat(coordinate));
+        }
+    }
+}

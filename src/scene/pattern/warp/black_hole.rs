@@ -1,0 +1,116 @@
+//! `warp { black_hole }`: a ball in which the pattern is drawn to, or pushed from, the centre.
+
+use super::{Warp, Warping};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::hash::hashed_cell;
+use crate::base::math::mersenne;
+use crate::base::source::Diagnostic;
+use crate::scene::pattern::{self, Settings};
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug)]
+struct BlackHole {
+    centre: DVec3,
+    radius: f64,
+    strength: f64,
+    falloff: f64,
+    is_inverse: bool,
+    /// The distances after which the ball is repeated; 0 along axes on which it is not.
+    repeat: DVec3,
+    /// How far centres of repeated balls are scattered.
+    turbulence: DVec3,
+}
+
+pub(super) fn read(args: &mut dyn Args) -> Parse<Box<dyn Warp>> {
+    let centre = args.vector()?;
+    args.comma()?;
+    let mut warp = BlackHole {
+        centre,
+        radius: args.float()?,
+        strength: 1.0,
+        falloff: 2.0,
+        is_inverse: false,
+        repeat: DVec3::ZERO,
+        turbulence: DVec3::ZERO,
+    };
+    loop {
+        if args.accept(Word::Strength)? {
+            warp.strength = args.float()?;
+        } else if args.accept(Word::Falloff)? {
+            warp.falloff = args.float()?;
+        } else if args.accept(Word::Inverse)? {
+            warp.is_inverse = true;
+        } else if args.accept(Word::Repeat)? {
+            warp.repeat = args.vector()?;
+        } else if args.accept(Word::Turbulence)? {
+            warp.turbulence = args.vector()?;
+        } else {
+            warp.fit_blocks(args);
+            return Ok(Box::new(warp));
+        }
+    }
+}
+
+impl Warp for BlackHole {
+    fn prepare(&self, _settings: &Settings) -> Box<dyn Warping> {
+        Box::new(*self)
+    }
+}
+
+impl BlackHole {
+    /// Moves the centre and widens the blocks until a block holds the whole ball, as POV-Ray does, with a warning.
+    fn fit_blocks(&mut self, args: &mut dyn Args) {
+        for axis in 0..3 {
+            if self.repeat[axis] <= 0.0 {
+                continue;
+            }
+            let centre = self.centre[axis].max(self.radius);
+            let width = self.repeat[axis].max(centre + self.radius + self.turbulence[axis]);
+            if (centre, width) != (self.centre[axis], self.repeat[axis]) {
+                let message =
+                    "the blocks of `black_hole` are widened until they hold all of the ball";
+                let at = args.last_span();
+                args.warn(Diagnostic::warning(at, message));
+            }
+            self.centre[axis] = centre;
+            self.repeat[axis] = width;
+        }
+    }
+
+    /// The centre of the ball whose block a point lies in.
+    fn centre_near(&self, point: DVec3) -> DVec3 {
+        if self.repeat == DVec3::ZERO {
+            return self.centre;
+        }
+        let mut block = DVec3::ZERO;
+        for axis in 0..3 {
+            if self.repeat[axis] > 0.0 {
+                block[axis] = (point[axis] / self.repeat[axis]).floor();
+            }
+        }
+        let mut centre = self.centre + self.repeat * block;
+        if self.turbulence != DVec3::ZERO {
+            let first = hashed_cell(pattern::cell(block));
+            let random = [0, 1, 2].map(|i| mersenne::random(first + i));
+            centre += self.turbulence * DVec3::from(random);
+        }
+        centre
+    }
+}
+
+impl Warping for BlackHole {
+    fn moved(&self, point: DVec3) -> DVec3 {
+        let away = point - self.centre_near(point);
+        let distance = away.length();
+        if distance >= self.radius {
+            return point;
+        }
+        let share = (self.radius - distance) / self.radius;
+        let pull = (self.strength * share.powf(self.falloff)).min(1.0);
+        if self.is_inverse {
+            point - away * pull
+        } else {
+            point + away * pull
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! The wave forms: how the value of a pattern runs into the positions of a map.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::noise::smooth;
+use crate::base::math::powers::exact_power;
+use crate::base::math::rounding::floor;
+use std::f64::consts::TAU;
+
+/// Values wrap here rather than at 1, so that 1 itself stays what it is.
+const WRAP: f64 = 1.00001;
+
+/// How the value of a pattern is repeated and shaped. The numbers are single precision, as in POV-Ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// `frequency`: how often the map is run through for one unit of the value; 0 leaves the value as it is.
+    pub frequency: f32,
+    /// `phase`: where in the map the value 0 begins.
+    pub phase: f32,
+    /// The form of one run.
+    pub shape: Shape,
+}
+
+/// The form of one run through a map.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Shape {
+    /// `ramp_wave`: straight up, then down at once.
+    #[default]
+    Ramp,
+    /// `sine_wave`: from the middle.
+    Sine,
+    /// `triangle_wave`: straight up and down.
+    Triangle,
+    /// `scallop_wave`: half a sine.
+    Scallop,
+    /// `cubic_wave`: up, flat at both ends.
+    Cubic,
+    /// `poly_wave`: a power.
+    Poly(f32),
+}
+
+impl Default for Wave {
+    fn default() -> Self {
+        Wave {
+            frequency: 1.0,
+            phase: 0.0,
+            shape: Shape::Ramp,
+        }
+    }
+}
+
+impl Wave {
+    /// One run up and one down.
+    pub const TRIANGLE: Wave = Wave {
+        frequency: 1.0,
+        phase: 0.0,
+        shape: Shape::Triangle,
+    };
+    /// The value as it is: an index into a list.
+    pub const NONE: Wave = Wave {
+        frequency: 0.0,
+        phase: 0.0,
+        shape: Shape::Ramp,
+    };
+
+    /// Where in a map a value lies.
+    #[must_use]
+    pub fn of(&self, value: f64) -> f64 {
+        let mut value = value;
+        if self.frequency != 0.0 {
+            value = wrapped(value * f64::from(self.frequency) + f64::from(self.phase));
+            if value < 0.0 {
+                value -= value.floor();
+            }
+        }
+        match self.shape {
+            Shape::Ramp => value,
+            Shape::Sine => 0.5 * (1.0 + cycloidal(value)),
+            Shape::Triangle => triangle(value),
+            Shape::Scallop => cycloidal(0.5 * value).abs(),
+            Shape::Cubic => smooth(value),
+            Shape::Poly(exponent) => exact_power(value, f64::from(exponent)),
+        }
+    }
+
+    /// Reads `word`, the next token, with its value if it is one of a wave, and says whether it was.
+    ///
+    /// # Errors
+    /// A malformed number.
+    pub fn read(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let shape = match word {
+            Word::Frequency | Word::Phase => {
+                args.accept(word)?;
+                let number = args.single()?;
+                if word == Word::Phase {
+                    self.phase = number;
+                } else {
+                    self.frequency = number;
+                }
+                return Ok(true);
+            }
+            Word::RampWave => Shape::Ramp,
+            Word::SineWave => Shape::Sine,
+            Word::TriangleWave => Shape::Triangle,
+            Word::ScallopWave => Shape::Scallop,
+            Word::CubicWave => Shape::Cubic,
+            Word::PolyWave => Shape::Poly(1.0),
+            _ => return Ok(false),
+        };
+        args.accept(word)?;
+        self.shape = match shape {
+            Shape::Poly(_) if args.at_expression()? => Shape::Poly(args.single()?),
+            other => other,
+        };
+        Ok(true)
+    }
+}
+
+/// What is left after whole multiples of [`WRAP`], with the sign of `value`.
+fn wrapped(value: f64) -> f64 {
+    /// Values are seldom above so many multiples: `%` takes a loop over bits.
+    const MOST: f64 = 1024.0 * WRAP;
+    let mut left = value.abs();
+    if left < WRAP {
+        return value;
+    }
+    if left.is_nan() || left >= MOST {
+        return value % WRAP;
+    }
+    // Each of these is exact: nothing is taken from numbers of twice its size.
+    if left >= 16.0 * WRAP {
+        for multiple in [512.0, 256.0, 128.0, 64.0, 32.0, 16.0] {
+            left = without(left, multiple * WRAP);
+        }
+    }
+    for multiple in [8.0, 4.0, 2.0, 1.0] {
+        left = without(left, multiple * WRAP);
+    }
+    left.copysign(value)
+}
+
+/// What is left of a number after another, if that is not larger.
+fn without(left: f64, multiple: f64) -> f64 {
+    if left >= multiple {
+        left - multiple
+    } else {
+        left
+    }
+}
+
+/// The sine of a number of turns, exactly odd.
+#[must_use]
+pub(super) fn cycloidal(turns: f64) -> f64 {
+    if turns >= 0.0 {
+        ((turns - floor(turns)) * TAU).sin()
+    } else {
+        -((-turns - floor(-turns)) * TAU).sin()
+    }
+}
+
+/// Up from 0 at whole numbers to 1 half way between them, and down again.
+#[must_use]
+pub(super) fn triangle(value: f64) -> f64 {
+    let above = if value >= 0.0 {
+        value - floor(value)
+    } else {
+        value + 1.0 + floor(value.abs())
+    };
+    if above >= 0.5 {
+        2.0 * (1.0 - above)
+    } else {
+        2.0 * above
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn wave(text: &str) -> Wave {
+        let mut args = TextArgs::new(text);
+        let mut wave = Wave::default();
+        while let Some(word) = args.word().unwrap() {
+            assert!(wave.read(word, &mut args).unwrap(), "{word}");
+        }
+        wave
+    }
+
+    #[test]
+    fn values_wrap_as_the_remainder_of_the_language_does() {
+        for number in -40_000..40_000 {
+            let value = f64::from(number) * 0.031_234_5;
+            for value in [value, value.next_up(), f64::from(number) * WRAP] {
+                assert_eq!(wrapped(value), value % WRAP, "{value}");
+            }
+        }
+        assert!(wrapped(f64::NAN).is_nan() && wrapped(f64::INFINITY).is_nan());
+    }
+
+    #[test]
+    fn one_stays_one_and_more_wraps() {
+        // POV-Ray takes the remainder of 1.00001.
+        let ramp = wave("");
+        assert_eq!((ramp.of(1.0), ramp.of(0.25)), (1.0, 0.25));
+        assert!((ramp.of(1.5) - 0.49999).abs() < 1e-12);
+        assert!((ramp.of(-0.25) - 0.75).abs() < 1e-12);
+    }
+
+    #[test]
+    fn frequency_acts_before_phase() {
+        assert_eq!(wave("frequency 2 phase 0.25").of(0.25), 0.75);
+    }
+
+    #[test]
+    fn without_a_frequency_the_value_stays() {
+        assert_eq!(wave("frequency 0").of(3.0), 3.0);
+    }
+
+    #[test]
+    fn the_shapes() {
+        for (text, at, expected) in [
+            ("triangle_wave", 0.75, 0.5),
+            ("triangle_wave", 0.25, 0.5),
+            ("sine_wave", 0.25, 1.0),
+            ("sine_wave", 0.75, 0.0),
+            ("scallop_wave", 0.5, 1.0),
+            ("cubic_wave", 0.25, 0.15625),
+            ("poly_wave 2", 0.5, 0.25),
+            ("poly_wave", 0.5, 0.5),
+        ] {
+            assert!((wave(text).of(at) - expected).abs() < 1e-12, "{text} {at}");
+        }
+    }
+
+    #[test]
+    fn sine_and_triangle_below_zero() {
+        assert_eq!(cycloidal(-0.25), -1.0);
+        assert_eq!(triangle(-0.25), 0.5);
+        assert_eq!(triangle(-1.25), 0.5);
+    }
+}

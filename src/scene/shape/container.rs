@@ -1,0 +1,154 @@
+//! `contained_by { box { ... } }` or `contained_by { sphere { ... } }`: where a shape made of functions is looked for.
+
+use super::{Cuboid, Sphere};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::{Bounds, Ray};
+use glam::DVec3;
+
+/// A box or a ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Container {
+    Box { low: DVec3, high: DVec3 },
+    Ball { centre: DVec3, radius: f64 },
+}
+
+/// An end of a ray in a container: its parameter, and the face.
+pub(super) type End = (f64, u32);
+
+/// The face of a ball; those of a box are twice the axis, and one more for the upper one.
+const ROUND: u32 = 6;
+/// So far from a face a point is on it.
+const ON_FACE: f64 = 1e-10;
+
+impl Container {
+    /// How many faces containers have.
+    pub(super) const FACES: u32 = 7;
+
+    /// The box that holds where the scene says nothing.
+    pub(super) const DEFAULT: Container = Container::Box {
+        low: DVec3::NEG_ONE,
+        high: DVec3::ONE,
+    };
+
+    /// Reads the container behind its word.
+    ///
+    /// # Errors
+    /// Another shape, or malformed parameters.
+    pub(super) fn read(args: &mut dyn Args) -> Parse<Self> {
+        args.open()?;
+        let is_box = args.accept(Word::Box)?;
+        if !is_box && !args.accept(Word::Sphere)? {
+            return Err(args.expected("`box` or `sphere` in `contained_by`"));
+        }
+        args.open()?;
+        let container = if is_box {
+            let Bounds { min, max } = super::Geometry::bounds(&Cuboid::read(args)?);
+            Container::Box {
+                low: min,
+                high: max,
+            }
+        } else {
+            let Sphere { centre, radius } = Sphere::read(args)?;
+            Container::Ball { centre, radius }
+        };
+        args.close()?;
+        args.close()?;
+        Ok(container)
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        match *self {
+            Container::Box { low, high } => Bounds {
+                min: low,
+                max: high,
+            },
+            Container::Ball { centre, radius } => {
+                let radius = DVec3::splat(radius.abs());
+                Bounds {
+                    min: centre - radius,
+                    max: centre + radius,
+                }
+            }
+        }
+    }
+
+    /// Whether a point lies in it, its surface included.
+    pub(super) fn contains(&self, point: DVec3) -> bool {
+        match *self {
+            Container::Box { low, high } => point.cmpge(low).all() && point.cmple(high).all(),
+            Container::Ball { centre, radius } => {
+                (point - centre).length_squared() <= radius * radius
+            }
+        }
+    }
+
+    /// The face on which a point lies, by POV-Ray's measure, which is the same for all sizes.
+    pub(super) fn face_at(&self, point: DVec3) -> Option<u32> {
+        match *self {
+            Container::Box { low, high } => (0..2 * 3).find(|face| {
+                let (axis, side) = ((face / 2) as usize, if face % 2 == 1 { high } else { low });
+                (point[axis] - side[axis]).abs() < ON_FACE
+            }),
+            Container::Ball { centre, radius } => {
+                ((point.distance(centre) - radius).abs() < ON_FACE).then_some(ROUND)
+            }
+        }
+    }
+
+    /// The outward normal of a face.
+    pub(super) fn normal(&self, point: DVec3, face: u32) -> DVec3 {
+        match *self {
+            Container::Box { .. } => {
+                let side = if face % 2 == 1 { 1.0 } else { -1.0 };
+                side * DVec3::AXES[(face / 2) as usize % 3]
+            }
+            Container::Ball { centre, .. } => point - centre,
+        }
+    }
+
+    /// Where the line of a ray enters and leaves it.
+    pub(super) fn chord(&self, ray: &Ray) -> Option<[End; 2]> {
+        match *self {
+            Container::Box { low, high } => box_chord(ray, low, high),
+            Container::Ball { centre, radius } => {
+                let dir_sq = ray.dir.length_squared();
+                let offset = ray.origin - centre;
+                let middle = -offset.dot(ray.dir) / dir_sq;
+                let away_sq = (offset + middle * ray.dir).length_squared();
+                let half_sq = (radius * radius - away_sq) / dir_sq;
+                (half_sq > 0.0).then(|| {
+                    let half = half_sq.sqrt();
+                    [(middle - half, ROUND), (middle + half, ROUND)]
+                })
+            }
+        }
+    }
+}
+
+fn box_chord(ray: &Ray, low: DVec3, high: DVec3) -> Option<[End; 2]> {
+    let mut enter = (f64::NEG_INFINITY, 0);
+    let mut leave = (f64::INFINITY, 0);
+    for (axis, lower) in [(0, 0), (1, 2), (2, 4)] {
+        let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
+        if dir == 0.0 {
+            if origin < low[axis] || origin > high[axis] {
+                return None;
+            }
+            continue;
+        }
+        let at_low = ((low[axis] - origin) / dir, lower);
+        let at_high = ((high[axis] - origin) / dir, lower + 1);
+        let (near, far) = if dir > 0.0 {
+            (at_low, at_high)
+        } else {
+            (at_high, at_low)
+        };
+        if near.0 > enter.0 {
+            enter = near;
+        }
+        if far.0 < leave.0 {
+            leave = far;
+        }
+    }
+    (enter.0 < leave.0 && enter.0.is_finite() && leave.0.is_finite()).then_some([enter, leave])
+}

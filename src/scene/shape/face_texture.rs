@@ -1,0 +1,91 @@
+//! Textures that single pieces of a shape have of their own: the triangles of a mesh, the components of a blob.
+
+use crate::base::args::{Args, Parse, Word, default_of};
+use crate::base::source::Diagnostic;
+use crate::scene::texture::{Layer, Texture};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// The texture of some pieces of a shape; the transforms of the object move it with them. Two are the same if they
+/// are one value.
+#[derive(Clone, Debug)]
+pub struct FaceTexture(pub Arc<Texture>);
+
+/// A part of the look of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TextureWeight {
+    /// How much of the look; all shares of a point add up to one.
+    pub weight: f64,
+    /// Which of the skins of the shape, or [`Share::OF_THE_OBJECT`].
+    pub skin: u32,
+}
+
+/// The parts of the look of a point; none if it looks as the object does.
+pub type TextureWeights = SmallVec<[TextureWeight; 3]>;
+
+impl TextureWeight {
+    /// In [`Share::skin`]: the texture of the object.
+    pub const OF_THE_OBJECT: u32 = u32::MAX;
+}
+
+impl FaceTexture {
+    /// Reads `texture`, `pigment`, `normal` or `finish` with its block, if `word` is one of them, into what a piece of
+    /// a shape has already; says whether it was.
+    ///
+    /// # Errors
+    /// A malformed block, or a texture that cannot lie over the one before.
+    pub(super) fn read_over(
+        own: &mut Option<Texture>,
+        word: Word,
+        args: &mut dyn Args,
+    ) -> Parse<bool> {
+        let default: Layer = default_of(args);
+        if args.accept(Word::Texture)? {
+            let upper = Texture::read(args, &default)?;
+            match own {
+                None => *own = Some(upper),
+                Some(lower) => {
+                    if let Some(fault) = lower.fault_below(&upper) {
+                        return Err(Box::new(Diagnostic::error(args.last_span(), fault)));
+                    }
+                    lower.lay_over(upper, args.version());
+                }
+            }
+            return Ok(true);
+        }
+        if !matches!(word, Word::Pigment | Word::Normal | Word::Finish) {
+            return Ok(false);
+        }
+        let texture = own.get_or_insert_with(|| Texture::from(default));
+        if texture.is_patterned() {
+            let fault = format!("`{word}` cannot change a texture that a pattern chooses");
+            return Err(Box::new(Diagnostic::error(args.span(), fault)));
+        }
+        texture.top_mut().read_part(word, args)
+    }
+
+    /// Reads a texture behind its word.
+    ///
+    /// # Errors
+    /// A malformed texture.
+    pub(super) fn read(args: &mut dyn Args) -> Parse<Self> {
+        let expected = |args: &mut dyn Args| args.expected("a texture");
+        let texture = args.texture_any()?;
+        let texture = texture.downcast::<Texture>();
+        texture.map(FaceTexture).map_err(|_| expected(args))
+    }
+}
+
+impl FaceTexture {
+    /// Whether it asks for texture coordinates.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        self.0.uses_uv()
+    }
+}
+
+impl PartialEq for FaceTexture {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}

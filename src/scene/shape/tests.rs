@@ -1,0 +1,118 @@
+use super::*;
+use crate::base::args::text::TextArgs;
+use crate::base::math::random::Random;
+use crate::base::word::Class;
+
+fn read(word: Word, text: &str) -> (Shape, TextArgs) {
+    let mut args = TextArgs::new(text);
+    let shape = Shape::read(word, &mut args).unwrap().unwrap();
+    (shape, args)
+}
+
+#[test]
+fn every_word_of_the_list_is_a_shape_of_the_grammar() {
+    for word in Shape::WORDS {
+        assert_eq!(word.class(), Class::Shape);
+    }
+}
+
+#[test]
+fn a_shape_reads_its_parameters_and_stops() {
+    for (word, text) in [
+        (Word::Sphere, "<1,2,3>, 4"),
+        (Word::Sphere, "1 4"),
+        (Word::Box, "-1, 1"),
+        (Word::Cylinder, "<0,0,0>, <0,1,0>, 1"),
+        (Word::Cylinder, "<0,0,0> <0,1,0> 1 open"),
+        (Word::Cone, "<0,0,0>, 1, <0,1,0>, 0"),
+        (Word::Cone, "<0,0,0> 1 <0,1,0> 0 open"),
+        (Word::Torus, "1, .3"),
+        (Word::Torus, "1 .3 sturm"),
+        (Word::Plane, "<0,1,0>, -1"),
+        (Word::Disc, "<0,0,0>, <0,1,0>, 1"),
+        (Word::Disc, "<0,0,0> <0,1,0> 1 .5"),
+        (Word::Triangle, "<0,0,0>, <0,1,0>, <1,0,0>"),
+        (Word::Quadric, "<1,1,1>, <0,0,0>, <0,0,0>, -1"),
+        (Word::Blob, "threshold .5 sphere { <0,0,0>, 1, 1 }"),
+        (Word::Superellipsoid, "<.5, .5>"),
+        (Word::Prism, "-1, 1, 4, <0,0>, <1,0>, <0,1>, <0,0>"),
+        (
+            Word::Prism,
+            "conic_sweep 0 1 4 <0,0> <1,0> <0,1> <0,0> open",
+        ),
+        (Word::Lathe, "2, <.5,-1>, <1,0>"),
+        (Word::Sor, "4, <1,-2>, <1,-1>, <1,1>, <1,2>"),
+        (Word::Sor, "4 <1,-2> <1,-1> <1,1> <1,2> open"),
+        (Word::Polygon, "4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0>"),
+        (Word::Poly, "2, <1,0,0,0,1,0,0,1,0,-1>"),
+        (Word::Ovus, "1, .5"),
+        (
+            Word::SmoothTriangle,
+            "<0,0,0>, <0,0,1>, <0,1,0>, <0,0,1>, <1,0,0>, <0,0,1>",
+        ),
+    ] {
+        let (shape, args) = read(word, text);
+        assert_eq!(shape.word(), word);
+        assert!(args.is_done(), "{text}");
+        assert!(args.warnings().is_empty());
+        assert!(!shape.bounds().is_empty());
+        let (_, mut args) = read(word, &format!("{text} rotate"));
+        assert!(args.accept(Word::Rotate).unwrap());
+    }
+}
+
+#[test]
+fn a_word_that_begins_no_shape_reads_nothing() {
+    assert!(Shape::read(Word::Union, &mut TextArgs::new("")).is_none());
+}
+
+#[test]
+fn a_missing_parameter_is_an_error() {
+    for word in Shape::WORDS {
+        let result = Shape::read(*word, &mut TextArgs::new("<0,0,0>, <0,1,0>")).unwrap();
+        let takes_vectors_only =
+            matches!(word, Word::Box | Word::Superellipsoid | Word::JuliaFractal);
+        assert_eq!(result.is_ok(), takes_vectors_only, "{word:?}");
+    }
+}
+
+#[test]
+fn what_a_ray_leaves_for_good_it_does_not_enter_again() {
+    let mut rng = Random::new(19);
+    for (word, text) in [
+        (Word::Sphere, "<1,2,3>, 4"),
+        (Word::Box, "<-1,-2,0.3>, <1,0.5,0.4>"),
+        (Word::Cylinder, "<0,-1,0.5>, <0.3,1,0>, 0.4"),
+        (Word::Cone, "<0,0,0.1>, 1, <0.2,1,0>, 0.3"),
+        (Word::Cone, "<0,0,0>, 0, <0,2,0>, 0.7"),
+        (Word::Cone, "<0,0,0>, 1, <0,1,0>, -0.5"),
+        (Word::Plane, "<0.3,1,0.2>, -1"),
+        (Word::Torus, "1, .3"),
+        (Word::Superellipsoid, "<.5, .3>"),
+        (Word::Superellipsoid, "<2, 1.1>"),
+    ] {
+        let (mut shape, _) = read(word, text);
+        shape.prepare();
+        let (mut left, mut roots) = (0, Vec::new());
+        for _ in 0..2000 {
+            let aim = rng.vector(1.0);
+            let away = rng.vector(4.0);
+            roots.clear();
+            shape.roots(&Ray::new(aim + away, -away), &mut roots);
+            for Root { t, face, .. } in roots.clone() {
+                let point = (aim + away) - t * away;
+                let out = Ray::new(point, rng.vector(1.0));
+                if shape.normal(point, face).dot(out.dir) <= 0.0 || !shape.is_exiting(&out) {
+                    continue;
+                }
+                left += 1;
+                roots.clear();
+                shape.roots(&out, &mut roots);
+                let enters = |root: &Root| root.crossing == Crossing::Enter && root.t > 1e-9;
+                assert!(!roots.iter().any(enters), "{word:?} {text}: {out:?}");
+            }
+        }
+        let is_hourglass = text.ends_with("-0.5");
+        assert_eq!(left > 200, !is_hourglass, "{word:?} {text}: {left}");
+    }
+}

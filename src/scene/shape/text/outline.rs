@@ -1,0 +1,399 @@
+//! The outline of a letter: closed curves of straight and quadratic pieces; a place is inside if a line from it crosses
+//! them an odd number of times.
+//!
+//! Which side of the ray the end of a piece lies on is computed once for both pieces that share it, so no ray slips in
+//! between them.
+
+use crate::base::math::simd::{F64x4, FourWork, SimdLevel, fours};
+use glam::DVec2;
+use smallvec::SmallVec;
+
+/// More roundings than it takes to find how far along a line a point of a piece lies.
+const ROUNDINGS: f64 = 32.0;
+/// The least square of a direction with which such a length keeps all its digits.
+const LEAST_SQUARE: f64 = 1e-200;
+
+/// Where a line crosses an outline, in order: its parameter, and the number of the piece.
+type Places = SmallVec<[(f64, u32); 8]>;
+
+/// The crossings of a line with an outline on a stretch of the line.
+pub(super) struct Crossings {
+    /// Whether an odd number of crossings that are left out comes before.
+    pub(super) starts_inside: bool,
+    pub(super) places: Places,
+}
+
+/// A piece of an outline: a quadratic Bézier curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Piece {
+    points: [DVec2; 3],
+    /// Whether the inside lies to the left of it.
+    is_left_inside: bool,
+}
+
+/// The coordinates along x and y of the three points of four pieces.
+type FourPieces = [[[f64; 4]; 2]; 3];
+
+/// The outline of a letter.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Outline {
+    pieces: Vec<Piece>,
+    /// The pieces by four; behind the last it stands again.
+    fours: Vec<FourPieces>,
+    /// The largest coordinate.
+    size: f64,
+}
+
+/// Finds the crossings of a line with an outline.
+struct Crossing<'a> {
+    outline: &'a Outline,
+    origin: DVec2,
+    dir: DVec2,
+    dir_sq: f64,
+    /// The lengths along the line, times `dir_sq`, before and beyond which no place is asked for.
+    stretch: [f64; 2],
+}
+
+impl Outline {
+    /// The outline of these pieces, which come back to where they start.
+    pub(super) fn new(pieces: Vec<[DVec2; 3]>) -> Self {
+        let pieces = pieces.into_iter().filter(|[a, b, c]| a != b || b != c);
+        let pieces: Vec<Piece> = pieces
+            .map(|points| Piece {
+                points,
+                is_left_inside: false,
+            })
+            .collect();
+        let fours = pieces.chunks(4).map(|of| {
+            let coordinate = |point: usize, axis: usize| {
+                std::array::from_fn(|lane| of[lane.min(of.len() - 1)].points[point][axis])
+            };
+            [0, 1, 2].map(|point| [0, 1].map(|axis| coordinate(point, axis)))
+        });
+        let mut outline = Outline {
+            fours: fours.collect(),
+            pieces,
+            size: 0.0,
+        };
+        let (low, high) = outline.bounds();
+        outline.size = low.abs().max(high.abs()).max_element();
+        for number in 0..outline.pieces.len() {
+            let piece = outline.pieces[number];
+            let left = piece.slope(0.5).perp();
+            // Even where it crosses itself, an outline has few pieces as short as this share of their length.
+            let beside = piece.at(0.5) + 1e-6 * left;
+            outline.pieces[number].is_left_inside = outline.contains(beside);
+        }
+        outline
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.pieces.len()
+    }
+
+    /// The corners of a box around it; the first is the larger if it is empty.
+    pub(super) fn bounds(&self) -> (DVec2, DVec2) {
+        let points = self.pieces.iter().flat_map(|piece| piece.points);
+        points.fold(
+            (DVec2::INFINITY, DVec2::NEG_INFINITY),
+            |(low, high), point| (low.min(point), high.max(point)),
+        )
+    }
+
+    /// Where the line `origin + t · dir` crosses the outline, at least for `from < t < to`. What is left out lies at
+    /// `t <= from` or `t >= to`.
+    #[inline(always)]
+    pub(super) fn crossings(
+        &self,
+        lanes: SimdLevel,
+        [origin, dir]: [DVec2; 2],
+        [from, to]: [f64; 2],
+    ) -> Crossings {
+        let dir_sq = dir.length_squared();
+        let reach = self.size + origin.x.abs() + origin.y.abs();
+        let size = (dir.x.abs() + dir.y.abs()) * reach;
+        let care = |length: f64| ROUNDINGS * f64::EPSILON * (size + length.abs());
+        let stretch = if dir_sq > LEAST_SQUARE {
+            let [from, to] = [from, to].map(|t| t * dir_sq);
+            [from - care(from), to + care(to)]
+        } else {
+            [f64::NEG_INFINITY, f64::INFINITY]
+        };
+        let mut found = fours(
+            lanes,
+            Crossing {
+                outline: self,
+                origin,
+                dir,
+                dir_sq,
+                stretch,
+            },
+        );
+        if found.places.len() > 1 {
+            let order = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+            found.places.sort_unstable_by(order);
+        }
+        found
+    }
+
+    /// Whether a place lies inside.
+    pub(super) fn contains(&self, place: DVec2) -> bool {
+        let crossings = self
+            .pieces
+            .iter()
+            .map(|piece| piece.crossings_beside(place));
+        crossings.sum::<usize>() % 2 == 1
+    }
+
+    /// The outward normal of a piece at a place on it.
+    pub(super) fn normal(&self, number: u32, place: DVec2) -> DVec2 {
+        let piece = &self.pieces[number as usize];
+        let left = piece.slope(piece.parameter(place)).perp();
+        if piece.is_left_inside { -left } else { left }
+    }
+}
+
+impl FourWork for Crossing<'_> {
+    type Answer = Crossings;
+
+    #[inline(always)]
+    fn run<F: F64x4>(self) -> Crossings {
+        let mut found = Crossings {
+            starts_inside: false,
+            places: Places::new(),
+        };
+        let (origin, dir) = (self.origin, self.dir);
+        let (origin_x, origin_y) = (F::all(origin.x), F::all(origin.y));
+        let (dir_x, dir_y) = (F::all(dir.x), F::all(dir.y));
+        for (of, first) in self.outline.fours.iter().zip((0..).step_by(4)) {
+            // Spelt out: `map` is not always inlined.
+            let x0 = F::load(&of[0][0]).minus(origin_x);
+            let y0 = F::load(&of[0][1]).minus(origin_y);
+            let x1 = F::load(&of[1][0]).minus(origin_x);
+            let y1 = F::load(&of[1][1]).minus(origin_y);
+            let x2 = F::load(&of[2][0]).minus(origin_x);
+            let y2 = F::load(&of[2][1]).minus(origin_y);
+            let side0 = dir_x.times(y0).minus(dir_y.times(x0));
+            let side1 = dir_x.times(y1).minus(dir_y.times(x1));
+            let side2 = dir_x.times(y2).minus(dir_y.times(x2));
+            let zero = F::all(0.0);
+            let negative0 = F::bits(side0.below(zero));
+            let negative1 = F::bits(side1.below(zero));
+            let negative2 = F::bits(side2.below(zero));
+            // Most pieces lie on one side of the line.
+            let mut met = negative0 ^ negative1 | negative1 ^ negative2;
+            if met == 0 {
+                continue;
+            }
+            let along0 = dir_x.times(x0).plus(dir_y.times(y0));
+            let along1 = dir_x.times(x1).plus(dir_y.times(y1));
+            let along2 = dir_x.times(x2).plus(dir_y.times(y2));
+            let least = along0.smaller(along1).smaller(along2);
+            let most = along0.larger(along1).larger(along2);
+            let before = F::bits(most.below(F::all(self.stretch[0])));
+            let beyond = F::bits(F::all(self.stretch[1]).below(least));
+            let pieces = self.outline.pieces.len() - first;
+            if pieces < 4 {
+                met &= (1 << pieces) - 1;
+            }
+            let passed = met & before & (negative0 ^ negative2);
+            found.starts_inside ^= passed.count_ones() % 2 == 1;
+            met &= !(before | beyond);
+            let side = [side0.store(), side1.store(), side2.store()];
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize;
+                met &= met - 1;
+                let number = first + lane;
+                let piece = &self.outline.pieces[number];
+                for s in sign_changes([side[0][lane], side[1][lane], side[2][lane]]) {
+                    let t = dir.dot(piece.at(s) - origin) / self.dir_sq;
+                    found
+                        .places
+                        .push((t, u32::try_from(number).unwrap_or(u32::MAX)));
+                }
+            }
+        }
+        found
+    }
+}
+
+impl Piece {
+    #[inline]
+    fn at(&self, s: f64) -> DVec2 {
+        let [a, b, c] = self.points;
+        let r = 1.0 - s;
+        r * r * a + 2.0 * r * s * b + s * s * c
+    }
+
+    /// How often the way from a place along x crosses the piece, give or take two.
+    fn crossings_beside(&self, place: DVec2) -> usize {
+        let side = self.points.map(|point| point.y - place.y);
+        let [first, middle, last] = side.map(|side| side < 0.0);
+        if first == middle && middle == last {
+            return 0;
+        }
+        let ahead = self.points.map(|point| point.x - place.x);
+        // The piece lies between its points.
+        if ahead.iter().all(|ahead| *ahead < 0.0) {
+            0
+        } else if ahead.iter().all(|ahead| *ahead > 0.0) {
+            usize::from(first != last)
+        } else {
+            let places = sign_changes(side).into_iter();
+            places.filter(|s| self.at(*s).x > place.x).count()
+        }
+    }
+
+    fn slope(&self, s: f64) -> DVec2 {
+        let [a, b, c] = self.points;
+        let slope = (1.0 - s) * (b - a) + s * (c - b);
+        if slope == DVec2::ZERO { c - a } else { slope }
+    }
+
+    /// The parameter of a place on the piece: a coordinate of it is a root, the other tells which.
+    fn parameter(&self, place: DVec2) -> f64 {
+        let [a, _, c] = self.points;
+        let away = [a, c].map(|end| (end - place).length_squared());
+        let ends = if away[0] < away[1] { 0.0 } else { 1.0 };
+        let mut best = (away[0].min(away[1]), ends);
+        for axis in [0, 1] {
+            let offset = self.points.map(|point| point[axis] - place[axis]);
+            for s in roots(offset) {
+                let s = s.clamp(0.0, 1.0);
+                let away = (self.at(s) - place).length_squared();
+                if away < best.0 {
+                    best = (away, s);
+                }
+            }
+        }
+        best.1
+    }
+}
+
+/// Where a quadratic of these Bernstein coefficients changes its sign between zero and one.
+fn sign_changes(c: [f64; 3]) -> SmallVec<[f64; 2]> {
+    let [first, middle, last] = c.map(|c| c < 0.0);
+    let mut found = SmallVec::new();
+    if first != last {
+        // One of the roots lies in between, however the other is rounded.
+        let off = |s: &f64| (s - 0.5).abs();
+        let root = roots(c)
+            .into_iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)));
+        found.push(root.unwrap_or(0.5).clamp(0.0, 1.0));
+    } else if first != middle {
+        let both = roots(c);
+        if both.len() == 2 && both.iter().all(|s| (0.0..=1.0).contains(s)) {
+            found.extend(both);
+        }
+    }
+    found
+}
+
+/// The roots of a quadratic of these Bernstein coefficients, those that are finite.
+fn roots([c0, c1, c2]: [f64; 3]) -> SmallVec<[f64; 2]> {
+    let (a, half_b) = (c0 - 2.0 * c1 + c2, c1 - c0);
+    let quarter = half_b * half_b - a * c0;
+    if quarter < 0.0 {
+        return SmallVec::new();
+    }
+    let q = -(half_b + quarter.sqrt().copysign(half_b));
+    let both = [q / a, c0 / q];
+    both.into_iter().filter(|s| s.is_finite()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square with a round hole of four quadratic pieces.
+    fn ring() -> Outline {
+        let p = DVec2::new;
+        let line = |a: DVec2, b: DVec2| [a, 0.5 * (a + b), b];
+        let corners = [p(-1.0, -1.0), p(1.0, -1.0), p(1.0, 1.0), p(-1.0, 1.0)];
+        let mut pieces: Vec<_> = (0..4)
+            .map(|i| line(corners[i], corners[(i + 1) % 4]))
+            .collect();
+        let hole = [p(-0.5, 0.0), p(0.0, 0.5), p(0.5, 0.0), p(0.0, -0.5)];
+        let bends = [p(-0.5, 0.5), p(0.5, 0.5), p(0.5, -0.5), p(-0.5, -0.5)];
+        pieces.extend((0..4).map(|i| [hole[i], bends[i], hole[(i + 1) % 4]]));
+        Outline::new(pieces)
+    }
+
+    /// The crossings of the whole line.
+    fn whole(outline: &Outline, origin: DVec2, dir: DVec2) -> Places {
+        let all = [f64::NEG_INFINITY, f64::INFINITY];
+        let found = outline.crossings(SimdLevel::widest(), [origin, dir], all);
+        assert!(!found.starts_inside);
+        found.places
+    }
+
+    #[test]
+    fn a_stretch_of_a_line_has_the_crossings_of_the_whole() {
+        let ring = ring();
+        for lanes in [SimdLevel::NARROW, SimdLevel::widest()] {
+            for slope in [-0.7, -0.1, 0.0, 0.3, 1.0] {
+                let (origin, dir) = (DVec2::new(-3.0, 0.2 - 3.0 * slope), DVec2::new(1.0, slope));
+                let all = whole(&ring, origin, dir);
+                for [from, to] in [[2.2, 3.3], [2.7, 2.8], [-1.0, 3.0], [3.9, 9.0]] {
+                    let found = ring.crossings(lanes, [origin, dir], [from, to]);
+                    let wanted = |place: &&(f64, u32)| from < place.0 && place.0 < to;
+                    let here: Vec<_> = found.places.iter().filter(wanted).collect();
+                    assert_eq!(here, all.iter().filter(wanted).collect::<Vec<_>>());
+                    let before = |place: &&(f64, u32)| place.0 <= from;
+                    let left_out = all.iter().filter(before).count()
+                        - found.places.iter().filter(before).count();
+                    assert_eq!(found.starts_inside, left_out % 2 == 1);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_hole_is_outside() {
+        let ring = ring();
+        for (x, y, is_inside) in [
+            (0.0, 0.0, false),
+            (0.0, 0.6, true),
+            (0.7, 0.7, true),
+            (1.2, 0.0, false),
+            (-0.49, 0.0, false),
+        ] {
+            assert_eq!(ring.contains(DVec2::new(x, y)), is_inside, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn lines_through_corners_cross_an_even_number_of_times() {
+        let ring = ring();
+        for to in [
+            DVec2::ONE,
+            DVec2::new(0.5, 0.0),
+            DVec2::new(0.0, 0.5),
+            DVec2::X,
+        ] {
+            for from in [
+                DVec2::new(-3.0, -3.0),
+                DVec2::new(-7.0, 0.0),
+                DVec2::new(0.1, 9.0),
+            ] {
+                let found = whole(&ring, from, to - from);
+                assert_eq!(found.len() % 2, 0, "{from} {to} {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn normals_point_out() {
+        let ring = ring();
+        for (origin, dir) in [
+            (DVec2::new(-3.0, 0.2), DVec2::X),
+            (DVec2::new(0.2, -3.0), DVec2::new(0.1, 1.0)),
+        ] {
+            for (at, (t, piece)) in whole(&ring, origin, dir).iter().enumerate() {
+                let normal = ring.normal(*piece, origin + *t * dir);
+                assert_eq!(normal.dot(dir) > 0.0, at % 2 == 1, "{at}");
+            }
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! `normal` as rays need it: how bumps tilt the normal of a surface (Blinn, "Simulation of Wrinkled Surfaces", 1978).
+
+use super::{Facets, Layer, Normal, NormalKind};
+use crate::base::bitmap;
+use crate::base::math::Step;
+use crate::base::math::noise::vector_noise;
+use crate::scene::pattern::{
+    Between, Map, Modifiers, PreparedPattern, PreparedWarpChain, Settings, SurfacePoint, Turns,
+    nearest_feature,
+};
+use glam::{DVec2, DVec3};
+
+/// The corners of a tetrahedron about a point, where a pattern is sampled for its slope.
+const CORNERS: [DVec3; 4] = [
+    DVec3::new(0.942_809_041, -0.333_333_333, 0.0),
+    DVec3::new(-0.471_404_521, -0.333_333_333, 0.816_496_581),
+    DVec3::new(-0.471_404_521, -0.333_333_333, -0.816_496_581),
+    DVec3::new(0.0, 1.0, 0.0),
+];
+/// The factor on the slope that a pattern has between such samples.
+const SLOPE: f64 = -5.0;
+/// Samples so far apart give the slope itself.
+const UNIT_ACCURACY: f64 = 0.02;
+/// `facets` are no smaller.
+const LEAST_FACETS: f64 = 1e-6;
+
+/// Bumps ready for rays.
+#[derive(Debug)]
+pub struct PreparedNormal {
+    relief: Relief,
+    /// How normals turn on their way to what carries the bumps.
+    around: Turns,
+    turns: Turns,
+    amount: f64,
+    accuracy: f64,
+    /// Whether normals stay one long on their way to the pattern, so that scaled bumps keep their slope.
+    is_unit: bool,
+}
+
+#[derive(Debug)]
+enum Relief {
+    /// None.
+    Flat,
+    /// The values of a pattern, or a formula of its own.
+    Pattern(PreparedPattern),
+    /// The values of a pattern through heights and slopes.
+    Slopes(PreparedPattern, Map<DVec2>),
+    /// A pattern that chooses among normals.
+    Normals(PreparedPattern, Map<PreparedNormal>),
+    /// The mean of normals.
+    Average(PreparedWarpChain, Map<PreparedNormal>),
+    /// The brightness of a picture.
+    Image(PreparedWarpChain, bitmap::Source),
+    /// Flat faces.
+    Facets(PreparedWarpChain, Facets),
+    /// Other bumps at texture coordinates.
+    Uv(Box<PreparedNormal>),
+}
+
+impl PreparedNormal {
+    /// The form for drawing, with the transforms of what carries the bumps after their own; `None` where there are none.
+    #[must_use]
+    pub fn new(normal: &Normal, after: &[Step], settings: &Settings) -> Option<Self> {
+        PreparedNormal::within_normal(normal, after, settings, true)
+    }
+
+    /// The same for the normal of a layer.
+    pub(super) fn of_layer(layer: &Layer, after: &[Step], settings: &Settings) -> Option<Self> {
+        let is_unit = !layer.has_no_bump_scale;
+        PreparedNormal::within_normal(layer.normal.as_ref()?, after, settings, is_unit)
+    }
+
+    /// The same; what `no_bump_scale` says of a map it says of all its entries (measured with POV-Ray).
+    fn within_normal(
+        normal: &Normal,
+        after: &[Step],
+        settings: &Settings,
+        is_unit: bool,
+    ) -> Option<Self> {
+        let is_unit = is_unit && !normal.has_no_bump_scale;
+        let modifiers: &Modifiers = &normal.modifiers;
+        let chain = || modifiers.prepare_chain(after, settings);
+        let pattern = |pattern| modifiers.prepare(pattern, after, settings);
+        // No other transforms act on the entries of a map.
+        let entry = |normal: &Normal| {
+            PreparedNormal::within_normal(normal, &[], settings, is_unit)
+                .unwrap_or_else(PreparedNormal::flat)
+        };
+        let relief = match &normal.kind {
+            NormalKind::None | NormalKind::Average(None) => return None,
+            NormalKind::Pattern(of) => Relief::Pattern(pattern(&**of)),
+            NormalKind::Slopes(of, map) => Relief::Slopes(pattern(&**of), map.clone()),
+            NormalKind::Normals(of, map) => {
+                Relief::Normals(pattern(&**of), map.map(|normal| entry(normal)))
+            }
+            NormalKind::Average(Some(map)) => {
+                Relief::Average(chain(), map.map(|normal| entry(normal)))
+            }
+            NormalKind::Image(source) => Relief::Image(chain(), source.clone()),
+            NormalKind::Facets(facets) => Relief::Facets(chain(), *facets),
+            NormalKind::Uv(mapped) => Relief::Uv(Box::new(entry(mapped))),
+        };
+        let turns = match &relief {
+            Relief::Flat | Relief::Uv(_) => Turns::default(),
+            Relief::Pattern(pattern) | Relief::Slopes(pattern, _) | Relief::Normals(pattern, _) => {
+                pattern.turns(is_unit)
+            }
+            Relief::Average(chain, _) | Relief::Image(chain, _) | Relief::Facets(chain, _) => {
+                chain.turns(is_unit)
+            }
+        };
+        Some(PreparedNormal {
+            relief,
+            around: Turns::default(),
+            turns,
+            amount: normal.amount,
+            accuracy: normal.accuracy,
+            is_unit,
+        })
+    }
+
+    /// The same for normals that must be turned so before, on their way to what carries the bumps.
+    #[must_use]
+    pub(super) fn within(mut self, around: &Turns) -> Self {
+        self.around = around.clone();
+        self
+    }
+
+    /// No bumps, as an entry of a map.
+    fn flat() -> Self {
+        PreparedNormal {
+            relief: Relief::Flat,
+            around: Turns::default(),
+            turns: Turns::default(),
+            amount: 0.0,
+            accuracy: UNIT_ACCURACY,
+            is_unit: true,
+        }
+    }
+
+    /// The normal that the bumps make at a point of a unit normal of the surface, one long but behind textures chosen with
+    /// `no_bump_scale`. The point is that of the place, or for the entries of maps one of the pattern around them.
+    #[must_use]
+    pub fn tilted(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
+        self.tilted_and_seen(point, normal, spot).0
+    }
+
+    /// The same, and as slope patterns see it: turned as on the way to what carries the bumps, and with
+    /// `no_bump_scale` as long as the bumps make it (measured with POV-Ray).
+    #[must_use]
+    pub fn tilted_and_seen(
+        &self,
+        point: DVec3,
+        normal: DVec3,
+        spot: &SurfacePoint,
+    ) -> (DVec3, DVec3) {
+        let turned = self.around.to_pattern(normal);
+        let here = if self.is_unit && !self.around.is_unit() {
+            turned.normalize_or_zero()
+        } else {
+            turned
+        };
+        let seen = self.tilted_here(point, here, spot);
+        if self.is_unit && self.around.is_unit() {
+            return (self.around.back(seen), seen);
+        }
+        // Only the choices of textures around it lengthen it again, and POV-Ray shades with a normal of that length.
+        let unit = seen.normalize_or_zero();
+        let unit = if unit == DVec3::ZERO { here } else { unit };
+        (self.around.back(unit), seen)
+    }
+
+    fn tilted_here(&self, point: DVec3, normal: DVec3, spot: &SurfacePoint) -> DVec3 {
+        let own = self.turns.to_pattern(normal);
+        let tilted = match &self.relief {
+            Relief::Flat => own,
+            Relief::Pattern(pattern) => {
+                let moved = pattern.moved(point);
+                match pattern.tilt(moved) {
+                    Some(tilt) => own + self.amount * tilt,
+                    None => self.sloped(own, moved, |at| pattern.value(at, spot)),
+                }
+            }
+            Relief::Slopes(pattern, map) => {
+                let moved = pattern.moved(point);
+                match pattern.tilt(moved) {
+                    Some(tilt) => own + self.amount * tilt,
+                    None => self.sloped(own, moved, |at| height(map, pattern.value(at, spot))),
+                }
+            }
+            Relief::Normals(pattern, map) => {
+                let moved = pattern.moved(point);
+                let of = |entry: &PreparedNormal| entry.tilted_here(moved, own, spot);
+                match map.between(pattern.value(moved, spot)) {
+                    Between::One(entry) => of(entry),
+                    Between::Two(from, to, share) => (1.0 - share) * of(from) + share * of(to),
+                }
+            }
+            Relief::Average(chain, map) => {
+                let moved = chain.moved(point);
+                let mut sum = DVec3::ZERO;
+                let mut total = 0.0;
+                for (weight, entry) in map.entries() {
+                    let weight = f64::from(*weight);
+                    sum += weight * entry.tilted_here(moved, own, spot);
+                    total += weight;
+                }
+                sum / total
+            }
+            Relief::Image(chain, source) => self.by_picture(own, chain.moved(point), source),
+            Relief::Facets(chain, facets) => facet(own, chain.moved(point), facets),
+            Relief::Uv(mapped) => mapped.tilted_here(spot.on_the_map(), own, spot),
+        };
+        let tilted = self.turns.back(tilted);
+        let kept = if self.is_unit {
+            tilted.normalize_or_zero()
+        } else {
+            tilted
+        };
+        if kept == DVec3::ZERO { normal } else { kept }
+    }
+
+    pub(super) fn uses_uv(&self) -> bool {
+        let any = |map: &Map<PreparedNormal>| {
+            let mut entries = map.entries().iter();
+            entries.any(|(_, entry)| entry.uses_uv())
+        };
+        match &self.relief {
+            Relief::Uv(_) => true,
+            Relief::Normals(_, map) | Relief::Average(_, map) => any(map),
+            _ => false,
+        }
+    }
+
+    /// A normal tilted by the slope of heights about a point.
+    fn sloped(&self, normal: DVec3, point: DVec3, height: impl Fn(DVec3) -> f64) -> DVec3 {
+        let amount = self.amount * SLOPE * (UNIT_ACCURACY / self.accuracy);
+        CORNERS.iter().fold(normal, |sum, &corner| {
+            sum + (height(point + self.accuracy * corner) * amount) * corner
+        })
+    }
+
+    /// A normal tilted by the slope of a picture's brightness.
+    fn by_picture(&self, normal: DVec3, point: DVec3, source: &bitmap::Source) -> DVec3 {
+        let Some(at) = source.mapping.place(&source.bitmap, point) else {
+            return normal;
+        };
+        // From one to the next, each taken into the picture: the last digits of a place count where indices are
+        // interpolated.
+        let to_the_left = source.bitmap.wrapped(at + DVec2::new(-1.0, 1.0));
+        let to_the_right = source.bitmap.wrapped(to_the_left + DVec2::new(2.0, 0.0));
+        let heights = source.heights([at, to_the_left, to_the_right]);
+        let [first, left, right] = heights.map(|height| self.amount * height);
+        let first = DVec3::new(0.0, first, 0.0);
+        let left = DVec3::new(-1.0, left, 1.0);
+        let right = DVec3::new(1.0, right, 1.0);
+        let bump = (right - left).cross(first - left).normalize_or_zero();
+        let (across, upward) = match normal.cross(DVec3::Y).try_normalize() {
+            Some(across) => (across, normal),
+            None => (DVec3::X, DVec3::new(0.0, normal.y.signum(), 0.0)),
+        };
+        let along = across.cross(upward);
+        across * bump.x + upward * bump.y - along * bump.z
+    }
+}
+
+/// The height at a value: a cubic through the heights and slopes of the entries about it.
+fn height(map: &Map<DVec2>, value: f64) -> f64 {
+    match map.between(value) {
+        Between::One(entry) => entry.x,
+        Between::Two(from, to, t) => {
+            let fall = from.x - to.x;
+            let cubic = from.y + to.y + 2.0 * fall;
+            let square = 2.0 * from.y + to.y + 3.0 * fall;
+            t * (t * (t * cubic - square) + from.y) + from.x
+        }
+    }
+}
+
+/// The normal of the flat face that a point belongs to.
+fn facet(normal: DVec3, point: DVec3, facets: &Facets) -> DVec3 {
+    let by_place = facets.coords != 0.0;
+    let asked = if by_place { point } else { normal };
+    let place = nearest_feature(asked / facets.size.max(LEAST_FACETS), facets.metric);
+    if by_place {
+        let noise = vector_noise(place);
+        normal + facets.coords * (noise - normal * normal.dot(noise))
+    } else {
+        place.normalize_or_zero()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn prepare(text: &str) -> PreparedNormal {
+        let normal = Normal::read(&mut TextArgs::new(text), None).unwrap();
+        PreparedNormal::new(&normal, &[], &Settings::default()).expect("it has a pattern")
+    }
+
+    fn tilted(text: &str, point: DVec3) -> DVec3 {
+        prepare(text).tilted(point, DVec3::Y, &SurfacePoint::at(point))
+    }
+
+    fn close(a: DVec3, b: DVec3) -> bool {
+        (a - b).abs().max_element() < 1e-7
+    }
+
+    #[test]
+    fn bumps_add_noise_to_the_normal() {
+        let point = DVec3::new(1.3, 0.2, -4.7);
+        let expected = (DVec3::Y + 0.6 * vector_noise(point)).normalize();
+        assert!(close(tilted("{ bumps 0.6 }", point), expected));
+    }
+
+    #[test]
+    fn a_ramp_tilts_against_its_slope() {
+        // Four samples of a slope of 1: the sum over a tetrahedron of (t . x) t is 4/3 x.
+        let expected = (DVec3::Y - 5.0 * 0.02 * 0.5 * 4.0 / 3.0 * DVec3::X).normalize();
+        let point = DVec3::new(0.4, 0.0, 0.0);
+        assert!(close(tilted("{ gradient <1,0,0> 0.5 }", point), expected));
+        assert!(close(
+            tilted("{ gradient <1,0,0> 0.5 accuracy 0.1 }", point),
+            expected
+        ));
+    }
+
+    #[test]
+    fn heights_run_through_the_entries_with_their_slopes() {
+        let map = Map::new(vec![
+            (0.0, DVec2::new(0.0, 1.0)),
+            (1.0, DVec2::new(1.0, 1.0)),
+        ]);
+        let map = map.expect("it has entries");
+        assert!((0..=4).all(|i| height(&map, f64::from(i) / 4.0) == f64::from(i) / 4.0));
+    }
+
+    #[test]
+    fn scaled_bumps_keep_their_slope_unless_the_scene_says_otherwise() {
+        let point = DVec3::new(0.4, 0.3, 0.2);
+        let plain = tilted("{ bumps 0.6 }", point);
+        assert!(close(tilted("{ bumps 0.6 scale 3 }", 3.0 * point), plain));
+        let kept = tilted("{ bumps 0.6 scale 3 no_bump_scale }", 3.0 * point);
+        assert!(close(kept, tilted("{ bumps 0.2 }", point)));
+    }
+
+    #[test]
+    fn a_pattern_blends_normals() {
+        let point = DVec3::new(0.25, 0.3, 0.2);
+        let blend = tilted(
+            "{ gradient <1,0,0> normal_map { [0 bumps 0] [1 bumps 1] } }",
+            point,
+        );
+        let expected = 0.75 * DVec3::Y + 0.25 * tilted("{ bumps 1 }", point);
+        assert!(close(blend, expected.normalize()));
+    }
+}

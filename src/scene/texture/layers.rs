@@ -1,0 +1,365 @@
+//! `texture`: layers of pigment and finish, and how later parts of a scene change them.
+
+use super::{Finish, Normal, Patterned, PatternedKind, Pigment, PigmentKind, PreparedTexture};
+use crate::base::args::{Args, Parse, Word, alike, declared, transform_step};
+use crate::base::color::Color;
+use crate::base::math::Step;
+use crate::scene::pattern::{Settings, Turns};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// The last language version in which upper layers do not filter but only transmit.
+const LAST_WITHOUT_FILTER: f64 = 3.1;
+
+/// Textures that hold themselves twice double their layers.
+const MOST_LAYERS: usize = 100_000;
+
+/// One layer of a texture: the colour and how it answers to light.
+#[derive(Clone, Debug, Default)]
+pub struct Layer {
+    /// The colour.
+    pub pigment: Pigment,
+    /// The answer to light.
+    pub finish: Arc<Finish>,
+    /// Bumps.
+    pub normal: Option<Arc<Normal>>,
+    /// `no_bump_scale` in the texture itself: as if it stood in whatever normal the layer has in the end.
+    pub has_no_bump_scale: bool,
+}
+
+/// What a surface looks like: layers, the lowest first, never none.
+#[derive(Clone, Debug)]
+pub struct Texture {
+    layers: SmallVec<[Layer; 1]>,
+    /// What chooses among textures; the one layer there is does not count then.
+    pub(super) pattern: Option<Box<Patterned>>,
+}
+
+impl From<Layer> for Texture {
+    fn from(layer: Layer) -> Self {
+        Texture {
+            layers: SmallVec::from_buf([layer]),
+            pattern: None,
+        }
+    }
+}
+
+impl Layer {
+    /// Reads `pigment`, `normal` or `finish` with its block into this layer if `word`, the next token, is one of them, and
+    /// says whether it was. What a block does not say stays as it is.
+    ///
+    /// # Errors
+    /// A malformed block, or a part that is not built yet.
+    pub fn read_part(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        match word {
+            Word::Pigment => {
+                args.accept(word)?;
+                self.pigment = Pigment::read(args, &self.pigment)?;
+            }
+            Word::Finish => {
+                args.accept(word)?;
+                let finish = Finish::read(args, &self.finish)?;
+                self.finish = alike(args, finish);
+            }
+            Word::Normal => {
+                args.accept(word)?;
+                self.normal = Some(Normal::read(args, self.normal.as_ref())?);
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// The name of a pigment, normal or finish, which may stand without its word; false for anything else.
+    fn read_named(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        if let Some(pigment) = declared::<Pigment>(args)? {
+            self.pigment = (*pigment).clone();
+        } else if let Some(normal) = declared::<Arc<Normal>>(args)? {
+            self.normal = Some(Arc::clone(&normal));
+        } else if let Some(finish) = declared::<Finish>(args)? {
+            self.finish = finish;
+        } else {
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
+    /// One colour everywhere, and how it answers to light.
+    #[must_use]
+    pub(crate) fn colored(color: Color, finish: Arc<Finish>) -> Layer {
+        Layer {
+            pigment: Pigment::plain(color),
+            finish,
+            normal: None,
+            has_no_bump_scale: false,
+        }
+    }
+
+    /// The layer as further textures begin with it: `no_bump_scale` goes on with the normal only, if there is one (measured
+    /// with POV-Ray).
+    #[must_use]
+    pub(crate) fn into_default(mut self) -> Layer {
+        if std::mem::take(&mut self.has_no_bump_scale)
+            && let Some(normal) = &mut self.normal
+        {
+            Arc::make_mut(normal).has_no_bump_scale = true;
+        }
+        self
+    }
+
+    /// Whether it is a pigment without modifiers, and a finish.
+    #[must_use]
+    pub(crate) fn is_bare(&self) -> bool {
+        self.normal.is_none() && self.pigment.is_bare()
+    }
+
+    /// Moves the layer. A pigment put into the layer later continues from there, as in POV-Ray.
+    pub fn transform(&mut self, step: &Step) {
+        self.pigment.transform(step);
+        if let Some(normal) = &mut self.normal {
+            Arc::make_mut(normal).transform(step);
+        }
+    }
+}
+
+impl Texture {
+    /// The texture of a block; what the block does not say is as in `default`.
+    ///
+    /// Parts after the name of a layered texture change its top layer; transforms move all its layers.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read(args: &mut dyn Args, default: &Layer) -> Parse<Texture> {
+        args.open()?;
+        let mut texture = Texture::begin(args, default)?;
+        while !args.accept_close()? {
+            if !texture.read_item(args, default)? {
+                return Err(args.expected(match texture.pattern {
+                    Some(_) => "`texture_map`, a modifier of the pattern or `}` in `texture`",
+                    None => "`pigment`, `normal`, `finish` or `}` in `texture`",
+                }));
+            }
+        }
+        texture.checked(args)
+    }
+
+    /// Takes a transform, or a part of the top layer, or what belongs to the pattern, if one is next.
+    pub(super) fn read_item(&mut self, args: &mut dyn Args, default: &Layer) -> Parse<bool> {
+        if let Some(pattern) = &mut self.pattern {
+            return pattern.read_item(args, default);
+        }
+        if let Some(step) = transform_step(args)? {
+            self.transform(&step);
+            return Ok(true);
+        }
+        match args.word()? {
+            Some(Word::NoBumpScale) => {
+                self.top_mut().has_no_bump_scale = args.accept(Word::NoBumpScale)?;
+                Ok(true)
+            }
+            Some(word) => {
+                let layer = self.top_mut();
+                Ok(layer.read_part(word, args)? || layer.read_old(args)?)
+            }
+            None => {
+                let layer = self.top_mut();
+                Ok(layer.read_named(args)? || layer.read_old(args)?)
+            }
+        }
+    }
+
+    /// The texture at its end; an error if something that it needs has not been read.
+    pub(super) fn checked(mut self, args: &mut dyn Args) -> Parse<Texture> {
+        if let Some(pattern) = &mut self.pattern {
+            pattern.check(args)?;
+            pattern.spread_no_bump_scale();
+        }
+        Ok(self)
+    }
+
+    /// Says `no_bump_scale` of the texture: of its top layer, or of the pattern and what it chooses from.
+    pub(super) fn set_no_bump_scale(&mut self) {
+        match &mut self.pattern {
+            Some(pattern) => {
+                pattern.has_no_bump_scale = true;
+                pattern.spread_no_bump_scale();
+            }
+            None => self.top_mut().has_no_bump_scale = true,
+        }
+    }
+
+    /// Whether a pattern chooses among textures here.
+    #[must_use]
+    pub fn is_patterned(&self) -> bool {
+        self.pattern.is_some()
+    }
+
+    /// What chooses among textures, if something does.
+    #[must_use]
+    pub fn pattern(&self) -> Option<&Patterned> {
+        self.pattern.as_deref()
+    }
+
+    /// The layers, the lowest first.
+    #[must_use]
+    pub fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// The colour and the finish of a texture that is no more than that.
+    #[must_use]
+    pub(crate) fn bare(&self) -> Option<(Color, &Arc<Finish>)> {
+        match (&*self.layers, &self.pattern) {
+            ([layer], None) if layer.is_bare() => match layer.pigment.kind {
+                PigmentKind::Plain(color) => Some((color, &layer.finish)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The layer that loose parts change: the one declared last.
+    pub fn top_mut(&mut self) -> &mut Layer {
+        self.layers.last_mut().expect("a texture has a layer")
+    }
+
+    /// What is wrong with laying another texture over this one, if anything is.
+    #[must_use]
+    pub fn fault_below(&self, upper: &Texture) -> Option<String> {
+        if self.is_patterned() || upper.is_patterned() {
+            return Some("a texture that a pattern chooses is no layer of another".to_owned());
+        }
+        let has_too_many = self.layers.len() + upper.layers.len() > MOST_LAYERS;
+        has_too_many.then(|| format!("a texture has at most {MOST_LAYERS} layers"))
+    }
+
+    /// Lays another texture over this one. In versions up to 3.1 the upper layers transmit what they would filter.
+    pub fn lay_over(&mut self, upper: Texture, version: f64) {
+        for mut layer in upper.layers {
+            if version <= LAST_WITHOUT_FILTER {
+                layer.pigment.filter_to_transmit();
+            }
+            self.layers.push(layer);
+        }
+    }
+
+    /// Moves all layers.
+    pub fn transform(&mut self, step: &Step) {
+        for layer in &mut self.layers {
+            layer.transform(step);
+        }
+        if let Some(pattern) = &mut self.pattern {
+            pattern.transform(step);
+        }
+    }
+
+    /// Whether a transform changes what the texture looks like.
+    #[must_use]
+    pub fn depends_on_place(&self) -> bool {
+        self.pattern.is_some()
+            || self.layers.iter().any(|layer| {
+                layer.normal.is_some() || !matches!(layer.pigment.kind, PigmentKind::Plain(_))
+            })
+    }
+
+    /// Whether it asks for the texture coordinates of the surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        match &self.pattern {
+            None => self.layers.iter().any(|layer| {
+                let normal = layer.normal.as_ref();
+                layer.pigment.uses_uv() || normal.is_some_and(|normal| normal.uses_uv())
+            }),
+            Some(pattern) => {
+                matches!(pattern.kind, PatternedKind::Uv(_))
+                    || pattern.textures().into_iter().any(Texture::uses_uv)
+            }
+        }
+    }
+
+    /// The form for tracing, with the transforms of the object after those of the texture.
+    #[must_use]
+    pub fn prepare(&self, after: &[Step], settings: &Settings) -> PreparedTexture {
+        PreparedTexture::new(self, after, &Turns::default(), settings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::base::color::Rgb;
+    use glam::DVec3;
+
+    fn read_with(args: &mut TextArgs) -> Parse<Texture> {
+        Texture::read(args, &Layer::default())
+    }
+
+    fn read(text: &str) -> Texture {
+        read_with(&mut TextArgs::new(text)).unwrap()
+    }
+
+    fn color(layer: &Layer) -> Color {
+        match layer.pigment.kind {
+            PigmentKind::Plain(color) => color,
+            _ => panic!("the pigment is plain"),
+        }
+    }
+
+    fn glass(filter: f64) -> Texture {
+        let color = Color::from_components([1.0, 1.0, 1.0, filter, 0.0]);
+        Texture::from(Layer {
+            pigment: Pigment::plain(color),
+            ..Layer::default()
+        })
+    }
+
+    #[test]
+    fn a_texture_without_pigment_has_that_of_the_default() {
+        let default = glass(0.25).layers()[0].clone();
+        let mut args = TextArgs::new("{ finish { phong 1 } }");
+        let texture = Texture::read(&mut args, &default).unwrap();
+        assert_eq!(color(&texture.layers()[0]).filter, 0.25);
+        assert_eq!(texture.layers()[0].finish.phong, 1.0);
+    }
+
+    #[test]
+    fn parts_after_a_name_change_the_top_layer() {
+        let mut known = glass(0.0);
+        known.lay_over(glass(0.5), 3.7);
+        let mut args = TextArgs::new("{ T finish { ambient 0.75 } }").with("T", known);
+        let texture = read_with(&mut args).unwrap();
+        assert_eq!(texture.layers()[0].finish.ambient, Rgb::splat(0.1));
+        assert_eq!(texture.layers()[1].finish.ambient, Rgb::splat(0.75));
+    }
+
+    #[test]
+    fn a_pigment_after_a_transform_continues_from_there() {
+        // In POV-Ray 3.7 the second pigment of `pigment { checker ... translate .5 } translate x pigment { ... }`
+        // is translated by both.
+        let texture = read("{ pigment { checker translate 1 } scale 2 pigment { hexagon } }");
+        let expected = [Step::Translate(DVec3::ONE), Step::Scale(DVec3::splat(2.0))];
+        assert_eq!(
+            texture.layers()[0]
+                .pigment
+                .modifiers
+                .get()
+                .unwrap()
+                .chain
+                .steps(),
+            expected
+        );
+    }
+
+    #[test]
+    fn up_to_version_3_1_upper_layers_transmit_what_they_would_filter() {
+        let mut old = glass(0.5);
+        old.lay_over(glass(0.5), 3.1);
+        let through: Vec<_> = old.layers().iter().map(color).collect();
+        assert_eq!((through[0].filter, through[0].transmit), (0.5, 0.0));
+        assert_eq!((through[1].filter, through[1].transmit), (0.0, 0.5));
+        let mut new = glass(0.5);
+        new.lay_over(glass(0.5), 3.5);
+        assert_eq!(color(&new.layers()[1]).filter, 0.5);
+    }
+}

@@ -1,0 +1,596 @@
+//! `pigment`: the colour of a surface, plain or by a pattern.
+
+use super::{Rare, read_pattern};
+use crate::base::args::{Args, Parse, Word, declared, default_of, not_built};
+use crate::base::bitmap;
+use crate::base::color::{Color, Rgb};
+use crate::base::math::Step;
+use crate::scene::interior::Density;
+use crate::scene::pattern::{self, Keys, Map, Modifiers, Pattern, Stop};
+
+/// The colour of a surface as a scene describes it.
+#[derive(Clone, Debug)]
+pub struct Pigment {
+    /// Where the colour comes from.
+    pub kind: PigmentKind,
+    /// `quick_color`: the colour in previews of quality 5 and less.
+    pub quick_color: Option<Box<Color>>,
+    /// Turbulence, waves, warps and transforms of the pattern; the transforms of its texture stand behind its own.
+    pub modifiers: Rare<Modifiers>,
+}
+
+/// Where the colour of a pigment comes from. There may be a million of them, most of them plain.
+#[derive(Clone, Debug)]
+pub enum PigmentKind {
+    /// The same colour everywhere.
+    Plain(Color),
+    /// A pattern whose value is looked up among colours.
+    Colors(Box<Mapped<Color>>),
+    /// A pattern whose value is looked up among pigments.
+    Pigments(Box<Mapped<Pigment>>),
+    /// `average`: the mean of pigments by weight; none before its `pigment_map` is read.
+    Average(Option<Box<Map<Pigment>>>),
+    /// `image_map`: the colours of a picture.
+    Image(Box<bitmap::Source>),
+    /// `uv_mapping`: another pigment at the texture coordinates of the surface.
+    Uv(Box<Pigment>),
+}
+
+/// A pattern, and what its values are looked up among.
+#[derive(Clone, Debug)]
+pub struct Mapped<T> {
+    /// The pattern.
+    pub pattern: Box<dyn Pattern>,
+    /// What its values stand for.
+    pub map: Map<T>,
+}
+
+impl PigmentKind {
+    fn colors(pattern: Box<dyn Pattern>, map: Map<Color>) -> Self {
+        PigmentKind::Colors(Box::new(Mapped { pattern, map }))
+    }
+
+    fn pigments(pattern: Box<dyn Pattern>, map: Map<Pigment>) -> Self {
+        PigmentKind::Pigments(Box::new(Mapped { pattern, map }))
+    }
+
+    /// A pattern in place of what was there. It keeps the map that the scene has given to the pattern before, and takes a
+    /// list for one (measured with POV-Ray: a name or the default pigment may stand before a pattern).
+    fn with_pattern(&self, pattern: Box<dyn Pattern>) -> Self {
+        match self {
+            PigmentKind::Pigments(mapped) => PigmentKind::pigments(pattern, mapped.map.clone()),
+            PigmentKind::Colors(mapped) if mapped.is_said() => {
+                PigmentKind::colors(pattern, mapped.map.clone())
+            }
+            PigmentKind::Average(Some(map)) => PigmentKind::pigments(pattern, (**map).clone()),
+            _ => {
+                let usual = Map::of_stops(pattern.default_map());
+                PigmentKind::colors(pattern, usual)
+            }
+        }
+    }
+}
+
+impl Mapped<Color> {
+    /// Tells whether the colours are other ones than the pattern has by itself.
+    fn is_said(&self) -> bool {
+        self.pattern.has_list() || self.map.entries() != self.pattern.default_map()
+    }
+}
+
+/// Whose words a pigment is written in: those of a density are other ones, and the two do not mix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// `pigment`, `pigment_map`.
+    Pigment,
+    /// `density`, `density_map`.
+    Density,
+}
+
+impl Family {
+    fn word(self) -> Word {
+        match self {
+            Family::Pigment => Word::Pigment,
+            Family::Density => Word::Density,
+        }
+    }
+
+    fn map_word(self) -> Word {
+        match self {
+            Family::Pigment => Word::PigmentMap,
+            Family::Density => Word::DensityMap,
+        }
+    }
+
+    fn read_map(self, keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
+        match self {
+            Family::Pigment => Pigment::read_map(keys, args),
+            Family::Density => Ok(Density::read_map(keys, args)?.map(|entry| entry.0.clone())),
+        }
+    }
+}
+
+impl Default for Pigment {
+    /// Black, as POV-Ray has it.
+    fn default() -> Self {
+        Pigment::plain(Color::opaque(Rgb::BLACK))
+    }
+}
+
+impl Pigment {
+    /// One colour everywhere.
+    #[must_use]
+    pub fn plain(color: Color) -> Self {
+        Pigment {
+            kind: PigmentKind::Plain(color),
+            quick_color: None,
+            modifiers: Rare::default(),
+        }
+    }
+
+    /// Whether it is no more than where its colour comes from.
+    pub(super) fn is_bare(&self) -> bool {
+        self.quick_color.is_none() && self.modifiers.get().is_none()
+    }
+
+    /// The pigment of a block; what the block does not say is as in `base`.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
+        args.open()?;
+        Pigment::read_inside(args, base)
+    }
+
+    /// The same behind the `{`.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_inside(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
+        let known = Pigment::read_known(args, base)?;
+        if args.accept(Word::UvMapping)? {
+            let mapped = Pigment::entry(args)?;
+            return known.mapped(mapped).read_on(args, Family::Pigment);
+        }
+        known.read_on(args, Family::Pigment)
+    }
+
+    /// This pigment with another one, at texture coordinates, for its pattern.
+    fn mapped(mut self, mapped: Pigment) -> Pigment {
+        self.quick_color = mapped.quick_color.clone().or(self.quick_color);
+        self.kind = PigmentKind::Uv(Box::new(mapped));
+        self
+    }
+
+    /// Whether it takes some of its colours from the texture coordinates of a surface.
+    #[must_use]
+    pub fn uses_uv(&self) -> bool {
+        let any = |map: &Map<Pigment>| map.entries().iter().any(|(_, entry)| entry.uses_uv());
+        match &self.kind {
+            PigmentKind::Uv(_) => true,
+            PigmentKind::Pigments(mapped) => any(&mapped.map),
+            PigmentKind::Average(map) => map.as_ref().is_some_and(|map| any(map)),
+            PigmentKind::Plain(_) | PigmentKind::Colors(_) | PigmentKind::Image(_) => false,
+        }
+    }
+
+    /// This pigment, changed by all that follows up to the end of a block; `what` is the word of the block.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_on(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+        while !args.accept_close()? {
+            if !self.read_item(args, family)? {
+                let what = family.word();
+                return Err(args.expected(&format!("a colour, a pattern or `}}` in `{what}`")));
+            }
+        }
+        self.checked(args, family)
+    }
+
+    /// The same for an entry of a map, up to what is no part of it.
+    ///
+    /// # Errors
+    /// A malformed value, or a word that is not built yet.
+    pub fn read_entry(mut self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+        while self.read_item(args, family)? {}
+        self.checked(args, family)
+    }
+
+    /// An entry of a map: a pigment without its braces.
+    fn entry(args: &mut dyn Args) -> Parse<Pigment> {
+        let default: Pigment = default_of(args);
+        let mut known = Pigment::read_known(args, &default)?;
+        let mut is_mapped = false;
+        // Once more says nothing new, and a faulty scene may say it a million times.
+        while args.accept(Word::UvMapping)? {
+            known = Pigment::read_known(args, &default)?;
+            is_mapped = true;
+        }
+        let entry = known.read_entry(args, Family::Pigment)?;
+        Ok(if is_mapped {
+            default.mapped(entry)
+        } else {
+            entry
+        })
+    }
+
+    fn read_known(args: &mut dyn Args, base: &Pigment) -> Parse<Pigment> {
+        Ok(match declared::<Pigment>(args)? {
+            Some(known) => Pigment::clone(&known),
+            None => base.clone(),
+        })
+    }
+
+    fn checked(self, args: &mut dyn Args, family: Family) -> Parse<Pigment> {
+        match self.kind {
+            PigmentKind::Average(None) => {
+                Err(args.expected(&format!("`{}` after `average`", family.map_word())))
+            }
+            _ => Ok(self),
+        }
+    }
+
+    /// Reads `pigment_map { ... }` behind its word.
+    ///
+    /// # Errors
+    /// A malformed entry, none, or too many.
+    pub fn read_map(keys: Keys, args: &mut dyn Args) -> Parse<Map<Pigment>> {
+        Map::read("pigment_map", keys, args, &mut Pigment::entry)
+    }
+
+    /// A colour, a pattern, a map or a modifier without a block.
+    pub(super) fn read_bare(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        self.read_item(args, Family::Pigment)
+    }
+
+    /// A colour by its name.
+    pub(super) fn read_own_color(&mut self, args: &mut dyn Args) -> Parse<bool> {
+        let color = args.color_if_any()?;
+        if let Some(color) = color {
+            self.kind = PigmentKind::Plain(color);
+        }
+        Ok(color.is_some())
+    }
+
+    /// One part of a pigment; false if none begins here.
+    fn read_item(&mut self, args: &mut dyn Args, family: Family) -> Parse<bool> {
+        if self.read_own_color(args)? {
+            return Ok(true);
+        }
+        let Some(word) = args.word()? else {
+            return Ok(false);
+        };
+        let is_known = self.read_own(word, args, family)?
+            || self
+                .modifiers
+                .change(|modifiers| modifiers.read(word, args))?
+            || self.read_pattern(word, args, family)?;
+        if !is_known && word == Word::UvMapping {
+            return Err(args.expected(match family {
+                Family::Pigment => "`uv_mapping` at the start of the pigment, before its pattern",
+                Family::Density => "a pattern of space in `density`, which has no surface",
+            }));
+        }
+        if !is_known && pattern::is_pattern(word) {
+            return Err(not_built(args, word));
+        }
+        Ok(is_known)
+    }
+
+    fn read_own(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
+        match word {
+            Word::QuickColor | Word::QuickColour => {
+                args.accept(word)?;
+                self.quick_color = Some(Box::new(args.color()?));
+            }
+            Word::ColorMap | Word::ColourMap => {
+                let pattern = self.pattern_for_map(args)?;
+                args.accept(word)?;
+                self.kind = PigmentKind::colors(pattern, Map::read_colors(args)?);
+            }
+            _ if word == family.map_word() => {
+                if let PigmentKind::Average(entries) = &mut self.kind {
+                    args.accept(word)?;
+                    *entries = Some(Box::new(family.read_map(Keys::Weights, args)?));
+                    return Ok(true);
+                }
+                let pattern = self.pattern_for_map(args)?;
+                args.accept(word)?;
+                self.kind = PigmentKind::pigments(pattern, family.read_map(Keys::Positions, args)?);
+            }
+            _ => match &mut self.kind {
+                PigmentKind::Colors(mapped) => return mapped.pattern.read_modifier(word, args),
+                PigmentKind::Pigments(mapped) => return mapped.pattern.read_modifier(word, args),
+                _ => return Ok(false),
+            },
+        }
+        Ok(true)
+    }
+
+    /// The pattern that a map is for: one without a list behind its word.
+    fn pattern_for_map(&self, args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+        let pattern = match &self.kind {
+            PigmentKind::Colors(mapped) => Some(&mapped.pattern),
+            PigmentKind::Pigments(mapped) => Some(&mapped.pattern),
+            _ => None,
+        };
+        match pattern {
+            Some(pattern) if !pattern.has_list() => Ok(pattern.clone()),
+            _ => Err(args.expected("a pattern that takes a map before the map")),
+        }
+    }
+
+    fn read_pattern(&mut self, word: Word, args: &mut dyn Args, family: Family) -> Parse<bool> {
+        if word == Word::ImageMap {
+            args.accept(word)?;
+            let source = bitmap::read(args, bitmap::Purpose::Colors)?;
+            self.kind = PigmentKind::Image(Box::new(source));
+            return Ok(true);
+        }
+        if word == Word::Average {
+            args.accept(word)?;
+            let known = match &self.kind {
+                PigmentKind::Pigments(mapped) => Some(Box::new(mapped.map.clone())),
+                _ => None,
+            };
+            self.kind = PigmentKind::Average(known);
+            return Ok(true);
+        }
+        let Some(pattern) = read_pattern(word, args)? else {
+            return Ok(false);
+        };
+        let has_open_block = pattern.has_open_block();
+        let defaults = pattern.default_map();
+        self.kind = if !pattern.has_list() {
+            self.kind.with_pattern(pattern)
+        } else if args.word()? == Some(family.word()) {
+            PigmentKind::pigments(pattern, pigment_list(defaults, args, family)?)
+        } else {
+            PigmentKind::colors(pattern, color_list(defaults, args)?)
+        };
+        if has_open_block {
+            args.close()?;
+        }
+        Ok(true)
+    }
+
+    /// Adds a transform.
+    pub fn transform(&mut self, step: &Step) {
+        self.modifiers.get_mut().chain.push(step);
+    }
+
+    /// Moves what filters into what transmits, as versions up to 3.1 do in the upper layers of a texture.
+    pub fn filter_to_transmit(&mut self) {
+        let changed = |color: &Color| Color {
+            transmit: color.transmit + color.filter,
+            filter: 0.0,
+            ..*color
+        };
+        let all_changed = |map: &Map<Pigment>| {
+            map.map(|pigment| {
+                let mut pigment = pigment.clone();
+                pigment.filter_to_transmit();
+                pigment
+            })
+        };
+        match &mut self.kind {
+            PigmentKind::Plain(color) => *color = changed(color),
+            PigmentKind::Colors(mapped) => mapped.map = mapped.map.map(changed),
+            PigmentKind::Pigments(mapped) => mapped.map = all_changed(&mapped.map),
+            PigmentKind::Average(map) => {
+                if let Some(map) = map {
+                    **map = all_changed(map);
+                }
+            }
+            PigmentKind::Uv(mapped) => mapped.filter_to_transmit(),
+            PigmentKind::Image(_) => {}
+        }
+    }
+}
+
+/// The colours of a list, with or without commas between them; those left out are as in `defaults`.
+fn color_list(defaults: &[Stop], args: &mut dyn Args) -> Parse<Map<Color>> {
+    let mut entries = defaults.to_vec();
+    for (_, slot) in &mut entries {
+        if let Some(color) = args.color_if_any()? {
+            *slot = color;
+        } else if args.at_expression()? {
+            *slot = args.color()?;
+        } else {
+            break;
+        }
+        args.comma()?;
+    }
+    Ok(Map::of_stops(&entries))
+}
+
+/// The pigments of a list, with or without commas between them; those left out are the default one.
+fn pigment_list(defaults: &[Stop], args: &mut dyn Args, family: Family) -> Parse<Map<Pigment>> {
+    let default = match family {
+        Family::Pigment => default_of(args),
+        Family::Density => Density::default().0,
+    };
+    let mut entries: Vec<_> = defaults
+        .iter()
+        .map(|&(at, _)| (at, default.clone()))
+        .collect();
+    for (_, slot) in &mut entries {
+        if !args.accept(family.word())? {
+            break;
+        }
+        *slot = match family {
+            Family::Pigment => Pigment::read(args, &default)?,
+            Family::Density => Density::read(args)?.0,
+        };
+        args.comma()?;
+    }
+    Map::new(entries).ok_or_else(|| args.expected("an entry"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::scene::pattern::{Settings, SurfacePoint};
+    use crate::scene::texture::PreparedPigment;
+    use glam::DVec3;
+
+    fn read(text: &str) -> Parse<Pigment> {
+        Pigment::read(&mut TextArgs::new(text), &Pigment::default())
+    }
+
+    fn error(text: &str) -> String {
+        read(text).expect_err("the text is faulty").message
+    }
+
+    fn list(pigment: &Pigment) -> Vec<Color> {
+        match &pigment.kind {
+            PigmentKind::Colors(mapped) => {
+                let entries = mapped.map.entries().iter();
+                entries.map(|entry| entry.1).collect()
+            }
+            _ => panic!("the pigment has a pattern of colours"),
+        }
+    }
+
+    #[test]
+    fn a_colour_makes_a_plain_pigment() {
+        let pigment = read("{ rgbf <1, 0.5, 0, 0.25> }").unwrap();
+        let expected = Color::from_components([1.0, 0.5, 0.0, 0.25, 0.0]);
+        assert!(matches!(pigment.kind, PigmentKind::Plain(color) if color == expected));
+    }
+
+    #[test]
+    fn a_list_shorter_than_the_pattern_ends_in_default_colours() {
+        // POV-Ray 3.7 draws the second colour of `checker rgb 1` as rgb <0, 1, 0>.
+        let pigment = read("{ checker rgb 1 }").unwrap();
+        let green = Color::opaque(Rgb::new(0.0, 1.0, 0.0));
+        assert_eq!(list(&pigment), [Color::opaque(Rgb::WHITE), green]);
+    }
+
+    #[test]
+    fn a_list_may_hold_bare_vectors() {
+        let pigment = read("{ hexagon <1,0,0>, <0,1,0>, rgb 0.5 }").unwrap();
+        assert_eq!(list(&pigment)[0], Color::opaque(Rgb::new(1.0, 0.0, 0.0)));
+        assert_eq!(list(&pigment)[2], Color::opaque(Rgb::splat(0.5)));
+    }
+
+    #[test]
+    fn a_second_block_changes_the_first() {
+        // POV-Ray 3.7 keeps the pattern and adds the transform.
+        let first = read("{ checker rgb 1 rgb 0 scale 2 }").unwrap();
+        let second = Pigment::read(&mut TextArgs::new("{ translate 1 }"), &first).unwrap();
+        let expected = [Step::Scale(DVec3::splat(2.0)), Step::Translate(DVec3::ONE)];
+        assert_eq!(second.modifiers.get().unwrap().chain.steps(), expected);
+        assert_eq!(list(&second).len(), 2);
+    }
+
+    #[test]
+    fn a_declared_pigment_can_be_changed() {
+        let known = Pigment::plain(Color::opaque(Rgb::WHITE));
+        let mut args = TextArgs::new("{ P quick_color rgb 0.5 }").with("P", known);
+        let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
+        assert!(matches!(pigment.kind, PigmentKind::Plain(color) if color.rgb == Rgb::WHITE));
+        assert_eq!(
+            pigment.quick_color.as_deref(),
+            Some(&Color::opaque(Rgb::splat(0.5)))
+        );
+        assert!(args.is_done());
+    }
+
+    #[test]
+    fn brick_reads_its_size_after_the_colours() {
+        let pigment = read("{ brick rgb 0 rgb 1 brick_size <2, 2, 2> mortar 0.25 }").unwrap();
+        let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
+        let grey = |x: f64| {
+            prepared
+                .color(&SurfacePoint::at(DVec3::new(x, 0.5, 0.5)))
+                .rgb
+                .r
+        };
+        assert_eq!((grey(1.9), grey(1.7)), (0.0, 1.0));
+    }
+
+    #[test]
+    fn a_map_blends_colours_and_pigments() {
+        let grey = |text: &str| {
+            let prepared = PreparedPigment::new(&read(text).unwrap(), &[], &Settings::default());
+            prepared
+                .color(&SurfacePoint::at(DVec3::new(0.25, 0.0, 0.0)))
+                .rgb
+                .r
+        };
+        assert_eq!(grey("{ gradient <1,0,0> }"), 0.25);
+        assert_eq!(
+            grey("{ gradient <1,0,0> color_map { [0 rgb 1] [0.5 rgb 0] } }"),
+            0.5
+        );
+        let nested =
+            "{ gradient <1,0,0> pigment_map { [0 rgb 1] [0.5 gradient <1,0,0> scale 2] } }";
+        assert_eq!(grey(nested), 0.5625);
+        assert_eq!(
+            grey("{ checker pigment { rgb 0.5 } pigment { rgb 1 } }"),
+            0.5
+        );
+        assert_eq!(
+            grey("{ average pigment_map { [1 rgb 1] [3 rgb 0] } }"),
+            0.25
+        );
+    }
+
+    #[test]
+    fn a_map_needs_a_pattern_that_takes_one() {
+        let expected = "expected a pattern that takes a map before the map, found `color_map`";
+        assert_eq!(error("{ checker color_map { [0 rgb 1] } }"), expected);
+        assert_eq!(error("{ color_map { [0 rgb 1] } }"), expected);
+        assert_eq!(
+            error("{ average }"),
+            "expected `pigment_map` after `average`, found the end of the text"
+        );
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        assert_eq!(error("{ pavement }"), "`pavement` is not built yet");
+        assert_eq!(
+            error("{ rgb 1 uv_mapping }"),
+            "expected `uv_mapping` at the start of the pigment, before its pattern, found `uv_mapping`"
+        );
+    }
+
+    #[test]
+    fn brick_size_belongs_to_brick() {
+        assert_eq!(
+            error("{ checker rgb 1 rgb 0 brick_size 2 }"),
+            "expected a colour, a pattern or `}` in `pigment`, found `brick_size`"
+        );
+    }
+
+    #[test]
+    fn uv_mapping_begins_another_pigment() {
+        // POV-Ray 3.7 forgets what stood before, and moves the texture coordinates by what stands behind.
+        let known = Pigment::plain(Color::opaque(Rgb::WHITE));
+        for text in [
+            "{ uv_mapping gradient <1,0,0> scale 2 }",
+            "{ P uv_mapping gradient <1,0,0> scale 2 }",
+        ] {
+            let mut args = TextArgs::new(text).with("P", known.clone());
+            let pigment = Pigment::read(&mut args, &Pigment::default()).unwrap();
+            assert!(pigment.uses_uv() && pigment.modifiers.get().is_none());
+            let prepared = PreparedPigment::new(&pigment, &[], &Settings::default());
+            let spot = SurfacePoint {
+                uv: glam::DVec2::new(0.5, 0.0),
+                ..SurfacePoint::at(DVec3::ONE)
+            };
+            assert_eq!(prepared.color(&spot).rgb.r, 0.25);
+        }
+        let density =
+            crate::scene::interior::Density::read(&mut TextArgs::new("{ uv_mapping bozo }"));
+        let message = density
+            .map(|_| ())
+            .expect_err("space has no texture coordinates")
+            .message;
+        assert!(message.contains("which has no surface"), "{message}");
+    }
+}

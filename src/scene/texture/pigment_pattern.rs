@@ -1,0 +1,41 @@
+//! `pigment_pattern`: the grey of a pigment as the value of a pattern.
+
+use super::{Pigment, PreparedPigment};
+use crate::base::args::{Args, Parse, Word, default_of};
+use crate::scene::pattern::{self, Pattern, PatternEval, Preparing, SurfacePoint};
+use glam::DVec3;
+
+#[derive(Clone, Debug)]
+struct PigmentPattern {
+    pigment: Box<Pigment>,
+}
+
+#[derive(Debug)]
+struct Prepared(PreparedPigment);
+
+/// The pattern of this word, if there is one and it is built. Takes the word and what belongs to it.
+///
+/// # Errors
+/// A malformed value behind the word.
+pub fn read_pattern(word: Word, args: &mut dyn Args) -> Parse<Option<Box<dyn Pattern>>> {
+    if word != Word::PigmentPattern {
+        return pattern::read_named(word, args);
+    }
+    args.accept(word)?;
+    let base = default_of(args);
+    let pigment = Box::new(Pigment::read(args, &base)?);
+    Ok(Some(Box::new(PigmentPattern { pigment })))
+}
+
+impl Pattern for PigmentPattern {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        let pigment = PreparedPigment::new(&self.pigment, &[], with.settings);
+        Box::new(Prepared(pigment))
+    }
+}
+
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
+        f64::from(self.0.patterned(point, spot).rgb.grey())
+    }
+}

@@ -1,0 +1,144 @@
+//! `reflection`: the mirror image of a finish.
+
+use super::finish::{number, single};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::Rgb;
+
+/// The mirror image of a finish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reflection {
+    /// Reflectivity when looking straight at the surface.
+    pub min: Rgb,
+    /// Reflectivity at a grazing view.
+    pub max: Rgb,
+    /// Whether the angle counts by Fresnel's law, with the `ior` of the interior, rather than by `falloff`.
+    pub is_fresnel: bool,
+    /// The exponent by which reflectivity goes from `min` to `max`.
+    pub falloff: f32,
+    /// The reflected colour is raised to the reciprocal of this; 0 makes it black, as in POV-Ray.
+    pub exponent: f32,
+    /// How far the image takes the colour of the pigment.
+    pub metallic: f32,
+}
+
+impl Default for Reflection {
+    fn default() -> Self {
+        Reflection {
+            min: Rgb::BLACK,
+            max: Rgb::BLACK,
+            is_fresnel: false,
+            falloff: 1.0,
+            exponent: 1.0,
+            metallic: 0.0,
+        }
+    }
+}
+
+impl Reflection {
+    /// `reflection COLOUR` or `reflection { ... }`, after the word.
+    pub(super) fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
+        if !args.accept_mark('{')? {
+            self.min = args.color()?.rgb;
+            self.max = self.min;
+            return Ok(());
+        }
+        self.min = args.color()?.rgb;
+        self.max = self.min;
+        let has_comma = args.comma()?;
+        let mut has_max = true;
+        if has_comma || args.at_expression()? {
+            self.max = args.color()?.rgb;
+        } else if let Some(max) = args.color_if_any()? {
+            self.max = max.rgb;
+        } else {
+            has_max = false;
+        }
+        while !args.accept_close()? {
+            match args.word()? {
+                Some(word @ Word::Fresnel) => {
+                    args.accept(word)?;
+                    self.is_fresnel = args.float_or(1.0)? != 0.0;
+                }
+                Some(word @ Word::Falloff) => self.falloff = number(word, args)?,
+                Some(word @ Word::Exponent) => self.exponent = number(word, args)?,
+                Some(word @ Word::Metallic) => {
+                    args.accept(word)?;
+                    self.metallic = single(args.float_or(1.0)?);
+                }
+                _ => {
+                    return Err(args.expected(
+                        "`fresnel`, `falloff`, `exponent`, `metallic` or `}` in `reflection`",
+                    ));
+                }
+            }
+        }
+        if self.is_fresnel && !has_max {
+            self.min = Rgb::BLACK;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Finish;
+    use super::*;
+    use crate::base::args::text::TextArgs;
+
+    fn read(text: &str) -> Finish {
+        Finish::read(&mut TextArgs::new(text), &Finish::default()).unwrap()
+    }
+
+    #[test]
+    fn one_colour_reflects_alike_at_all_angles() {
+        for text in [
+            "{ reflection 0.5 }",
+            "{ reflection { 0.5 } }",
+            "{ reflection rgb 0.5 }",
+        ] {
+            let reflection = read(text).reflection;
+            assert_eq!(
+                (reflection.min, reflection.max),
+                (Rgb::splat(0.5), Rgb::splat(0.5))
+            );
+        }
+    }
+
+    #[test]
+    fn two_colours_reflect_straight_and_grazing() {
+        for text in [
+            "{ reflection { 0.25, 1 falloff 2 } }",
+            "{ reflection { rgb 0.25 rgb 1 falloff 2 } }",
+        ] {
+            let reflection = read(text).reflection;
+            assert_eq!(
+                (reflection.min, reflection.max),
+                (Rgb::splat(0.25), Rgb::WHITE)
+            );
+            assert_eq!(reflection.falloff, 2.0);
+        }
+    }
+
+    #[test]
+    fn fresnel_with_one_colour_reflects_nothing_straight() {
+        let reflection = read("{ reflection { 1 fresnel } }").reflection;
+        assert_eq!((reflection.min, reflection.is_fresnel), (Rgb::BLACK, true));
+        assert_eq!(
+            read("{ reflection { 0.5, 1 fresnel on } }").reflection.min,
+            Rgb::splat(0.5)
+        );
+        assert!(
+            !read("{ reflection { 1 fresnel off } }")
+                .reflection
+                .is_fresnel
+        );
+    }
+
+    #[test]
+    fn a_second_reflection_keeps_what_it_does_not_say() {
+        let reflection =
+            read("{ reflection { 0.5, 1 exponent 2 metallic } reflection 0.25 }").reflection;
+        assert_eq!(reflection.min, Rgb::splat(0.25));
+        assert_eq!((reflection.exponent, reflection.metallic), (2.0, 1.0));
+    }
+}

@@ -1,0 +1,98 @@
+//! What every ray may ask of a surface, as single bits: the switches of the object, and answers about its textures, which
+//! lie elsewhere in memory.
+
+use super::query::RayKind;
+use crate::scene::Importance;
+use crate::scene::light::PhotonRole;
+
+/// The object switches that matter while tracing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct ObjectFlags {
+    /// Casts no shadow.
+    pub(super) no_shadow: bool,
+    /// Not seen by camera rays and their straight or refracted continuations.
+    pub(super) no_image: bool,
+    /// Not seen by reflected rays.
+    pub(super) no_reflection: bool,
+    /// Not seen by rays that gather light from other surfaces.
+    pub(super) no_radiosity: bool,
+    /// How many of the rays that gather light and meet it count, if it says so.
+    pub(super) importance: Option<Importance>,
+    /// Does not displace the atmosphere around it.
+    pub(super) hollow: bool,
+    /// Lit from both sides.
+    pub(super) double_illuminate: bool,
+    /// All its patterns are asked at texture coordinates.
+    pub(super) uv_mapping: bool,
+    /// What it does with photons, where these are shot.
+    pub(super) photons: PhotonRole,
+}
+
+/// A bit for each that holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct SurfaceFlags(u32);
+
+impl SurfaceFlags {
+    pub(super) const OPAQUE: u32 = 1;
+    pub(super) const TAKES_LIGHT: u32 = 1 << 1;
+    pub(super) const LIT_FROM_BEHIND: u32 = 1 << 2;
+    pub(super) const FRESNEL: u32 = 1 << 3;
+    pub(super) const PLAIN: u32 = 1 << 4;
+    pub(super) const NEARLY_PLAIN: u32 = 1 << 5;
+    pub(super) const BUMPY: u32 = 1 << 6;
+    pub(super) const GRAINY: u32 = 1 << 7;
+    pub(super) const USES_UV: u32 = 1 << 8;
+    pub(super) const FILTERS_EVENLY: u32 = 1 << 9;
+    pub(super) const NO_SHADOW: u32 = 1 << 10;
+    pub(super) const NO_IMAGE: u32 = 1 << 11;
+    pub(super) const NO_REFLECTION: u32 = 1 << 12;
+    pub(super) const NO_RADIOSITY: u32 = 1 << 13;
+    pub(super) const HOLLOW: u32 = 1 << 14;
+    pub(super) const DOUBLE_ILLUMINATE: u32 = 1 << 15;
+    pub(super) const UV_MAPPING: u32 = 1 << 16;
+
+    const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
+
+    /// Those of these that hold, and the switches of the object.
+    pub(super) fn new(all: &[(u32, bool)], flags: &ObjectFlags) -> Self {
+        let switches = [
+            (Self::NO_SHADOW, flags.no_shadow),
+            (Self::NO_IMAGE, flags.no_image),
+            (Self::NO_REFLECTION, flags.no_reflection),
+            (Self::NO_RADIOSITY, flags.no_radiosity),
+            (Self::HOLLOW, flags.hollow),
+            (Self::DOUBLE_ILLUMINATE, flags.double_illuminate),
+            (Self::UV_MAPPING, flags.uv_mapping),
+        ];
+        let held = all.iter().chain(&switches).filter(|(_, holds)| *holds);
+        SurfaceFlags(held.fold(0, |bits, (bit, _)| bits | bit))
+    }
+
+    /// Whether this one holds, or one of several.
+    #[inline(always)]
+    pub(super) fn has(self, bits: u32) -> bool {
+        self.0 & bits != 0
+    }
+
+    /// Whether some rays do not see the object.
+    pub(super) fn hides_from_some(self) -> bool {
+        self.has(Self::HIDDEN)
+    }
+
+    /// Whether who looks sees the object.
+    #[inline]
+    pub(super) fn is_seen(self, seen: RayKind) -> bool {
+        !self.has(match seen {
+            RayKind::Camera => Self::NO_IMAGE,
+            RayKind::Reflection => Self::NO_REFLECTION,
+            RayKind::Radiosity => Self::NO_RADIOSITY,
+            RayKind::RadiosityReflection => Self::NO_REFLECTION | Self::NO_RADIOSITY,
+            RayKind::Shadow => Self::NO_SHADOW,
+        })
+    }
+
+    /// Lets the camera see the object.
+    pub(super) fn show(&mut self) {
+        self.0 &= !Self::NO_IMAGE;
+    }
+}

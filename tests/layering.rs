@@ -1,0 +1,181 @@
+//! Layering: a module uses only modules of lower layers (ARCHITECTURE of the crate's documentation).
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms, lowest first, each with the rooms that it may use.
+const ROOMS: &[(&str, &[&str])] = &[
+    ("base", &[]),
+    ("scene", &["base"]),
+    ("lang", &["base", "scene", "output"]),
+    ("world", &["base", "scene"]),
+    ("output", &["base"]),
+    ("render", &["base", "scene", "world"]),
+    (
+        "app",
+        &["base", "scene", "lang", "world", "output", "render"],
+    ),
+];
+
+/// Uses against the order of the rooms. The scratch of a query still owns the caches of radiosity
+/// and photons, and the settings of photons know the limits of their files.
+const EXCEPTIONS: &[(&str, &str)] = &[
+    ("lang", "render::photons"),
+    ("world", "render::radiosity"),
+    ("world", "render::photons"),
+];
+
+/// The modules by layer, lowest first. Modules of one layer do not use each other, but for [`SIBLINGS`].
+const LAYERS: &[&[&str]] = &[
+    &[
+        "base::math",
+        "base::source",
+        "base::color",
+        "base::memory",
+        "base::word",
+    ],
+    &["base::encoding"],
+    &["lang::syntax", "base::accel", "base::film"],
+    &["base::args", "base::options"],
+    &["base::bitmap"],
+    &[
+        "scene::shape",
+        "scene::pattern",
+        "scene::light",
+        "scene::camera",
+        "scene::interior",
+        "scene::atmosphere",
+        "scene::texture",
+        "scene::function",
+    ],
+    &["output", "app::compare"],
+    &["scene"],
+    &["render::radiosity", "render::photons"],
+    &["lang", "world"],
+    &["render::trace"],
+    &["render"],
+    &["render::statistics"],
+    &["app::curve", "app::batch"],
+    &["app::cli"],
+];
+
+/// Elements that are made of others: who uses whom in the same layer.
+const SIBLINGS: &[(&str, &str)] = &[
+    // A texture is made of patterns, and a material holds an interior beside its texture.
+    ("scene::texture", "scene::pattern"),
+    ("scene::texture", "scene::interior"),
+    // A function may be a pattern, and a function may call patterns and pigments, which it knows as fields.
+    ("scene::pattern", "scene::function"),
+    ("scene::texture", "scene::function"),
+    // The sky is painted with pigments.
+    ("scene::atmosphere", "scene::texture"),
+    // The media of the air are those of interiors.
+    ("scene::atmosphere", "scene::interior"),
+    // The colours of a rainbow are a map.
+    ("scene::atmosphere", "scene::pattern"),
+    // The bokeh of a camera is painted with a pigment.
+    ("scene::camera", "scene::texture"),
+    ("scene::camera", "scene::pattern"),
+    // A camera may look out of the triangles of meshes.
+    ("scene::camera", "scene::shape"),
+    // Old scenes write `ior` into a finish; the interior takes it over.
+    ("scene::interior", "scene::texture"),
+    // A density is chosen by a pattern, out of a map.
+    ("scene::interior", "scene::pattern"),
+    // The triangles of a mesh have textures of their own.
+    ("scene::shape", "scene::texture"),
+    // An isosurface is a function.
+    ("scene::shape", "scene::function"),
+];
+
+/// The layer of the innermost module of a path that has one, with the module.
+fn layer_of(path: &str) -> Option<(usize, &'static str)> {
+    let holds = |module: &str| path == module || path.starts_with(&format!("{module}::"));
+    let modules = LAYERS.iter().enumerate();
+    let modules = modules.flat_map(|(layer, modules)| modules.iter().map(move |m| (layer, *m)));
+    let held = modules.filter(|(_, module)| holds(module));
+    held.max_by_key(|(_, module)| module.len())
+}
+
+/// All source files below a folder, but tests, which may use everything.
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("the sources are readable") {
+        let path = entry.expect("the sources are readable").path();
+        if path.is_dir() {
+            if path.file_name().is_none_or(|name| name != "tests") {
+                files(&path, found);
+            }
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The module that a file belongs to, as a path.
+fn module_of(inside: &Path) -> String {
+    let names = inside
+        .with_extension("")
+        .iter()
+        .map(|name| name.to_string_lossy().into_owned())
+        .collect::<Vec<_>>();
+    names.join("::")
+}
+
+/// The paths below `crate::` that a file uses outside of its tests.
+fn paths_used(text: &str) -> Vec<String> {
+    let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or(text);
+    let code: String = code
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .collect::<Vec<_>>()
+        .join("\n");
+    let paths = code.split("crate::").skip(1).map(|rest| {
+        rest.chars()
+            .take_while(|c| c.is_alphanumeric() || *c == '_' || *c == ':')
+            .collect()
+    });
+    paths.collect()
+}
+
+fn is_allowed(module: &str, used: &str) -> bool {
+    let room = |path: &str| path.split("::").next().unwrap_or_default().to_owned();
+    let (own, other) = (room(module), room(used));
+    let rooms = ROOMS.iter().find(|(name, _)| *name == own);
+    let may_enter = own == other || rooms.is_some_and(|(_, used)| used.contains(&other.as_str()));
+    let (Some((layer, module)), Some((below, used))) = (layer_of(module), layer_of(used)) else {
+        return true;
+    };
+    EXCEPTIONS.contains(&(module, used))
+        || may_enter && (module == used || below < layer || SIBLINGS.contains(&(module, used)))
+}
+
+#[test]
+fn a_module_uses_only_lower_layers() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = Vec::new();
+    files(&root, &mut found);
+    assert!(found.len() > 400, "the sources are found");
+    let mut faults = BTreeMap::new();
+    for path in &found {
+        let inside = path
+            .strip_prefix(&root)
+            .expect("the file lies in the sources");
+        let module = module_of(inside);
+        if layer_of(&module).is_none() {
+            let is_root = ["lib", "main", "base::mod", "app::mod"].contains(&module.as_str());
+            assert!(is_root, "`{module}` is in no layer");
+            continue;
+        }
+        let text = fs::read_to_string(path).expect("the sources are readable");
+        for used in paths_used(&text) {
+            if !is_allowed(&module, &used) {
+                faults.entry(inside.display().to_string()).or_insert(used);
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "these files use modules that are not below theirs: {faults:#?}"
+    );
+}
