@@ -106,6 +106,29 @@ fn antialiased_pictures_take_the_same_rays_with_any_number_of_threads() {
     }
 }
 
+/// Shadow rays of an area light that meet opaque cones and a pane of glass in any order.
+const PANE: &str = include_str!("../pov_scenes/light/area_behind_glass.pov");
+
+#[test]
+fn opaque_shadows_behind_glass_do_not_depend_on_the_pixels_before() {
+    let whole = drawn(PANE, &options());
+    for first in (0..HEIGHT).step_by(5) {
+        let rows = first..(first + 5).min(HEIGHT);
+        let strip = RenderOptions {
+            rows: rows.clone(),
+            threads: Some(1),
+            ..options()
+        };
+        let film = drawn(PANE, &strip);
+        let pixels = (rows.start * WIDTH) as usize..(rows.end * WIDTH) as usize;
+        assert_eq!(
+            film.pixels[pixels.clone()],
+            whole.pixels[pixels],
+            "rows {rows:?}"
+        );
+    }
+}
+
 #[test]
 fn a_part_is_drawn_as_it_is_in_the_whole() {
     let povray = |method| {

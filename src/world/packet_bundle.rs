@@ -394,6 +394,9 @@ impl World {
         );
         each_bit(left, |lane| {
             let way = &mut ways[first + lane];
+            if *way == Occlusion::Opaque {
+                return;
+            }
             let query = query(first + lane);
             let asked = (&query, &self.search_for(&query));
             if self.occludes(item, asked, way, scratch) {

@@ -45,7 +45,7 @@ impl ViewBox {
         }
     }
 
-    /// Whether a ray from the origin in this direction may meet it before `end`: [`GroupAndBox`] for a single one.
+    /// Whether a ray from the origin in this direction may meet it before `end`: [`PacketAndBox`] for a single one.
     #[inline(always)]
     pub(super) fn is_met(&self, dir: Vec3, end: f32) -> bool {
         let (mut enter, mut leave) = (0.0, end);
@@ -169,6 +169,8 @@ impl Kernel for PacketAndBox<'_> {
 /// Which of eight rays of these inverse directions may meet a box before their ends, one bit each.
 #[inline(always)]
 pub(super) fn meet_box<E: Eight>(inverse: [E; 3], end: E, slab: &ViewBox) -> u32 {
+    // A ray that is done ends at minus infinity: the slack would be infinite, and it would meet every box.
+    let end = end.larger(E::all(f32::MIN));
     let (mut enter, mut leave) = (E::all(0.0), end);
     for (axis, inverse) in inverse.into_iter().enumerate() {
         let low = E::all(slab.low[axis]).times(inverse);

@@ -97,7 +97,10 @@ impl Tracer<'_> {
             Occlusion::Opaque => return Rgb::BLACK,
             // What was asked for many rays at once was not gathered.
             Occlusion::Clear | Occlusion::Transmissive if way.known.is_some() => {
-                self.world.occlusion_unrecorded(query, light, scratch);
+                let way = self.world.occlusion_unrecorded(query, light, scratch);
+                if way == Occlusion::Opaque {
+                    return Rgb::BLACK;
+                }
             }
             Occlusion::Clear | Occlusion::Transmissive => {}
         }
