@@ -23,7 +23,7 @@
 //!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, kept as the product of the
 //!   elementary inverses. The forward matrix is gone then.
 //! * Shapes report spans on the whole line of a ray. CSG sorts and counts them; it tests no point for being inside.
-//! * A ray that leaves a surface carries which root it left ([`world::Departure`]), not a smallest distance.
+//! * A ray that leaves a surface carries which root it left ([`world::SpawnSurface`]), not a smallest distance.
 //! * What the camera sees of a block of pixels is searched for, lit and coloured together: eight rays in single precision to
 //!   find out what may be met, four in double to meet it. One ray at a time gives the same bits.
 //! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order in which a tree is walked.
@@ -145,13 +145,16 @@ struct Kept {
     lexicon: Lexicon,
 }
 
-/// Threads to draw with.
+/// The most threads that draw, whatever is asked for: more than machines have cores would only take memory.
+const MOST_THREADS: usize = 1024;
+
+/// Threads to draw with, 1,024 at the most.
 ///
 /// # Errors
 /// When the system gives none.
 pub fn pool(threads: usize, listen: &EventHandler<'_>) -> Result<rayon::ThreadPool, Failure> {
     rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.max(1))
+        .num_threads(threads.clamp(1, MOST_THREADS))
         .stack_size(DRAWING_STACK_BYTES)
         .build()
         .map_err(|error| failure(format!("no threads to draw with: {error}"), listen))

@@ -112,7 +112,9 @@ pub fn run(
     let threads = batch
         .threads
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.min(crate::MOST_THREADS))
+        .build();
     let pool =
         pool.map_err(|error| BatchError::new(format!("no threads to draw with: {error}")))?;
     let run = Run {
