@@ -23,7 +23,7 @@ pub(super) struct InsideInit {
 }
 
 impl InsideInit {
-    /// By operand and by node, as in [`State`].
+    /// By operand and by node, as in [`InsideState`].
     pub(super) fn new(leaf_in: impl Iterator<Item = bool>, counts: &[u32]) -> InsideInit {
         InsideInit {
             leaf_in: leaf_in.collect(),
@@ -40,7 +40,7 @@ pub(super) struct InsideState {
     pub(super) leaf_in: Vec<bool>,
     /// For each node, how many children hold the ray.
     pub(super) counts: Vec<u32>,
-    /// The number of the [`Rest`] from which it comes.
+    /// The number of the [`InsideInit`] from which it comes.
     of: u64,
     /// Operands and nodes of a large combination that are no longer as they are at rest.
     changed: Vec<u32>,

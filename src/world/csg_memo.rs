@@ -8,7 +8,7 @@ use crate::scene::shape::Geometry;
 use smallvec::SmallVec;
 use std::ops::Range;
 
-/// A combination before and after [`Program::prepare`].
+/// A combination before and after [`CsgProgram::prepare`].
 #[derive(Debug)]
 pub(super) struct CsgMemo {
     nodes: SmallVec<[Node; 1]>,
@@ -18,7 +18,7 @@ pub(super) struct CsgMemo {
     ready: CsgProgram,
 }
 
-/// What [`Program::prepare`] asks about an operand.
+/// What [`CsgProgram::prepare`] asks about an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct OperandKey {
     is_solid: bool,
@@ -37,7 +37,7 @@ impl OperandKey {
 }
 
 impl CsgProgram {
-    /// [`Program::prepare`], or what that came to for `last`, if it is the same; then `last` is this.
+    /// [`CsgProgram::prepare`], or what that came to for `last`, if it is the same; then `last` is this.
     pub(super) fn prepare_as(
         &mut self,
         last: &mut Option<Box<CsgMemo>>,

@@ -99,7 +99,7 @@ impl Inherited {
 }
 
 impl Lowering {
-    /// [`Flat::heritage`] of a part of a combination. Most say nothing but what they are: in intersections and differences
+    /// [`Lowering::heritage`] of a part of a combination. Most say nothing but what they are: in intersections and differences
     /// it is then that of the combination, as far as it counts.
     pub(super) fn heritage_of_part<'h>(
         &mut self,

@@ -1,4 +1,4 @@
-//! What camera and lamps see around them, worked out once so that rays from there need no search: see [`Vista`].
+//! What camera and lamps see around them, worked out once so that rays from there need no search: see [`LightBuffer`].
 
 use super::compiled::World;
 use super::model::Item;

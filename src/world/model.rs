@@ -32,7 +32,7 @@ pub(super) enum Item {
 pub(super) enum PendingItem {
     /// A shape by itself.
     Leaf(u32),
-    /// A shape by itself that is no leaf yet: one of [`Parts::balls`].
+    /// A shape by itself that is no leaf yet: one of [`ModelBuilder::balls`].
     Ball(u32),
     /// A combination.
     Program(u32),

@@ -95,7 +95,7 @@ impl World {
     }
 
     /// What lies on a ray to the light of this number. Where that is transparent it is gathered for
-    /// [`World::nearest_among`].
+    /// [`World::next_transmissive_hit`].
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Occlusion {
         scratch.rays.shadow += 1;
@@ -190,7 +190,7 @@ impl World {
         }
     }
 
-    /// As [`World::blocks`]; an item that lies there and is not opaque is gathered.
+    /// As [`World::occludes`]; an item that lies there and is not opaque is gathered.
     #[inline(always)]
     fn occludes_and_record(
         &self,

@@ -3,7 +3,7 @@
 //! With few operands no sorting pays. A surface is shown where the ray is within all solids that are to be shared and
 //! outside of all that are taken away; each end of a span is tried against the other spans (Roth 1982, turned about:
 //! all ends, all spans, no order). Where two ends fall together, and wherever a shape has doubts, the answer is that the
-//! ray must be asked for singly: so what is found is what [`Program::nearest`] finds, to the bit.
+//! ray must be asked for singly: so what is found is what [`CsgProgram::nearest`] finds, to the bit.
 //!
 //! A combination of many operands is cut down to those whose boxes some of the four rays meet, by the tree over them: the
 //! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `four_of_tree`.

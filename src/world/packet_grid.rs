@@ -17,7 +17,7 @@ use glam::DVec3;
 const EIGHT: usize = 8;
 
 impl World {
-    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, as [`World::see`]
+    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, as [`World::closest_hits_bundle`]
     /// does.
     pub(super) fn closest_hits_grid(
         &self,

@@ -8,7 +8,7 @@
 //! Items are looked at twice for each split: once to put them into bins, and once to bring them to their sides, which
 //! leaves both halves with all that their own splits need.
 //!
-//! Many items are first brought together in [`clusters`].
+//! Many items are first brought together in [`treelets`].
 
 use super::node::{Aabb32, Child, Node, WIDTH, larger, smaller};
 use super::sphere_leaf::SphereLeaf;

@@ -1,4 +1,4 @@
-//! The grid of a [`super::Vista`]: which items each cell may show, in the order of their distance.
+//! The grid of a [`super::LightBuffer`]: which items each cell may show, in the order of their distance.
 
 use super::node::{larger, smaller};
 use crate::base::math::rounding::nearest;

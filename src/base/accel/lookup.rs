@@ -1,4 +1,4 @@
-//! Rays that have the point of a [`Vista`] in common look up what they may meet.
+//! Rays that have the point of a [`LightBuffer`] in common look up what they may meet.
 
 use super::bounding_cylinder::PacketAndCylinder;
 use super::grid::Grid;

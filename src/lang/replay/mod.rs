@@ -13,7 +13,7 @@
 //! and the functions that [`Op::of_call`] does not know. What their parts hold is recorded alone.
 //!
 //! Statements are replayed as far as they are made of recorded expressions: the directives of loops and the arguments of
-//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`quiet`]) or,
+//! macros ([`directives`]), and whole objects, which their readers take from the tokens without the cursor ([`reader`]) or,
 //! of spheres, from the recorded expressions alone ([`ball`]).
 
 mod ball;
@@ -45,7 +45,7 @@ use std::rc::Rc;
 const MOST_MISSES: u8 = 50;
 /// What running through a macro costs beside its tokens.
 const AGAIN: usize = 8;
-/// Tokens of a page of [`Replays`].
+/// Tokens of a page of [`ReplayCache`].
 const PAGE: usize = 32;
 
 /// Where in the grammar an expression begins. At one token there may be one of each.

@@ -1,6 +1,6 @@
 //! Whole objects whose expressions are all recorded or literal: their readers take them from the tokens themselves.
 //!
-//! [`Quiet`] gives up wherever the tokens at hand are more than words, marks, elements and such expressions: at a
+//! [`ReplayReader`] gives up wherever the tokens at hand are more than words, marks, elements and such expressions: at a
 //! directive, a macro, a string, and at all that is an error or a warning. Up to there nothing has happened, and the
 //! object is read by the cursor.
 

@@ -23,7 +23,8 @@ enum Side {
     Above,
 }
 
-/// Last columns and rows of lattices that the tiles on the right and below have not taken yet.
+/// Last columns and rows of lattices that the tiles on the right and below have not taken. Those of tiles whose neighbours
+/// began before them, or need not be drawn, stay: a byte a pixel at the most.
 pub(super) struct Borders {
     columns: Range<u32>,
     rows: Range<u32>,

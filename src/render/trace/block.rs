@@ -1,6 +1,6 @@
 //! A block of pixels at once: what the camera sees at all of them is searched for together, then, for each light, what
-//! stands between it and all the points seen ([`super::shadows`]), and plain places are coloured four at a time
-//! ([`super::plain_four`]). What plain surfaces show of others is looked for together again ([`super::waves`]). Everything else
+//! stands between it and all the points seen ([`super::direct_block`]), and plain places are coloured four at a time
+//! ([`super::direct_packet`]). What plain surfaces show of others is looked for together again ([`super::wavefront`]). Everything else
 //! goes one pixel at a time, as for a single one.
 
 use super::direct_block::BlockHits;

@@ -1,5 +1,5 @@
-//! The short way to a colour ([`super::plain`]) for four places of a block at once, and to that of surfaces themselves that
-//! show others ([`super::waves`]). A place that needs more than diffuse light and highlights is left to the way for single
+//! The short way to a colour ([`super::direct`]) for four places of a block at once, and to that of surfaces themselves that
+//! show others ([`super::wavefront`]). A place that needs more than diffuse light and highlights is left to the way for single
 //! ones.
 
 use super::atmosphere::{AirTint, End};

@@ -16,7 +16,7 @@ pub struct FaceTexture(pub Arc<Texture>);
 pub struct TextureWeight {
     /// How much of the look; all shares of a point add up to one.
     pub weight: f64,
-    /// Which of the skins of the shape, or [`Share::OF_THE_OBJECT`].
+    /// Which of the skins of the shape, or [`TextureWeight::OF_THE_OBJECT`].
     pub skin: u32,
 }
 
@@ -24,7 +24,7 @@ pub struct TextureWeight {
 pub type TextureWeights = SmallVec<[TextureWeight; 3]>;
 
 impl TextureWeight {
-    /// In [`Share::skin`]: the texture of the object.
+    /// In [`TextureWeight::skin`]: the texture of the object.
     pub const OF_THE_OBJECT: u32 = u32::MAX;
 }
 

@@ -233,7 +233,7 @@ impl Shape {
         matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_))
     }
 
-    /// The first roots of those of four rays that are `there`, as [`FourRoots::nearest`] finds them. If `ANY` will do the
+    /// The first roots of those of four rays that are `there`, as [`RootPacket::nearest`] finds them. If `ANY` will do the
     /// distance may be that of some place within the solid.
     #[inline(always)]
     pub(crate) fn nearest_of_four<F: F64Lanes, const ANY: bool>(
@@ -263,7 +263,7 @@ impl Shape {
     }
 
     /// Which of four rays that go out from the surface leave behind all that they enter, as
-    /// [`super::Geometry::is_left_behind`] tells of each.
+    /// [`super::Geometry::is_exiting`] tells of each.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         match self {

@@ -83,7 +83,7 @@ impl Plane {
         }
     }
 
-    /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
+    /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
     #[inline(always)]
     pub(super) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         F::all(0.0).below(dot(same(self.normal), rays.dir))

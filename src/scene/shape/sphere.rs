@@ -132,7 +132,7 @@ impl Sphere {
         }
     }
 
-    /// Which of four rays leave behind all that they enter, as [`Geometry::is_left_behind`] tells of each.
+    /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = minus(rays.origin, same(self.centre));

@@ -14,7 +14,7 @@
 //! worst, which leaves the surface at a grazing angle, 12.1; the quicker one was not measured on those.
 //!
 //! That is the careful way. Most rays are answered by a quicker one to the same roots, which four can go at once
-//! ([`super::torus_of_four`]).
+//! ([`super::torus_packet`]).
 //!
 //! A spindle torus (`r > R`) is solid where `g <= 0`. Its inner lemon, `k = 0`, lies in the solid and can be seen, as
 //! in POV-Ray: a crossing that leaves the inside as it is. `sturm` is accepted and changes nothing; there is one solver.

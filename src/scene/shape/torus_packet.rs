@@ -122,7 +122,7 @@ impl Torus {
         self.all_roots(&rays, &clipped)
     }
 
-    /// The first roots of those of four rays that are `there`; as [`FourRoots::nearest`], but if `any` will do the
+    /// The first roots of those of four rays that are `there`; as [`RootPacket::nearest`], but if `any` will do the
     /// distance is that of some place within the solid.
     #[inline(always)]
     pub(super) fn nearest_of_four<F: F64Lanes, const ANY: bool>(
