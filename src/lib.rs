@@ -1,32 +1,29 @@
 //! povr reads POV-Ray scene files and draws the picture POV-Ray 3.7 draws.
 //!
 //! ```text
-//!  text ──syntax──▶ tokens ──lang──▶ scene ──compile──▶ world ──trace──▶ colour ──render──▶ film ──output──▶ files
-//!  grammar/*.pest            what the file says      what the rays need
+//!  text ──lang──▶ Scene ──world──▶ World ──render──▶ Film ──output──▶ files
 //! ```
 //!
-//! Two wings stand on one hall. The hall is [`scene`]: what a file says, as plain data, which a program can also build
-//! without any file. The reading wing ([`base::source`], [`lang::syntax`], [`lang`]) fills it; the drawing wing ([`base::accel`],
-//! [`world`], [`render::trace`], [`render`]) draws it. Neither knows the other; this file alone joins them.
+//! [`scene`] is what a file says, as plain data, which a program can also build without any file. [`lang`] reads a file into
+//! it, [`world`] lowers it to what rays need and answers them, [`render`] turns rays into pixels and [`output`] encodes
+//! these. Neither the front end nor the back end knows the other; this file alone joins them. [`base`] lies below all,
+//! [`app`] (the programs) above.
 //!
-//! Elements ([`scene::shape`], [`scene::pattern`], [`scene::texture`], [`scene::light`], [`scene::camera`], [`scene::interior`], [`scene::atmosphere`], [`scene::function`]) live
-//! below both wings: one file each, with its mathematics, what it reads through [`base::args::Args`], and what it answers to
-//! rays.
-//!
-//! [`app::batch`] draws many pictures in one run: frames side by side, scenes of whole folders. [`app::cli`] is the command line.
+//! Elements (shapes, patterns, textures, lights, cameras, interiors, atmosphere, functions) are one file each in [`scene`],
+//! with their mathematics, what they read through [`base::args::Args`], and what they answer to rays.
 //!
 //! Decisions that the code rests on:
 //! * Directives and macros act on tokens, so the grammar gives flat tokens and one cursor runs directives between any
-//!   two of them; readers of elements never see a directive. Long data in plain numbers need no tokens: all threads read
-//!   them from the text, and what they come to is taken in the order of the file.
-//! * An object keeps its transforms as the list of steps that the file writes. Compiling folds them: first into the
+//!   two of them; readers of elements never see a directive. Long lists of plain numbers need no tokens: all threads read
+//!   them from the text, and the results are taken in the order of the file.
+//! * An object keeps its transforms as the list of steps that the file writes. Lowering folds them: first into the
 //!   numbers of the shape as far as it stays of its kind, the rest into one inverse matrix, kept as the product of the
 //!   elementary inverses. The forward matrix is gone then.
 //! * Shapes report spans on the whole line of a ray. CSG sorts and counts them; it tests no point for being inside.
 //! * A ray that leaves a surface carries which root it left ([`world::SpawnSurface`]), not a smallest distance.
-//! * What the camera sees of a block of pixels is searched for, lit and coloured together: eight rays in single precision to
-//!   find out what may be met, four in double to meet it. One ray at a time gives the same bits.
-//! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order in which a tree is walked.
+//! * Camera rays of a block of pixels are traced, lit and shaded in packets: eight rays in single precision find out which
+//!   items may be hit, four in double precision hit them. One ray at a time gives the same bits.
+//! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order of traversal.
 
 pub mod app;
 pub mod base;
