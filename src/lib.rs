@@ -142,7 +142,7 @@ struct Kept {
     lexicon: Lexicon,
 }
 
-/// The most threads that draw, whatever is asked for: more than machines have cores would only take memory.
+/// Upper limit of the number of threads: beyond the number of cores they only take memory.
 const MOST_THREADS: usize = 1024;
 
 /// Threads to draw with, 1,024 at the most.

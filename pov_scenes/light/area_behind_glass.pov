@@ -1,4 +1,4 @@
-// An area light behind a pane: its shadow rays find opaque cones on their way through the glass, whichever they meet first.
+// An area light behind a pane: its shadow rays meet glass and opaque cones in either order.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 4, -8> look_at <0, 0.5, 0> }

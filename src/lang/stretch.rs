@@ -137,8 +137,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Takes the literal vectors at hand as [`crate::base::args::Args::literal_vectors`] does, if the data go on here, or
-    /// behind the comma at hand.
+    /// Takes the literal vectors that come next as [`crate::base::args::Args::literal_vectors`] does, if the data go on
+    /// here, or behind the next comma.
     pub(super) fn take_vectors_of_data(
         &mut self,
         len: usize,

@@ -201,7 +201,7 @@ impl<'a> TileRenderer<'a> {
         }
     }
 
-    /// A tile of an unfinished picture: what is there, or what is drawn and kept.
+    /// A tile of a picture with a checkpoint: taken from it, or rendered and added to it.
     fn kept_tile(
         &self,
         unfinished: &Checkpoint,
@@ -220,7 +220,7 @@ impl<'a> TileRenderer<'a> {
             errors: Vec::new(),
             samples: 0,
         };
-        // What was stopped in the middle is not finished.
+        // A tile that was stopped in the middle is not finished.
         if !self.options.stop.is_asked() {
             unfinished.keep(&piece);
         }

@@ -18,7 +18,7 @@ pub(super) struct CsgMemo {
     ready: CsgProgram,
 }
 
-/// What [`CsgProgram::prepare`] asks about an operand.
+/// The properties of an operand that [`CsgProgram::prepare`] depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct OperandKey {
     is_solid: bool,

@@ -1,4 +1,4 @@
-//! What camera and lamps see around them, worked out once so that rays from there need no search: see [`LightBuffer`].
+//! Light buffers of the camera and the lights, built once: rays from there need no traversal. See [`LightBuffer`].
 
 use super::compiled::World;
 use super::model::Item;
@@ -10,11 +10,11 @@ use rayon::prelude::*;
 /// Pixels that lie together in a block: columns and rows.
 const TOGETHER: [f64; 2] = [4.0, 2.0];
 
-/// What camera and lamps see, where that is known.
+/// The light buffers of a world, where they pay.
 #[derive(Debug, Default)]
 pub(super) struct LightBuffers {
     pub(super) camera: Option<LightBuffer>,
-    /// By the number of the lamp; none at all if none is known.
+    /// By the number of the light; empty if no light has one.
     lights: Vec<Option<LightBuffer>>,
 }
 

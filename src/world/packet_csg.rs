@@ -2,11 +2,11 @@
 //!
 //! With few operands no sorting pays. A surface is shown where the ray is within all solids that are to be shared and
 //! outside of all that are taken away; each end of a span is tried against the other spans (Roth 1982, turned about:
-//! all ends, all spans, no order). Where two ends fall together, and wherever a shape has doubts, the answer is that the
-//! ray must be asked for singly: so what is found is what [`CsgProgram::nearest`] finds, to the bit.
+//! all ends, all spans, no order). Where two ends coincide, and wherever a shape is in doubt, the ray is left to the scalar
+//! path: so the hits are those of [`CsgProgram::nearest`], to the bit.
 //!
 //! A combination of many operands is cut down to those whose boxes some of the four rays meet, by the tree over them: the
-//! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `four_of_tree`.
+//! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `packet_csg_tree`.
 
 use super::closest::SKIN;
 use super::compiled::World;

@@ -60,8 +60,8 @@ struct Pending<C> {
     child: C,
 }
 
-/// A traversal stack. All but the deepest trees need no heap, and its room is not cleared beforehand: small trees are
-/// traversed more often than a kilobyte is written in the same time.
+/// A traversal stack. Only the deepest trees need the heap, and its memory is not cleared beforehand: that would cost as
+/// much as the traversal of a small tree.
 struct Stack<T> {
     places: ArrayVec<T, ROOM>,
     /// What lies below them.

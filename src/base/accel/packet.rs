@@ -45,7 +45,7 @@ impl ViewBox {
         }
     }
 
-    /// Whether a ray from the origin in this direction may meet it before `end`: [`PacketAndBox`] for a single one.
+    /// True if a ray from the origin in this direction may hit the box before `end`: [`PacketAndBox`] for a single ray.
     #[inline(always)]
     pub(super) fn is_met(&self, dir: Vec3, end: f32) -> bool {
         let (mut enter, mut leave) = (0.0, end);

@@ -1,8 +1,7 @@
 //! Whole objects whose expressions are all recorded or literal: their readers take them from the tokens themselves.
 //!
-//! [`ReplayReader`] gives up wherever the tokens at hand are more than words, marks, elements and such expressions: at a
-//! directive, a macro, a string, and at all that is an error or a warning. Up to there nothing has happened, and the
-//! object is read by the cursor.
+//! [`ReplayReader`] gives up at any other token than words, marks, elements and such expressions: at a directive, a
+//! macro, a string, and at every error or warning. It has had no effect up to there, and the cursor reads the object.
 
 use super::ball::Ball;
 use super::{Known, Level, ReplayCache};

@@ -99,7 +99,7 @@ impl Sampler<'_> {
             true => trace(&self.whole_tile, scratch),
             false => trace(&own_points(width - 1, height - 1), scratch),
         }
-        // Light that is gathered on the way depends on what has been traced before.
+        // Radiosity depends on the samples traced before.
         let shares = scratch.single().radiosity.is_none();
         let mut borders = Vec::new();
         for side in [Side::Above, Side::Left] {

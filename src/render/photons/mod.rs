@@ -1,10 +1,9 @@
 //! Photons: light that lamps send to some objects, which bend and mirror it, is kept where it comes to rest, and spread
 //! around there (Jensen 1996), in the numbers of POV-Ray 3.7.
 //!
-//! Here is what is kept ([`Photon`]), how it is looked up ([`Map`]) and how far around a point it counts ([`radius`]); how
-//! photons are shot and what they give to surfaces and media is told in [`crate::render::trace`]. A map is made before the picture,
-//! on one thread, since random numbers and the order in which photons are kept go into all that follows; it is only read
-//! while the picture is drawn.
+//! The stored [`Photon`], its lookup in a [`Map`], and the [`radius`] of an estimate. Emission, and the radiance that
+//! photons give to surfaces and media, are in [`crate::render::trace`]. A map is built before the picture, on one thread,
+//! since it depends on random numbers and on the order of photons; while the picture is rendered it is only read.
 
 mod columns;
 mod file;

@@ -1,8 +1,8 @@
-//! The short way to a colour: one opaque layer without a mirror image, lit by lamps of a point each. Most pixels of most
-//! pictures are that.
+//! The fast path of shading: one opaque layer without reflection, lit by point lights. Most pixels of most pictures are
+//! that.
 //!
-//! It is the way of all others ([`Tracer::trace`]) without what cannot happen here: the sums are the same, in the same
-//! order. Where light is on its way through something transparent, all turn to that.
+//! It is the general path ([`Tracer::trace`]) without the terms that are zero here: the sums are the same, in the same
+//! order. Where a shadow ray passes something transparent, both call the same transmittance.
 
 use super::light::{
     LayerBsdf, LightContribution, LightSample, LightSamples, ViewPoint, is_nothing,

@@ -1,6 +1,6 @@
-//! The short way to a colour ([`super::direct`]) for four places of a block at once, and to that of surfaces themselves that
-//! show others ([`super::wavefront`]). A place that needs more than diffuse light and highlights is left to the way for single
-//! ones.
+//! The fast path of shading ([`super::direct`]) for four shading points of a block at once, and for the own light of surfaces
+//! that reflect or refract ([`super::wavefront`]). A point that needs more than diffuse light and highlights is left to the
+//! scalar path.
 
 use super::atmosphere::{AirTint, End};
 use super::direct_block::BlockHits;

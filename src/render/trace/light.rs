@@ -1,4 +1,4 @@
-//! Light at a point of a surface: diffuse light and highlights; what stands in the way of them is told in [`super::transmittance`].
+//! Direct light at a shading point: diffuse light and highlights. Shadows are computed in [`super::transmittance`].
 
 use super::area::Lamps;
 use super::direct_block::BlockHits;

@@ -1,6 +1,6 @@
 //! The patterns: one file each, with its mathematics and what it reads.
 //!
-//! A pattern gives a value at a point of pattern space. On the way there the [`WarpChain`] moves the point: transforms,
+//! A pattern gives a value at a point of pattern space, to which the [`WarpChain`] moves the point: transforms,
 //! warps, turbulence. Behind it the [`Wave`] shapes the value. A [`Map`] then turns the value into entries of any kind:
 //! colours, pigments, normals, textures. All that a scene writes beside the pattern's own word is in [`Modifiers`],
 //! which pigments, normals, densities and textures share.

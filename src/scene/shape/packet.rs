@@ -341,7 +341,7 @@ pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
     F::both(is_way, origin_sq.below(F::all(FAR_SQUARE)))
 }
 
-/// Four chords of a ball about the origin, as [`crate::base::math::chord::ball_chord`] finds each: enter, leave, and which
+/// Four chords of a sphere about the origin, as [`crate::base::math::chord::ball_chord`] finds each: enter, leave, and which
 /// lines meet it.
 #[inline(always)]
 pub(super) fn chords<F: F64Lanes>(

@@ -58,7 +58,8 @@ impl Metric {
         }
     }
 
-    /// Whether [`crate::base::math::powers::power`] estimates these lengths: ways between cells are not so long that their powers leave its bounds.
+    /// True if [`crate::base::math::powers::power`] estimates these lengths: distances between cells are too short for their
+    /// powers to leave its bounds.
     pub(super) fn has_estimates(&self) -> bool {
         match self {
             Metric::Powers(exponent, lift) => {
