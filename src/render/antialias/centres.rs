@@ -178,3 +178,39 @@ impl FourWork for Comparing<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::color::{Gamma, Rgb};
+    use crate::base::math::random::Random;
+    use crate::base::math::rounding::nearest;
+
+    #[test]
+    fn centres_are_compared_as_two_pixels_are() {
+        let mut rng = Random::new(11);
+        for (width, height, exponent) in [(33, 5, 0.4), (7, 6, 0.88), (2, 2, 1.0), (6, 3, 3.0)] {
+            let scale = Scale {
+                working: Gamma::LINEAR,
+                exponent,
+                has_alpha: true,
+            };
+            let mut pixel = || {
+                let [r, g, b, transmit] = [(); 4].map(|()| nearest(rng.share()));
+                Pixel::new(Rgb::new(r, g, b), transmit)
+            };
+            let pixels: Vec<Pixel> = (0..width * height).map(|_| pixel()).collect();
+            let mut centres = Centres::new(width, height);
+            centres.put_all(pixels.clone(), &scale);
+            let graded: Vec<Graded> = pixels.iter().map(|&pixel| scale.graded(pixel)).collect();
+            for threshold in [0.3, 0.6, 1.0] {
+                let apart = centres.compare(&scale, threshold);
+                for at in (0..width * height).filter(|at| at / width > 0 && at % width > 0) {
+                    let expected = [at - 1, at - width]
+                        .map(|other| scale.differ(&graded[at], &graded[other], threshold));
+                    assert_eq!(apart[at], expected, "{at} of {width} x {height}");
+                }
+            }
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Method 2: a pixel is divided into four squares as long as the corners of a square differ, and is the mean of them.
 
 use super::super::Tile;
-use super::{Graded, Place, Sampler, Sum};
+use super::{Graded, Place, Sampler, Sum, place};
 use crate::base::film::Pixel;
 use crate::render::trace::BlockScratch;
 use rustc_hash::FxHashMap;
@@ -84,13 +84,13 @@ impl<'s, 'a> Corners<'s, 'a> {
 
     /// The samples at the corners of all pixels, row by row.
     fn trace_corners(&mut self) -> Vec<Graded> {
-        let (x, y) = self.place(0, 0);
+        let (x, y) = self.first;
         let first = (x - 0.5, y - 0.5);
         let pixels = if self.in_order {
             let (wide, high) = (self.width + 1, self.height + 1);
             let points = (0..high).flat_map(|row| (0..wide).map(move |column| (column, row)));
             let places = points.map(|(column, row)| {
-                let (x, y) = self.place(column, row);
+                let (x, y) = place(self.first, (column, row));
                 (x - 0.5, y - 0.5)
             });
             let places: Vec<Place> = places.collect();
@@ -194,19 +194,10 @@ impl<'s, 'a> Corners<'s, 'a> {
     fn inner_place(&self, (pixel, column, row): Point) -> Place {
         let cells = f64::from(1u32 << self.sampler.how.depth);
         let cell = 1.0 / cells;
-        let (x, y) = self.place(pixel % self.width, pixel / self.width);
+        let (x, y) = place(self.first, (pixel % self.width, pixel / self.width));
         let x = x - 0.5 + f64::from(column) * cell;
         let y = y - 0.5 + f64::from(row) * cell;
         Sampler::jittered((x, y), self.sampler.how.jitter / (1.0 / cell + 1.0))
-    }
-
-    #[allow(
-        clippy::cast_precision_loss,
-        reason = "a tile has few rows and columns"
-    )]
-    fn place(&self, column: usize, row: usize) -> Place {
-        let (x, y) = self.first;
-        (x + column as f64, y + row as f64)
     }
 }
 

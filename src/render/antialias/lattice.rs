@@ -5,16 +5,13 @@
 //! row for those neighbours, and traces what they have not left: on several threads they may still be at work.
 
 use super::super::{TILE, Tile};
-use super::{Place, Sampler, cells};
+use super::{Place, Point, Sampler, cells, place};
 use crate::base::film::Pixel;
 use crate::base::options::RenderOptions;
 use crate::render::trace::BlockScratch;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
-
-/// A column and a row of a lattice.
-pub(super) type Point = (usize, usize);
 
 /// The side of a tile on which a neighbour lies.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -135,12 +132,4 @@ impl Sampler<'_> {
 pub(super) fn own_points(width: usize, height: usize) -> Vec<Point> {
     let points = cells(width, height);
     points.map(|(column, row)| (column + 1, row + 1)).collect()
-}
-
-#[allow(
-    clippy::cast_precision_loss,
-    reason = "a tile has few rows and columns"
-)]
-fn place((x, y): Place, (column, row): Point) -> Place {
-    (x + column as f64, y + row as f64)
 }

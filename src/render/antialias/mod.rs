@@ -24,7 +24,7 @@ use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
 use crate::base::options::{Antialias, Method, RenderOptions};
 use crate::render::trace::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
-use lattice::{Borders, Point, own_points};
+use lattice::{Borders, own_points};
 use neighbours::Neighbours;
 use std::ops::{Range, RangeInclusive};
 
@@ -33,6 +33,9 @@ const BATCH: usize = (BLOCK * BLOCK) as usize;
 
 /// A place in the picture in pixels; whole numbers are centres of pixels.
 type Place = (f64, f64);
+
+/// A column and a row of a grid whose points lie one pixel apart.
+type Point = (usize, usize);
 
 /// Draws tiles of one picture with antialiasing.
 pub(super) struct Sampler<'a> {
@@ -207,6 +210,15 @@ impl<'a> Sampler<'a> {
             (x, y)
         }
     }
+}
+
+/// The place of a point of a grid that begins at `first`.
+#[allow(
+    clippy::cast_precision_loss,
+    reason = "a tile has few rows and columns"
+)]
+fn place((x, y): Place, (column, row): Point) -> Place {
+    (x + column as f64, y + row as f64)
 }
 
 fn pixel(sample: Sample) -> Pixel {

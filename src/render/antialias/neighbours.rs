@@ -7,7 +7,7 @@
 
 use super::super::Tile;
 use super::centres::{Apart, Centres};
-use super::{Graded, Place, Sampler, Sum, cell};
+use super::{Graded, Place, Sampler, Sum, cell, place};
 use crate::base::film::Pixel;
 use crate::render::trace::BlockScratch;
 use rustc_hash::FxHashMap;
@@ -190,7 +190,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
 
     /// Traces one centre.
     fn trace_centre(&mut self, at: usize, has_neighbours: bool) {
-        let place = self.place(self.point(at));
+        let place = place(self.first, self.point(at));
         let pixels = self.sampler.trace(&[place], true, self.scratch);
         let graded = pixels
             .first()
@@ -220,15 +220,6 @@ impl<'s, 'a> Neighbours<'s, 'a> {
         }
     }
 
-    #[allow(
-        clippy::cast_precision_loss,
-        reason = "a tile has few rows and columns"
-    )]
-    fn place(&self, (column, row): (usize, usize)) -> Place {
-        let (x, y) = self.first;
-        (x + column as f64, y + row as f64)
-    }
-
     /// The column and the row of a pixel.
     fn point(&self, at: usize) -> (usize, usize) {
         (at % self.width, at / self.width)
@@ -236,7 +227,7 @@ impl<'s, 'a> Neighbours<'s, 'a> {
 
     /// The places of a pixel's grid, row by row.
     fn grid(&self, at: usize) -> impl Iterator<Item = Place> {
-        let (x, y) = self.place(self.point(at));
+        let (x, y) = place(self.first, self.point(at));
         let spread = self.sampler.how.jitter / f64::from(self.sampler.how.depth);
         let places = self
             .offsets
