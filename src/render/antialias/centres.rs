@@ -68,10 +68,11 @@ impl Centres {
                 channel[at] = value;
             }
         }
-        let channels = &mut self.grades[..scale.channels()];
+        // Transmit is compared as it is.
+        let colors = &mut self.grades[..3];
         with_widest(
             #[inline(always)]
-            |lanes| fours(lanes, Grading(channels, scale.exponent)),
+            |lanes| fours(lanes, Grading(colors, scale.exponent)),
         );
     }
 

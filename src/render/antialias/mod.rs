@@ -61,8 +61,8 @@ const ENDLESS: f64 = 1e40;
 /// What two estimates of a grade may be off together, as a share of their sum and at all.
 const GRADE_CARE: [f64; 2] = [2.0 * POWER_ERROR, 1e-90];
 
-/// The scale on which colours are compared: linear light to the power of 1 / `Antialias_Gamma`. A picture without gamma
-/// handling has its values taken for linear light.
+/// The scale on which colours are compared: linear light to the power of 1 / `Antialias_Gamma`, and transmit as it is. A
+/// picture without gamma handling has its values taken for linear light.
 struct Scale {
     working: Gamma,
     exponent: f64,
@@ -82,21 +82,20 @@ impl Scale {
         }
     }
 
-    /// The linear values that are compared: red, green, blue and transmit; this last one 0 where the picture keeps no
+    /// The linear red, green and blue that are compared, and transmit; this last one 0 where the picture keeps no
     /// transparency. The background is opaque then, whatever it says.
     fn values(&self, Pixel { rgb, transmit }: Pixel) -> [f64; 4] {
-        let transmit = if self.has_alpha { transmit } else { 0.0 };
         let value = |value: f32| f64::from(self.working.decode(value)).max(0.0);
-        [rgb.r, rgb.g, rgb.b, transmit].map(value)
+        let [r, g, b] = [rgb.r, rgb.g, rgb.b].map(value);
+        let transmit = if self.has_alpha { transmit } else { 0.0 };
+        [r, g, b, f64::from(transmit).max(0.0)]
     }
 
-    /// The grades of a pixel: a power of each value, but nothing for transparency that is not kept.
+    /// The grades of a pixel: a power of each colour, and transmit.
     fn grades(&self, pixel: Pixel) -> [f64; 4] {
-        let mut grades = self.values(pixel).map(|value| value.powf(self.exponent));
-        if !self.has_alpha {
-            grades[3] = 0.0;
-        }
-        grades
+        let [r, g, b, transmit] = self.values(pixel);
+        let [r, g, b] = [r, g, b].map(|value| value.powf(self.exponent));
+        [r, g, b, transmit]
     }
 
     /// Number of channels compared: transmit counts only where the picture keeps it.
@@ -113,10 +112,12 @@ impl Scale {
 
     fn graded(&self, pixel: Pixel) -> Graded {
         let grades = if self.has_estimates() {
-            with_widest(
+            let values = self.values(pixel);
+            let [r, g, b, _] = with_widest(
                 #[inline(always)]
-                |lanes| fours(lanes, Powers(self.values(pixel), self.exponent)),
-            )
+                |lanes| fours(lanes, Powers(values, self.exponent)),
+            );
+            [r, g, b, values[3]]
         } else {
             self.grades(pixel)
         };
