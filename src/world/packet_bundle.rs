@@ -101,13 +101,13 @@ impl World {
         scratch.lot = lot;
     }
 
-    /// What lies on the ways from hits at these places to a light at `centre`, in an order in which
-    /// neighbours differ little, added to `ways`. Says whether it was of use to ask together.
+    /// Occlusion of the shadow rays from the hits at these places to a light, appended to `ways`: by a bundle if they share
+    /// the point `centre` and neighbours differ little, otherwise by streams of eight. Returns true if the bundle paid.
     pub fn occlusion_bundle(
         &self,
         places: &[u16],
         (hits, to_light): (&[HitPacket4], &[ShadowPacket4]),
-        centre: DVec3,
+        centre: Option<DVec3>,
         scratch: &mut Scratch,
         ways: &mut Vec<Occlusion>,
     ) -> bool {
@@ -131,33 +131,29 @@ impl World {
                 ways.resize(first + places.len(), Occlusion::Clear);
                 let ways = &mut ways[first..];
                 self.block_by_unbounded(lanes, &query, (&mut lot, ways), scratch);
-                let is_bundled = bundle.fill(
-                    &self.finder().tree,
-                    centre,
-                    places.len(),
-                    #[inline(always)]
-                    |four| {
-                        let dir = lot.dirs(four);
-                        let mut back = [[0.0; 4]; 3];
-                        for axis in 0..3 {
-                            for lane in 0..4 {
-                                back[axis][lane] = -dir[axis][lane];
+                let is_bundled = |centre: &DVec3| {
+                    bundle.fill(
+                        &self.finder().tree,
+                        *centre,
+                        places.len(),
+                        #[inline(always)]
+                        |four| {
+                            let back = lot.dirs(four).map(|axis| axis.map(|dir| -dir));
+                            let mut end = [f64::NEG_INFINITY; 4];
+                            for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
+                                if *way != Occlusion::Opaque {
+                                    let place = usize::from(places[4 * four + lane]);
+                                    end[lane] = to_light[place / 4].distance[place % 4];
+                                }
                             }
-                        }
-                        let mut end = [f64::NEG_INFINITY; 4];
-                        for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
-                            if *way != Occlusion::Opaque {
-                                let place = usize::from(places[4 * four + lane]);
-                                end[lane] = to_light[place / 4].distance[place % 4];
-                            }
-                        }
-                        (back, end)
-                    },
-                );
-                if !is_bundled {
+                            (back, end)
+                        },
+                    )
+                };
+                let Some(centre) = centre.filter(is_bundled) else {
                     self.block_streams(lanes, &query, (&mut lot, ways), scratch);
                     return false;
-                }
+                };
                 let is_done = self.meshes_block(
                     lanes,
                     (&mut lot, ways),
@@ -436,40 +432,6 @@ impl World {
                 },
             );
         }
-    }
-
-    /// What lies on the ways from hits at these places to the light of this number, which have little in common, added to
-    /// `ways`.
-    pub fn occlusion_streams(
-        &self,
-        places: &[u16],
-        (hits, to_light): (&[HitPacket4], &[ShadowPacket4]),
-        scratch: &mut Scratch,
-        ways: &mut Vec<Occlusion>,
-    ) {
-        let first = ways.len();
-        scratch.rays.shadow += places.len() as u64;
-        let mut lot = std::mem::take(&mut scratch.lot);
-        let query = |ray: usize| {
-            let place = usize::from(places[ray]);
-            to_light[place / 4].query(&hits[place / 4], place % 4)
-        };
-        with_widest(
-            #[inline(always)]
-            |lanes| {
-                lot.load_shadow_rays_all(
-                    places,
-                    (hits, to_light),
-                    #[inline(always)]
-                    |blur| self.least_from(Some(blur), RayKind::Shadow),
-                );
-                ways.resize(first + places.len(), Occlusion::Clear);
-                let ways = &mut ways[first..];
-                self.block_by_unbounded(lanes, &query, (&mut lot, ways), scratch);
-                self.block_streams(lanes, &query, (&mut lot, ways), scratch);
-            },
-        );
-        scratch.lot = lot;
     }
 
     /// Asks about an item by four rays at a time, where that goes, those of `rays` from the first on. Gives the rays

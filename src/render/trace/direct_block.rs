@@ -189,12 +189,15 @@ impl Tracer<'_> {
         for places in order.sorted.chunks(LIT_TOGETHER) {
             let rays = (&**hits, &*ways);
             let answers = &mut order.answers;
-            if apart > 0 {
-                apart -= 1;
-                self.world.occlusion_streams(places, rays, single, answers);
-            } else if !(self.world).occlusion_bundle(places, rays, light.centre, single, answers) {
-                apart = TAKEN_APART;
-            }
+            let centre = (apart == 0).then_some(light.centre);
+            let has_paid = self
+                .world
+                .occlusion_bundle(places, rays, centre, single, answers);
+            apart = match centre {
+                None => apart - 1,
+                Some(_) if has_paid => 0,
+                Some(_) => TAKEN_APART,
+            };
         }
         for (&place, way) in order.sorted.iter().zip(&order.answers) {
             let place = usize::from(place);

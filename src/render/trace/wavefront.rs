@@ -303,8 +303,7 @@ impl Tracer<'_> {
         if finish.has_reflection() {
             let interior = self.world.surfaces[surfaced.surface as usize].interior;
             let ior = || self.relative_ior(&waves.insides[met.inside], interior);
-            let mut mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
-            mirror.weight *= f64::from(filter.grey());
+            let mirror = mirror(&at, at.normal, (finish, showing.pigment), ior);
             if finish.conserve_energy {
                 filter *= mirror.reflectivity.map(|r| (1.0 - r).min(1.0));
             }
