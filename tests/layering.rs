@@ -53,7 +53,7 @@ const LAYERS: &[&[&str]] = &[
     &["scene"],
     &["render::radiosity", "render::photons"],
     &["lang", "world"],
-    &["render::trace"],
+    &["render::shade"],
     &["render"],
     &["render::statistics"],
     &["app::curve", "app::batch"],

@@ -4,10 +4,10 @@
 //! the next token gets it after every directive before it has run, every include has been entered and every macro
 //! call has been opened; readers never see any of that.
 
+use super::directive::macros::Macro;
+use super::expr::value::Value;
 use super::limits;
-use super::macros::Macro;
 use super::reader::Reader;
-use super::value::Value;
 use crate::base::args::{Parse, Word};
 use crate::base::source::{Code, Diagnostic, FileId, Span};
 use crate::lang::syntax::{self, Kind, Symbol, Token, Tokens};
@@ -86,7 +86,7 @@ pub(super) enum Entered {
         changes: Option<u64>,
     },
     /// A `#for`.
-    For(Box<super::loops::For>),
+    For(Box<super::directive::loops::For>),
     /// A macro call.
     Macro {
         back: Place,

@@ -3,13 +3,27 @@
 //! Outside of parentheses an expression ends at the additive level; comparisons, logic and `? :` stand only inside
 //! parentheses and in the arguments of some built-in functions. `&` and `|` bind alike, from left to right.
 
+pub(super) mod array;
+pub(super) mod body;
+pub(super) mod body_calls;
+pub(super) mod builtins;
+pub(super) mod color;
+pub(super) mod datetime;
+pub(super) mod declared_value;
+pub(super) mod function;
+pub(super) mod function_picture;
+pub(super) mod functions;
+pub(super) mod streams;
+pub(super) mod strings;
+pub(super) mod value;
+
 use super::cursor::Start;
-use super::flow::EQUAL;
-use super::function::Callee;
+use super::directive::flow::EQUAL;
+use super::expr::function::Callee;
+use super::expr::value::{Number, Value};
+use super::fast_path::replay::{Binary, Level, Op};
 use super::limits;
 use super::reader::Reader;
-use super::replay::{Binary, Level, Op};
-use super::value::{Number, Value};
 use crate::base::args::{Parse, Word};
 use crate::base::source::Diagnostic;
 use crate::lang::syntax::{Class, Kind, Symbol};

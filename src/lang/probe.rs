@@ -1,7 +1,7 @@
 //! `trace` and `inside`: what a scene asks the drawing wing about its own objects while it is read.
 
+use super::expr::value::{Number, Value};
 use super::reader::Reader;
-use super::value::{Number, Value};
 use crate::base::args::Parse;
 use crate::base::source::Diagnostic;
 use crate::lang::syntax::{Kind, Symbol};

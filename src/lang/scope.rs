@@ -3,7 +3,7 @@
 //! Scopes are dynamic, as in POV-Ray: each include file and each macro call opens one, and an identifier means its
 //! innermost binding, whoever made it. Every symbol carries its own stack of bindings, so that a look-up is one step.
 
-use super::value::{Number, Value};
+use super::expr::value::{Number, Value};
 use crate::lang::syntax::Symbol;
 use std::rc::Rc;
 

@@ -8,16 +8,16 @@ pub mod photons;
 mod pretrace;
 pub mod radiosity;
 mod radiosity_pass;
+pub mod shade;
 pub mod statistics;
 mod tiles;
-pub mod trace;
 
 pub use checkpoint::{Checkpoint, CheckpointStatus};
 pub use photon_pass::PhotonPass;
 
 use crate::base::film::{self, Film, Pixel, Quantizer};
 use crate::base::options::{AdaptiveOutcome, RadiosityStatistics, RenderOptions, Sampling};
-use crate::render::trace::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::render::shade::{BLOCK, BlockScratch, Sample, Tracer};
 use crate::world::{RayCounts, World};
 use antialias::Sampler;
 use checkpoint::CheckpointTile;

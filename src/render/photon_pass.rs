@@ -2,7 +2,7 @@
 
 use crate::base::options::PhotonStatistics;
 use crate::render::photons;
-use crate::render::trace::Tracer;
+use crate::render::shade::Tracer;
 use std::time::Instant;
 
 /// Photons that were shot.

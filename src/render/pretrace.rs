@@ -3,10 +3,10 @@
 //! before it.
 
 use super::tiles_of;
-use crate::base::math::mersenne;
+use crate::base::math::sampling::mersenne;
 use crate::base::options::RenderOptions;
 use crate::render::radiosity::Session;
-use crate::render::trace::Tracer;
+use crate::render::shade::Tracer;
 use crate::world::Scratch;
 use std::ops::Range;
 

@@ -10,7 +10,7 @@ use super::pretrace::pretrace;
 use super::tiles::DrawnTile;
 use crate::base::options::{RadiosityStatistics, RenderOptions};
 use crate::render::radiosity::{Mode, Notes, Session};
-use crate::render::trace::{BlockScratch, Tracer};
+use crate::render::shade::{BlockScratch, Tracer};
 use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::time::Instant;

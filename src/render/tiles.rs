@@ -3,7 +3,7 @@
 use super::Tile;
 use crate::base::film::{Film, Levels, Pixel, Quantizer};
 use crate::base::options::RenderOptions;
-use crate::render::trace::BlockScratch;
+use crate::render::shade::BlockScratch;
 use crate::world::RayCounts;
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};

@@ -1,9 +1,9 @@
 //! The tree over the items of a model, and their leaves in its order: what lies together in space lies together in
 //! memory.
 
-use super::csg::CsgProgram;
-use super::flatten::index;
+use super::csg::program::CsgProgram;
 use super::instance::Instance;
+use super::lower::flatten::index;
 use super::model::{Item, ModelBuilder, PendingItem};
 use super::primitive::Leaf;
 use super::sphere_soa::SphereSoa;

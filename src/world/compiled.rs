@@ -1,11 +1,11 @@
 //! What rays need and no more: prepared surfaces, a tree over them, lights, camera, and the settings of shading.
 
 use super::bvh_items::{IndexedItem, ItemBvh};
-use super::csg::RawHit;
-use super::flatten::Lowering;
+use super::csg::program::RawHit;
 use super::interiors::{InteriorId, Interiors};
-use super::light_buffers::LightBuffers;
 use super::lights::Lights;
+use super::lower::flatten::Lowering;
+use super::lower::light_buffers::LightBuffers;
 use super::model::{Item, Model};
 use super::primitive::Leaf;
 use super::query::{Hit, RayKind, SpawnSurface};

@@ -1,8 +1,8 @@
 //! A model in its place: what rays find of one copy of a union that a scene shows again and again.
 
-use super::csg::RawHit;
-use super::intersect::{HitPolicy, IndexBase, Search};
+use super::csg::program::RawHit;
 use super::model::Model;
+use super::query::intersect::{HitPolicy, IndexBase, Search};
 use super::query::{Scratch, SpawnSurface};
 use crate::base::math::normal_from_inverse;
 use crate::base::math::simd::with_widest;

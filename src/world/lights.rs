@@ -1,6 +1,6 @@
 //! The lights of a world: which of them shine on a surface, and what they are projected through.
 
-use super::csg::{CsgProgram, RawHit};
+use super::csg::program::{CsgProgram, RawHit};
 use super::primitive::Leaf;
 use super::query::{Query, Scratch};
 use crate::scene::light::Light;

@@ -1,66 +1,39 @@
 //! From the description of a scene to the world that rays need.
 
 mod bvh_items;
-mod closest;
 mod compiled;
 mod csg;
-mod csg_bounds;
-mod csg_inside;
-mod csg_memo;
-mod csg_simplify;
-mod cutaway;
-mod flatten;
-mod inherit;
 mod instance;
-mod instancing;
 mod interiors;
-mod intersect;
-mod light_buffers;
 mod lights;
-mod lower_csg;
+mod lower;
 mod model;
-mod occlusion;
-mod packet_bundle;
-mod packet_csg;
-mod packet_csg_tree;
-mod packet_grid;
-mod packet_hits;
-mod packet_instance;
-mod packet_mesh;
-mod packet_primitive;
-mod packet_rays;
-mod parallel;
 mod plan;
 mod primitive;
-mod probe;
 mod query;
 mod ray_counts;
-mod seen_in;
 mod sphere_soa;
 mod spheres;
 mod surface;
 mod surface_flags;
-mod targets;
-mod transmission;
-mod uses_random;
 
 pub use compiled::{Globals, World};
 pub use interiors::{InteriorId, Interiors};
 pub use lights::{LightList, Lights};
-pub use packet_hits::{HitPacket4, NO_LEAF, ShadowPacket4};
 pub use primitive::{Extent, Leaf};
-pub use probe::{ProbeModel, solid_of};
+pub use query::packet::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
+pub use query::probe::{ProbeModel, solid_of};
+pub use query::transmission::{TransmissiveHit, TransmissiveHits};
 pub use query::{Hit, Occlusion, Query, RayKind, Scratch, SpawnSurface};
 pub use ray_counts::RayCounts;
 pub use surface::{OwnedOrShared, Surface};
-pub use transmission::{TransmissiveHit, TransmissiveHits};
 
 use crate::base::options::RenderOptions;
 use crate::scene::pattern::Settings;
 use crate::scene::{Object, Scene};
-use flatten::Lowering;
+use lower::flatten::Lowering;
+use lower::targets::Targets;
 use std::sync::Arc;
-use targets::Targets;
 
 /// Below this quality there are no photons (facts 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;

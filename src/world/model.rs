@@ -5,10 +5,10 @@
 //! tells every copy of every primitive apart however deep instances lie in each other.
 
 use super::bvh_items::ItemBvh;
-use super::csg::CsgProgram;
+use super::csg::program::CsgProgram;
 use super::instance::Instance;
-use super::packet_csg::PacketStrategy;
 use super::primitive::Leaf;
+use super::query::packet::csg::PacketStrategy;
 use super::sphere_soa::SphereSoa;
 use super::spheres::DeferredSpheres;
 use super::surface::Surface;

@@ -1,16 +1,23 @@
 //! What rays ask the world, what they get, and what a thread keeps between two questions.
 
+pub(super) mod closest;
+pub(super) mod intersect;
+pub(super) mod occlusion;
+pub(super) mod packet;
+pub(super) mod probe;
+pub(super) mod transmission;
+
 use super::bvh_items::IndexedItem;
-use super::csg::{RawHit, Sweep};
-use super::packet_hits::ShadowPacket4;
-use super::packet_mesh::MeshScratch;
-use super::packet_rays::RayStream;
+use super::csg::program::{RawHit, Sweep};
+use super::query::packet::hits::ShadowPacket4;
+use super::query::packet::mesh::MeshScratch;
+use super::query::packet::rays::RayStream;
+use super::query::transmission::ItemSet;
 use super::ray_counts::RayCounts;
-use super::transmission::ItemSet;
 use crate::base::accel::Bundle;
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
-use crate::base::math::mersenne::Stream;
+use crate::base::math::sampling::mersenne::Stream;
 use crate::render::photons::Near;
 use crate::render::radiosity::Session;
 use crate::scene::shape::{Crossing, Root};

@@ -173,8 +173,8 @@ impl SphereSoa {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::chord::ball_chord;
-    use crate::base::math::random::Random;
+    use crate::base::math::roots::ray_sphere::ball_chord;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::with_widest;
 
     #[test]

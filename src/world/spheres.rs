@@ -2,9 +2,9 @@
 //! going through them once less is a tenth of the time it takes to prepare them, and what is seen together lies together.
 
 use super::bvh_items::AHEAD;
-use super::flatten::index;
 use super::interiors::InteriorId;
-use super::parallel::{PlainShapes, SurfaceTemplate};
+use super::lower::flatten::index;
+use super::lower::parallel::{PlainShapes, SurfaceTemplate};
 use super::primitive::{Absorb, Extent, Leaf};
 use super::surface::Surface;
 use crate::scene::shape::{Shape, Sphere};

@@ -1,8 +1,8 @@
 //! How the surface of an object looks, and who sees it.
 
-use super::cutaway::Cutaway;
 use super::interiors::InteriorId;
 use super::lights::LightList;
+use super::lower::cutaway::Cutaway;
 use super::query::RayKind;
 use super::surface_flags::{ObjectFlags, SurfaceFlags};
 use crate::base::color::{Color, Rgb};

@@ -15,12 +15,13 @@ use clap::Parser;
 use self::list::List;
 use self::tell::Teller;
 use super::Command;
-use super::arg_words;
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options::{self, Size};
-use super::report::{MessageFormat, say};
-use super::values::{bytes, duration};
+use super::draw::report::{MessageFormat, say};
+use super::options::arg_words;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::long_options::Size;
+use super::options::values::{bytes, duration};
 use crate::app::batch::{self, Batch, Figure, Shard};
 
 pub(super) const COMMAND: Command = Command {

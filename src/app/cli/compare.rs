@@ -19,14 +19,14 @@ use self::page::About;
 use self::row::Row;
 use self::table::Total;
 use super::Command;
-use super::arg_words;
 use super::check::find_scenes;
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options;
-use super::report::say;
-use super::settings::Scene;
-use super::values::duration;
+use super::draw::report::say;
+use super::options::arg_words;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::settings::Scene;
+use super::options::values::duration;
 use crate::app::compare::{self, Bench, Case, Renderer, Thresholds};
 
 pub(super) const COMMAND: Command = Command {

@@ -6,12 +6,12 @@ use clap::Parser;
 use clap_complete::Shell;
 
 use super::Command;
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options;
+use super::draw::report::say;
 use super::man::put;
-use super::report::say;
-use super::switches;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::switches;
 
 pub(super) const COMMAND: Command = Command {
     name: "completions",

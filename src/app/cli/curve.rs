@@ -9,12 +9,12 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Command;
+use super::draw::report::{Reporter, Stream, say};
 use super::draw::{Request, request, request_of};
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options;
-use super::report::{Reporter, Stream, say};
-use super::settings::{Scene, Settings};
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::settings::{Scene, Settings};
 use crate::app::curve::{self, CurveError, Drawn, Family, Report, Setting, Step, Sweep, Task};
 use crate::base::options::{Event, Input, RenderOptions, Sampling};
 

@@ -1,5 +1,16 @@
 //! The command without a name: draws a scene as POV-Ray would, by POV-Ray's switches and ini files.
 
+pub(super) mod animate;
+pub(super) mod console;
+pub(super) mod done;
+pub(super) mod frames;
+pub(super) mod interrupt;
+pub(super) mod limits;
+pub(super) mod progress;
+pub(super) mod report;
+pub(super) mod streams;
+pub(super) mod unfinished;
+
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -8,20 +19,21 @@ use std::time::Instant;
 
 use clap::error::ErrorKind::DisplayVersion;
 
-use super::animate;
-use super::arg_words;
-use super::console::{self, Console};
-use super::done;
-use super::environment::Environment;
-use super::error::CliError;
-use super::ini::Reader;
-use super::interrupt;
-use super::long_options::{self, LongOptions};
-use super::progress::{Progress, ProgressKind};
-use super::report::{Line, MessageFormat, Reporter, Stream, say};
-use super::settings::{self, Scene, Settings, Talk};
-use super::streams::{self, Files};
-use super::unfinished;
+use super::draw::console::Console;
+use super::options::arg_words;
+
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::ini::Reader;
+
+use super::draw::progress::{Progress, ProgressKind};
+use super::draw::report::{Line, MessageFormat, Reporter, Stream, say};
+use super::draw::streams::Files;
+use super::options::long_options;
+use super::options::long_options::LongOptions;
+use super::options::settings;
+use super::options::settings::{Scene, Settings, Talk};
+
 use crate::base::options::{
     AdaptiveOutcome, Event, EventHandler, Failure, Input, Picture, ReadOptions, RenderOptions,
     Statistics,

@@ -4,11 +4,12 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-use super::environment::Environment;
-use super::error::CliError;
-use super::nearest::nearest;
-use super::report::say;
-use super::{COMMANDS, Command, draw, long_options};
+use super::draw::report::say;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::nearest::nearest;
+use super::{COMMANDS, Command, draw};
 
 pub(super) const COMMAND: Command = Command {
     name: "help",

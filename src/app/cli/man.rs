@@ -7,10 +7,11 @@ use clap::Parser;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 
-use super::environment::Environment;
-use super::error::CliError;
-use super::report::say;
-use super::{COMMANDS, Command, help, keys, long_options, switches};
+use super::draw::report::say;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::{keys, long_options, switches};
+use super::{COMMANDS, Command, help};
 
 pub(super) const COMMAND: Command = Command {
     name: "man",

@@ -5,51 +5,30 @@
 //! Arguments that begin with `--`, and `-o`, are read by clap; all others as POV-Ray reads them. Both kinds may be mixed.
 //! Exit codes: POV-Ray's 0 and 1 for drawing; commands end with 2 when the command line itself is at fault.
 
-mod animate;
-mod arg_words;
 mod batch;
 mod check;
 mod compare;
 mod completions;
-mod console;
 mod curve;
-mod done;
 mod draw;
-mod environment;
-mod error;
-mod frames;
 mod help;
-mod ini;
-mod interrupt;
-mod keys;
-mod limits;
-mod long_options;
 mod man;
-mod nearest;
-mod progress;
-mod raw_args;
-mod report;
-mod settings;
+mod options;
 mod sheet;
-mod streams;
-mod switches;
-mod unfinished;
-mod unknown;
-mod values;
 mod watch;
 
+pub use draw::frames::Frames;
+pub use draw::progress::{Progress, ProgressKind};
+pub use draw::report::MessageFormat;
 pub use draw::{Request, request};
-pub use environment::Environment;
-pub use error::CliError;
-pub use frames::Frames;
-pub use progress::{Progress, ProgressKind};
-pub use report::MessageFormat;
-pub use settings::{Scene, Settings, Talk};
+pub use options::environment::Environment;
+pub use options::error::CliError;
+pub use options::settings::{Scene, Settings, Talk};
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use report::say;
+use draw::report::say;
 
 /// A command by name.
 struct Command {
@@ -84,7 +63,7 @@ const MISUSED: u8 = 2;
 /// Does what the arguments ask for, of which the first is the name by which the program was called. By the name `povray`
 /// it has no commands, and writes to standard error what POV-Ray writes there.
 pub fn run(arguments: impl IntoIterator<Item = String>) -> ExitCode {
-    limits::outlive_file_limit();
+    draw::limits::outlive_file_limit();
     let mut arguments = arguments.into_iter();
     let program = arguments.next().unwrap_or_default();
     let arguments: Vec<String> = arguments.collect();

@@ -21,11 +21,12 @@ use self::scene::Subject;
 use self::shapes::{HEIGHTS, SHAPES};
 use self::transforms::Move;
 use super::Command;
+use super::draw::report::say;
 use super::draw::{self, Request};
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options::{self, Size};
-use super::report::say;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::long_options::Size;
 
 pub(super) const COMMAND: Command = Command {
     name: "sheet",

@@ -23,12 +23,12 @@ use self::files::{Known, Watched};
 use self::painter::Painter;
 use self::shown::Shown;
 use super::Command;
+use super::draw::report::say;
 use super::draw::{Request, reporter, request_of};
-use super::environment::Environment;
-use super::error::CliError;
-use super::long_options;
-use super::report::say;
-use super::settings::Scene;
+use super::options::environment::Environment;
+use super::options::error::CliError;
+use super::options::long_options;
+use super::options::settings::Scene;
 use crate::base::options::{CancelToken, Input};
 
 pub(super) const COMMAND: Command = Command {

@@ -5,14 +5,18 @@
 //! A ray looks up its cell and walks no tree. Cells are found, and items tried, in single precision with every doubt in
 //! favour of being met: what is visited is more than what is met, never less. So answers are those of the tree, to the bit.
 
+pub(super) mod grid;
+pub(super) mod lookup;
+pub(super) mod projection;
+
 use super::Bvh;
 use super::bounding_cylinder::{BoundingCylinder, ViewedCylinder};
 use super::bounding_sphere::BoundingSphere;
 use super::bundle::FARTHEST;
-use super::grid::{CellGrid, Rect, SlopeRange};
+use super::light_buffer::grid::{CellGrid, Rect, SlopeRange};
+use super::light_buffer::projection::{Projection, ViewExtent};
 use super::node::Frame;
 use super::packet::{DOUBT, ViewBox};
-use super::projection::{Projection, ViewExtent};
 use crate::base::math::rounding::nearest;
 use glam::{DVec3, Vec3};
 

@@ -482,7 +482,7 @@ impl Kernel for RayAndNode<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
 
     #[test]
     fn wide_and_narrow_lanes_give_the_same_bits() {

@@ -144,8 +144,8 @@ impl Kernel for IntervalAndBox<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::random::Random;
     use crate::base::math::rounding::nearest;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdLevel, eight};
     use glam::DVec3;
 

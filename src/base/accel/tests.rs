@@ -1,9 +1,9 @@
 //! The tree against a plain search through all boxes.
 
 use super::{Bundle, Bvh, LightBuffer};
-use crate::base::math::chord::ball_chord;
 use crate::base::math::conditioning::RescaledRay;
-use crate::base::math::random::Random;
+use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::sampling::random::Random;
 use crate::base::math::simd::SimdLevel;
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;

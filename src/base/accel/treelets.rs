@@ -246,7 +246,7 @@ fn append<T: Send + Sync>(
 mod tests {
     use super::*;
     use crate::base::accel::Bvh;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::{Bounds, Ray};
     use glam::DVec3;
 

@@ -84,7 +84,7 @@ fn two_to<F: F64Lanes>(y: F) -> F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
 
     struct Powers([f64; 4], f64);

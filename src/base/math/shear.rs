@@ -105,7 +105,7 @@ impl Transform {
 
 #[cfg(test)]
 mod tests {
-    use super::super::random::Random;
+    use super::super::sampling::random::Random;
     use super::*;
 
     fn numeric(transform: &Transform) -> DAffine3 {

@@ -381,7 +381,7 @@ mod tests {
                     place[0] * f64::cos(angle) + place[1] * f64::sin(angle) > offset,
                 )
             };
-            let sobol = crate::base::math::sobol::Sobol::of_pixel(5, 6);
+            let sobol = crate::base::math::sampling::sobol::Sobol::of_pixel(5, 6);
             let side = |v: u32| f64::from(v) / 2f64.powi(32);
             let mut told: Vec<ClassifiedPoint> = (0..16)
                 .map(|number| {

@@ -27,7 +27,7 @@ mod two_class;
 use super::{Checkpoint, CheckpointTile, Drawn};
 use crate::base::film::Film;
 use crate::base::options::{Adaptive, AdaptiveOutcome, RenderOptions};
-use crate::render::trace::Tracer;
+use crate::render::shade::Tracer;
 use crate::world::RayCounts;
 use band::{Band, ErrorTarget, FinishedPixel, MARGIN};
 use sample::Eye;

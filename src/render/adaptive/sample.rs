@@ -2,8 +2,8 @@
 
 use super::tiny_objects::TinyObjects;
 use crate::base::film::Pixel;
-use crate::base::math::sobol::Sobol;
-use crate::render::trace::{BLOCK, BlockScratch, Tracer};
+use crate::base::math::sampling::sobol::Sobol;
+use crate::render::shade::{BLOCK, BlockScratch, Tracer};
 use crate::world::RayCounts;
 use std::ops::Range;
 

@@ -8,7 +8,7 @@
 use super::estimate::{Reach, after_half, of_all};
 use super::sample::AdaptiveSample;
 use super::slope::Slopes;
-use crate::base::math::sobol::Sobol;
+use crate::base::math::sampling::sobol::Sobol;
 
 /// Root mean square of the error that `n` samples of a function make, and of what is estimated for it, over many
 /// pixels. The function gets the number of the pixel and a place in the unit square; its mean is known.

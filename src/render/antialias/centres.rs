@@ -184,8 +184,8 @@ impl FourWork for Comparing<'_> {
 mod tests {
     use super::*;
     use crate::base::color::{Gamma, Rgb};
-    use crate::base::math::random::Random;
     use crate::base::math::rounding::nearest;
+    use crate::base::math::sampling::random::Random;
 
     #[test]
     fn centres_are_compared_as_two_pixels_are() {

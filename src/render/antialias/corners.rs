@@ -3,7 +3,7 @@
 use super::super::Tile;
 use super::{Graded, Place, Sampler, Sum, place};
 use crate::base::film::Pixel;
-use crate::render::trace::BlockScratch;
+use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 
 /// Samples inside of pixels that are kept at a time: those of a tile divided five times.

@@ -8,7 +8,7 @@ use super::super::{TILE, Tile};
 use super::{Place, Point, Sampler, cells, place};
 use crate::base::film::Pixel;
 use crate::base::options::RenderOptions;
-use crate::render::trace::BlockScratch;
+use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};

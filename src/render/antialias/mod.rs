@@ -22,7 +22,7 @@ use crate::base::math::jitter;
 use crate::base::math::powers::{POWER_ERROR, power};
 use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
 use crate::base::options::{Antialias, Method, RenderOptions};
-use crate::render::trace::{BLOCK, BlockScratch, Sample, Tracer};
+use crate::render::shade::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
 use lattice::{Borders, own_points};
 use neighbours::Neighbours;
@@ -290,8 +290,8 @@ fn cell(column: usize, row: usize) -> [usize; 4] {
 mod tests {
     use super::*;
     use crate::base::color::Rgb;
-    use crate::base::math::random::Random;
     use crate::base::math::rounding::nearest;
+    use crate::base::math::sampling::random::Random;
 
     #[test]
     fn points_are_in_the_order_of_their_cells() {

@@ -9,7 +9,7 @@ use super::super::Tile;
 use super::centres::{Apart, Centres};
 use super::{Graded, Place, Sampler, Sum, cell, place};
 use crate::base::film::Pixel;
-use crate::render::trace::BlockScratch;
+use crate::render::shade::BlockScratch;
 use rustc_hash::FxHashMap;
 
 /// The smallest step by which the loop over a grid may miss its last position through rounding.

@@ -147,7 +147,7 @@ fn measured<F: F64Lanes>([x, y, z]: [F; 3], normal: DVec3) -> F {
 mod tests {
     use super::*;
     use crate::base::color::Rgb;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
 
     #[test]
     fn a_block_is_measured_as_each_photon_is() {

@@ -2,7 +2,7 @@
 //! around there (Jensen 1996), in the numbers of POV-Ray 3.7.
 //!
 //! The stored [`Photon`], its lookup in a [`Map`], and the [`radius`] of an estimate. Emission, and the radiance that
-//! photons give to surfaces and media, are in [`crate::render::trace`]. A map is built before the picture, on one thread,
+//! photons give to surfaces and media, are in [`crate::render::shade`]. A map is built before the picture, on one thread,
 //! since it depends on random numbers and on the order of photons; while the picture is rendered it is only read.
 
 mod columns;

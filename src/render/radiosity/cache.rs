@@ -338,7 +338,7 @@ impl Cache {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
 
     fn sample(point: DVec3, radius: f64) -> IrradianceSample {
         IrradianceSample {

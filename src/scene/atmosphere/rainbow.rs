@@ -3,8 +3,8 @@
 use super::Tint;
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::color::{Color, Rgb};
-use crate::base::math::mersenne::Stream;
 use crate::base::math::noise::smooth;
+use crate::base::math::sampling::mersenne::Stream;
 use crate::base::source::{Diagnostic, Span};
 use crate::scene::pattern::Map;
 use glam::DVec3;

@@ -102,7 +102,7 @@ impl Camera {
 mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use glam::DVec3;
 
     /// The directions at four points.

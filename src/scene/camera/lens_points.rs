@@ -4,7 +4,8 @@
 //! those, points of a Halton sequence fill cells that are still empty. A `bokeh` takes
 //! points of that sequence where it is bright.
 
-use crate::base::math::{halton, mersenne::numbers};
+use crate::base::math::halton;
+use crate::base::math::sampling::mersenne::numbers;
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 

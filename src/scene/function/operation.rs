@@ -3,7 +3,7 @@
 //! Nothing fails: where a float expression of a scene stops with an error, a function gives infinity or no number.
 
 use crate::base::args::Word;
-use crate::base::math::hyperbolic::{acosh, asinh, atanh};
+use crate::base::math::roots::hyperbolic::{acosh, asinh, atanh};
 
 /// A function of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

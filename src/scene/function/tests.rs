@@ -1,7 +1,7 @@
 //! Programs compute what their bodies say, whatever is folded, shared, inlined and kept in which register.
 
 use super::*;
-use crate::base::math::random::Random;
+use crate::base::math::sampling::random::Random;
 
 /// A formula as a tree, to be computed without any program.
 enum Tree {

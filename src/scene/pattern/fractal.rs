@@ -1,5 +1,9 @@
 //! What the escape-time fractals share: complex numbers, and the values of points that escape and that stay.
 
+pub(super) mod julia;
+pub(super) mod magnet;
+pub(super) mod mandel;
+
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::Diagnostic;
 use std::ops::{Add, Div, Mul, Sub};

@@ -5,59 +5,26 @@
 //! colours, pigments, normals, textures. All that a scene writes beside the pattern's own word is in [`Modifiers`],
 //! which pigments, normals, densities and textures share.
 
-mod agate;
-mod aoi;
-mod boxed;
-mod bozo;
-mod brick;
-mod cells;
+mod block;
 mod chain;
-mod checker;
-mod crackle;
-mod cubic;
-mod cylindrical;
-mod density_file;
-mod dents;
 mod field;
-mod formula;
 mod fractal;
-mod function;
-mod gradient;
-mod granite;
-mod hexagon;
-mod image_pattern;
-mod julia;
-mod leopard;
-mod magnet;
-mod mandel;
+mod geometric;
+mod lookup;
 mod map;
-mod marble;
 mod modifiers;
-mod object;
-mod onion;
-mod planar;
+mod noise;
 mod prepared;
-mod quilted;
-mod radial;
-mod ripples;
-mod slope;
-mod spherical;
-mod spiral;
-mod square;
 #[cfg(test)]
 mod tests;
-mod tiling;
-mod triangular;
 mod warp;
 mod wave;
-mod wood;
-mod wrinkles;
 
 pub use chain::{PreparedWarpChain, Turns, WarpChain};
-pub use crackle::nearest_feature;
 pub use field::{ReadPattern, read_field};
 pub use map::{Between, Keys, MOST_ENTRIES, Map};
 pub use modifiers::{Modifiers, read_noise_generator};
+pub use noise::crackle::nearest_feature;
 pub use prepared::PreparedPattern;
 pub use wave::{Shape, Wave};
 
@@ -82,46 +49,46 @@ pub type Stop = (f32, Color);
 
 /// The patterns by their words.
 static PATTERNS: &[(Word, New)] = &[
-    (Word::Agate, agate::new),
-    (Word::Aoi, aoi::new),
-    (Word::Boxed, boxed::new),
-    (Word::Bozo, bozo::bozo),
-    (Word::Brick, brick::new),
-    (Word::Bumps, bozo::bumps),
-    (Word::Cells, cells::new),
-    (Word::Checker, checker::new),
-    (Word::Crackle, crackle::new),
-    (Word::Cubic, cubic::new),
-    (Word::Cylindrical, cylindrical::new),
-    (Word::DensityFile, density_file::new),
-    (Word::Dents, dents::new),
-    (Word::Function, function::new),
-    (Word::Gradient, gradient::new),
-    (Word::Granite, granite::new),
-    (Word::Hexagon, hexagon::new),
-    (Word::ImagePattern, image_pattern::new),
-    (Word::Julia, julia::new),
-    (Word::Leopard, leopard::new),
-    (Word::Magnet, magnet::new),
-    (Word::Mandel, mandel::new),
-    (Word::Marble, marble::new),
-    (Word::Object, object::new),
-    (Word::Onion, onion::new),
-    (Word::Planar, planar::new),
-    (Word::Quilted, quilted::new),
-    (Word::Radial, radial::new),
-    (Word::Ripples, ripples::ripples),
-    (Word::Slope, slope::new),
-    (Word::Spherical, spherical::new),
-    (Word::Spiral1, spiral::spiral1),
-    (Word::Spiral2, spiral::spiral2),
-    (Word::Spotted, bozo::spotted),
-    (Word::Square, square::new),
-    (Word::Tiling, tiling::new),
-    (Word::Triangular, triangular::new),
-    (Word::Waves, ripples::waves),
-    (Word::Wood, wood::new),
-    (Word::Wrinkles, wrinkles::new),
+    (Word::Agate, noise::agate::new),
+    (Word::Aoi, lookup::aoi::new),
+    (Word::Boxed, geometric::boxed::new),
+    (Word::Bozo, noise::bozo::bozo),
+    (Word::Brick, block::brick::new),
+    (Word::Bumps, noise::bozo::bumps),
+    (Word::Cells, block::cells::new),
+    (Word::Checker, block::checker::new),
+    (Word::Crackle, noise::crackle::new),
+    (Word::Cubic, geometric::cubic::new),
+    (Word::Cylindrical, geometric::cylindrical::new),
+    (Word::DensityFile, lookup::density_file::new),
+    (Word::Dents, noise::dents::new),
+    (Word::Function, lookup::function::new),
+    (Word::Gradient, geometric::gradient::new),
+    (Word::Granite, noise::granite::new),
+    (Word::Hexagon, block::hexagon::new),
+    (Word::ImagePattern, lookup::image_pattern::new),
+    (Word::Julia, fractal::julia::new),
+    (Word::Leopard, geometric::leopard::new),
+    (Word::Magnet, fractal::magnet::new),
+    (Word::Mandel, fractal::mandel::new),
+    (Word::Marble, noise::marble::new),
+    (Word::Object, lookup::object::new),
+    (Word::Onion, geometric::onion::new),
+    (Word::Planar, geometric::planar::new),
+    (Word::Quilted, geometric::quilted::new),
+    (Word::Radial, geometric::radial::new),
+    (Word::Ripples, noise::ripples::ripples),
+    (Word::Slope, lookup::slope::new),
+    (Word::Spherical, geometric::spherical::new),
+    (Word::Spiral1, geometric::spiral::spiral1),
+    (Word::Spiral2, geometric::spiral::spiral2),
+    (Word::Spotted, noise::bozo::spotted),
+    (Word::Square, block::square::new),
+    (Word::Tiling, block::tiling::new),
+    (Word::Triangular, block::triangular::new),
+    (Word::Waves, noise::ripples::waves),
+    (Word::Wood, noise::wood::new),
+    (Word::Wrinkles, noise::wrinkles::new),
 ];
 
 /// The map of colours of patterns that have none of their own.

@@ -10,9 +10,9 @@
 //! roots is that of the point midway, and outside beyond them.
 
 use super::face_texture::{FaceTexture, TextureWeights};
-use super::mesh_build::{Draft, single_pair};
-use super::mesh_looks::{Looks, NO_TRIPLE};
-use super::smooth_triangle::weights;
+use super::mesh::attributes::{Looks, NO_TRIPLE};
+use super::mesh::build::{Draft, single_pair};
+use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word, declared};
@@ -514,5 +514,10 @@ impl Geometry for Mesh {
     }
 }
 
+pub(super) mod attributes;
+pub(super) mod build;
+pub(super) mod height_field;
+pub(super) mod mesh2;
+pub(super) mod placed;
 #[cfg(test)]
 mod tests;

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
     use crate::base::math::Ray;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{FourKernel, SimdLevel, four};
     use crate::scene::shape::{Cylinder, Geometry, Sphere};
 

@@ -3,8 +3,8 @@
 use super::Shape;
 use super::packet_search::{FourAsked, FourFound};
 use crate::base::math::Ray;
-use crate::base::math::chord::MARGIN;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
+use crate::base::math::roots::ray_sphere::MARGIN;
 use crate::base::math::simd::F64Lanes;
 pub(crate) use crate::base::math::simd::three::Vec3Lanes;
 pub(super) use crate::base::math::simd::three::{dot, minus, plus, same, scaled};
@@ -341,7 +341,7 @@ pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
     F::both(is_way, origin_sq.below(F::all(FAR_SQUARE)))
 }
 
-/// Four chords of a sphere about the origin, as [`crate::base::math::chord::ball_chord`] finds each: enter, leave, and which
+/// Four chords of a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds each: enter, leave, and which
 /// lines meet it.
 #[inline(always)]
 pub(super) fn chords<F: F64Lanes>(
@@ -379,7 +379,7 @@ mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
     use crate::base::math::Bounds;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{FourKernel, SimdLevel, four};
     use crate::scene::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;

@@ -82,7 +82,7 @@ impl Shape {
 mod tests {
     use super::*;
     use crate::base::args::text::TextArgs;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::scene::shape::{Crossing, Geometry, JuliaFractal, Superellipsoid};
 
     #[test]

@@ -1,6 +1,13 @@
+#[cfg(test)]
+pub(crate) mod check;
+#[cfg(test)]
+pub(super) mod oracle;
+#[cfg(test)]
+pub(super) mod roundings;
+
 use super::*;
 use crate::base::args::text::TextArgs;
-use crate::base::math::random::Random;
+use crate::base::math::sampling::random::Random;
 use crate::base::word::Class;
 
 fn read(word: Word, text: &str) -> (Shape, TextArgs) {

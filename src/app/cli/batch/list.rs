@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use super::Wanted;
 use crate::app::batch::{Globs, Picture, scenes_below};
-use crate::app::cli::arg_words;
-use crate::app::cli::environment::Environment;
-use crate::app::cli::error::CliError;
-use crate::app::cli::ini::Reader;
-use crate::app::cli::long_options::Size;
-use crate::app::cli::raw_args::{Output, RawArgs};
-use crate::app::cli::settings::{self, Scene, find_scene};
+use crate::app::cli::options::arg_words;
+use crate::app::cli::options::environment::Environment;
+use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::ini::Reader;
+use crate::app::cli::options::long_options::Size;
+use crate::app::cli::options::raw_args::{Output, RawArgs};
+use crate::app::cli::options::settings;
+use crate::app::cli::options::settings::{Scene, find_scene};
 
 /// A scene and where its picture goes, below the folder of all, still without an ending.
 #[derive(Clone, Debug, PartialEq, Eq)]

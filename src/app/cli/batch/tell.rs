@@ -11,9 +11,9 @@ use serde::Serialize;
 
 use super::Wanted;
 use crate::app::batch::{News, Outcome, Picture, Status};
-use crate::app::cli::environment::Environment;
-use crate::app::cli::error::CliError;
-use crate::app::cli::report::{MessageFormat, Reporter, Stream, counted, say};
+use crate::app::cli::draw::report::{MessageFormat, Reporter, Stream, counted, say};
+use crate::app::cli::options::environment::Environment;
+use crate::app::cli::options::error::CliError;
 use crate::base::options::Event;
 use crate::base::source::Message;
 

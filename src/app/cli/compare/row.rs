@@ -6,7 +6,7 @@ use image::imageops::{self, FilterType};
 use image::{DynamicImage, GrayImage, Luma};
 use serde::Serialize;
 
-use crate::app::cli::error::CliError;
+use crate::app::cli::options::error::CliError;
 use crate::app::compare::{
     Bench, Case, CheckError, Compared, Explanation, Grade, Limits, Mismatch, Verdict, steps_apart,
 };

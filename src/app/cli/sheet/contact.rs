@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::{Entry, OVERVIEW, failed};
 use crate::app::batch::{escaped, page, pasted};
-use crate::app::cli::error::CliError;
+use crate::app::cli::options::error::CliError;
 
 /// The width of each on the sheet, at most.
 const MOST_WIDTH: u32 = 160;

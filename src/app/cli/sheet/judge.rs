@@ -5,8 +5,8 @@ use std::path::{Path, absolute};
 use std::time::Duration;
 
 use super::failed;
-use crate::app::cli::error::CliError;
-use crate::app::cli::long_options::Size;
+use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::long_options::Size;
 use crate::app::compare::{Picture, Renderer, compare};
 
 /// The folder of POV-Ray's pictures, in that of the sheet.

@@ -1,7 +1,7 @@
 //! The scenes of a sheet: a moved shape among the axes, and all moved shapes side by side.
 
 use super::transforms::Move;
-use crate::app::cli::long_options::Size;
+use crate::app::cli::options::long_options::Size;
 use std::fmt::Write;
 
 /// The shape of a sheet as its scenes say it.

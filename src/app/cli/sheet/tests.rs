@@ -1,6 +1,6 @@
 use super::*;
 use crate::base::math::Ray;
-use crate::base::math::random::Random;
+use crate::base::math::sampling::random::Random;
 use crate::base::options::{ReadOptions, RenderOptions};
 use crate::base::source::Sources;
 use crate::scene::shape::{Crossing, Geometry, Shape, Start};

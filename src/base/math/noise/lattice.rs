@@ -4,7 +4,7 @@
 //! in its order.
 
 use super::tables::{RANDOM, RANDOMS};
-use crate::base::math::hash::{SIZE, TABLE, wrapped};
+use crate::base::math::sampling::hash::{SIZE, TABLE, wrapped};
 use crate::base::math::simd::{F64Lanes, F64x4};
 use glam::DVec3;
 
@@ -240,7 +240,7 @@ fn doubled<F: F64Lanes>(place: F) -> [F; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{FourKernel, SimdLevel, four};
 
     struct Both(DVec3);

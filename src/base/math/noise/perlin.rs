@@ -2,8 +2,8 @@
 //! tables.
 
 use super::smooth;
-use crate::base::math::hash::{bits, next};
 use crate::base::math::rounding::floor;
+use crate::base::math::sampling::hash::{bits, next};
 use glam::DVec3;
 use std::sync::LazyLock;
 

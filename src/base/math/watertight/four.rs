@@ -144,7 +144,7 @@ impl FourKernel for RaysAndTriangle<'_> {
 mod tests {
     use super::*;
     use crate::base::math::Ray;
-    use crate::base::math::random::Random;
+    use crate::base::math::sampling::random::Random;
     use crate::base::math::simd::{SimdLevel, four};
 
     #[test]

@@ -2,8 +2,8 @@
 
 use super::{Warp, Warping};
 use crate::base::args::{Args, Parse, Word};
-use crate::base::math::hash::hashed_cell;
-use crate::base::math::mersenne;
+use crate::base::math::sampling::hash::hashed_cell;
+use crate::base::math::sampling::mersenne;
 use crate::base::source::Diagnostic;
 use crate::scene::pattern::{self, Settings};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 use super::*;
 use crate::base::args::text::TextArgs;
-use crate::scene::shape::check;
+use crate::scene::shape::tests::check;
 use crate::scene::texture::Texture;
 
 fn mesh(text: &str) -> Mesh {

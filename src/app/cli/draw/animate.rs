@@ -1,0 +1,306 @@
+//! Drawing an animation: its frames one after the other, or side by side.
+//!
+//! What is said of the frames and the order of their files are those of one after the other. The first frame that
+//! cannot be drawn ends the animation, as in POV-Ray: the frames before it are there, those behind it are not.
+
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Once};
+use std::thread;
+use std::time::Instant;
+
+use super::console::Console;
+use super::done;
+use super::frames::Frames;
+use super::interrupt;
+use super::progress::Progress;
+use super::report::{Reporter, say};
+use super::streams::Files;
+use super::{Draw, pixels, progress_kind, refused, reporter, tell_statistics, told};
+use crate::RenderSession;
+use crate::app::batch::{MessageBuffer, in_order};
+use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::settings::Settings;
+use crate::base::options::{
+    Event, EventHandler, Failure, Input, Picture, RenderOptions, Sampling, Statistics,
+};
+use crate::base::source::Code;
+use crate::output::{self, EncodeOptions, OutputError, Target};
+
+/// Frames are drawn side by side only as far as their films have no more pixels together: 2 GiB.
+const MOST_PIXELS: u64 = 1 << 27;
+
+/// Draws the frames.
+pub(crate) fn run(settings: &Settings, frames: &Frames) -> Result<ExitCode, CliError> {
+    let pool = match settings.render.threads {
+        None => None,
+        Some(threads) => match crate::pool(threads, &|event| reporter(settings).hear(event)) {
+            Ok(pool) => Some(Arc::new(pool)),
+            Err(_) => return Ok(ExitCode::FAILURE),
+        },
+    };
+    let series = RenderSession::new(pool);
+    let heed = Once::new();
+    carry_out(settings, frames, &|input, read, render, listen| {
+        heed.call_once(|| interrupt::heed(&render.stop));
+        series.draw(input, read, render, listen)
+    })
+}
+
+/// A run over frames.
+struct Run<'a> {
+    settings: &'a Settings,
+    frames: &'a Frames,
+    input: Input,
+    draw: &'a Draw<'a>,
+    reporter: Reporter,
+    progress: Progress,
+    console: Console,
+}
+
+/// A frame whose file is ready to be written.
+struct Drawn {
+    bytes: Option<Result<Vec<u8>, OutputError>>,
+    statistics: Statistics,
+}
+
+/// Whether a scene may write files.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Writing {
+    Allowed,
+    /// It would come between frames that are read at the same time.
+    Refused,
+}
+
+/// The end of a run over frames.
+enum Done {
+    All,
+    /// To this one, counted from 0, which is not there.
+    Until(usize),
+}
+
+/// Why frames are not drawn on side by side.
+enum End {
+    /// This one, counted from the first, writes files.
+    WritesFiles(usize),
+    /// This one was not drawn.
+    Failed(usize),
+    CannotWrite(CliError),
+}
+
+/// Draws the frames and writes them.
+///
+/// # Errors
+/// When the scene cannot be had, or a picture cannot be written. A faulty scene has been told of.
+fn carry_out(settings: &Settings, frames: &Frames, draw: &Draw<'_>) -> Result<ExitCode, CliError> {
+    let numbers = frames.numbers();
+    let total = pixels(&settings.render) * numbers.len() as u64;
+    let started = Instant::now();
+    let mut reporter = reporter(settings);
+    reporter.files = Files::create(&settings.streams)?;
+    let run = Run {
+        settings,
+        frames,
+        input: settings.scene.input()?,
+        draw,
+        reporter,
+        progress: Progress::new(progress_kind(settings.talk), total),
+        console: Console::new(settings.talk),
+    };
+    run.console.begin(settings);
+    let done = run.all(&numbers);
+    run.progress.finish();
+    let counts = run.reporter.take_counts();
+    match done? {
+        Done::All => {
+            let name = |number: Option<&u32>| run.name(*number.unwrap_or(&0));
+            let names = (name(numbers.first()), name(numbers.last()));
+            done::tell_frames(settings, (&names.0, &names.1), started.elapsed());
+            run.console.finished();
+            Ok(ExitCode::SUCCESS)
+        }
+        Done::Until(at) if settings.render.stop.is_asked() => {
+            if !settings.talk.quiet {
+                let (next, of) = (numbers[at], numbers.len());
+                match at {
+                    0 => say("povr: interrupted; no frame is there"),
+                    _ => say(format_args!(
+                        "povr: interrupted; {at} of {of} frames are there: the same command with `+SF{next}` goes on"
+                    )),
+                }
+            }
+            run.console.cancelled();
+            Ok(ExitCode::from(interrupt::INTERRUPTED))
+        }
+        Done::Until(_) => {
+            run.reporter.total(settings, counts);
+            run.console.failed();
+            Ok(ExitCode::FAILURE)
+        }
+    }
+}
+
+impl Run<'_> {
+    fn all(&self, numbers: &[u32]) -> Result<Done, CliError> {
+        let workers = self.workers();
+        let mut at = 0;
+        // A scene that writes files may read in a frame what it has written in an earlier one.
+        let mut is_alone = true;
+        while at < numbers.len() {
+            if at == 0 || is_alone {
+                let writes = AtomicBool::new(false);
+                self.begin(at, numbers.len());
+                let done = self.draw(numbers[at], Writing::Allowed, &|event| {
+                    if let Event::Read { wrote_files, .. } = event {
+                        writes.fetch_or(wrote_files, Ordering::Relaxed);
+                    }
+                    if !self.settings.render.stop.is_asked() {
+                        self.reporter.hear(event);
+                    }
+                });
+                let Ok(drawn) = done else {
+                    return Ok(Done::Until(at));
+                };
+                self.finish(at, numbers, drawn)?;
+                is_alone = writes.into_inner() || at > 0;
+                at += 1;
+                continue;
+            }
+            let rest = &numbers[at..];
+            let work = |number: usize| {
+                let told = MessageBuffer::default();
+                let done = self.draw(rest[number], Writing::Refused, &|event| told.hear(event));
+                (told, done)
+            };
+            let end = in_order(rest.len(), workers, work, |number, (told, done)| {
+                if done.as_ref().is_err_and(writes_files) {
+                    return ControlFlow::Break(End::WritesFiles(at + number));
+                }
+                if done.is_err() && self.settings.render.stop.is_asked() {
+                    return ControlFlow::Break(End::Failed(at + number));
+                }
+                self.begin(at + number, numbers.len());
+                told.tell(|event| self.reporter.hear(event));
+                let Ok(drawn) = done else {
+                    return ControlFlow::Break(End::Failed(at + number));
+                };
+                match self.finish(at + number, numbers, drawn) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(refusal) => ControlFlow::Break(End::CannotWrite(refusal)),
+                }
+            });
+            match end {
+                None => break,
+                Some(End::WritesFiles(here)) => (at, is_alone) = (here, true),
+                Some(End::Failed(here)) => return Ok(Done::Until(here)),
+                Some(End::CannotWrite(refusal)) => return Err(refusal),
+            }
+        }
+        Ok(Done::All)
+    }
+
+    /// The file of a frame, as messages call it.
+    fn name(&self, number: u32) -> String {
+        match &self.settings.output {
+            Some((Target::File(path), _)) => self.frames.path(number, path).display().to_string(),
+            Some((Target::Stdout, _)) => "standard output".to_owned(),
+            None => format!("frame {number} (not written)"),
+        }
+    }
+
+    /// Writes to the files for what is said, and to POV-Ray's console, that a frame begins, counted from 0.
+    fn begin(&self, at: usize, of: usize) {
+        self.console.frame(at + 1, of);
+        self.console.parsing();
+        if at > 0 {
+            self.reporter.files.next_frame();
+        }
+        self.reporter.files.begin(self.settings);
+    }
+
+    /// How many frames are drawn side by side. One, where times are measured.
+    fn workers(&self) -> usize {
+        let (render, talk) = (&self.settings.render, self.settings.talk);
+        let is_timed = talk.stats
+            || talk.json
+            || matches!(&render.sampling, Sampling::Converging(how) if how.time.is_some());
+        if is_timed {
+            return 1;
+        }
+        let threads = match render.threads {
+            Some(threads) => threads,
+            None => thread::available_parallelism().map_or(1, usize::from),
+        };
+        let room = MOST_PIXELS / pixels(render).max(1);
+        threads
+            .min(usize::try_from(room).unwrap_or(usize::MAX))
+            .max(1)
+    }
+
+    /// Draws a frame and makes the bytes of its file.
+    fn draw(
+        &self,
+        number: u32,
+        writing: Writing,
+        listen: &EventHandler<'_>,
+    ) -> Result<Drawn, Failure> {
+        let mut read = self.frames.tell(number, &self.settings.read);
+        if writing == Writing::Refused {
+            read.writable.clear();
+        }
+        let output = self.settings.output.as_ref();
+        let render = RenderOptions {
+            only_for: output.map(|(_, options)| options.clone()),
+            ..self.settings.render.clone()
+        };
+        let Picture {
+            film,
+            working,
+            statistics,
+            ..
+        } = (self.draw)(&self.input, &read, &render, &|event| match event {
+            Event::Drawn(_) if render.stop.is_asked() => {}
+            Event::Drawn(pixels) => self.progress.advance(pixels),
+            event => listen(event),
+        })?;
+        let bytes = output.map(|(_, options)| {
+            let options = EncodeOptions {
+                working,
+                ..options.clone()
+            };
+            output::encode(&film, &options)
+        });
+        Ok(Drawn { bytes, statistics })
+    }
+
+    /// Writes a frame and says what is to be said of it.
+    fn finish(&self, at: usize, numbers: &[u32], drawn: Drawn) -> Result<(), CliError> {
+        let (settings, talk, number) = (self.settings, self.settings.talk, numbers[at]);
+        self.console.rendering(settings, None);
+        if talk.verbose && !talk.quiet {
+            let (frame, count) = (at + 1, numbers.len());
+            say(format_args!(
+                "Rendered frame {frame} of {count} (#{number})"
+            ));
+        }
+        if let Some(reached) = drawn.statistics.reached.filter(|_| !talk.quiet) {
+            say(told(&reached, pixels(&settings.render)));
+        }
+        if let (Some(bytes), Some((target, _))) = (drawn.bytes, &settings.output) {
+            let target = match target {
+                Target::File(path) => Target::File(self.frames.path(number, path)),
+                Target::Stdout => Target::Stdout,
+            };
+            output::put(&bytes.map_err(refused)?, &target).map_err(refused)?;
+        }
+        tell_statistics(&drawn.statistics, talk, &self.reporter);
+        self.console.drawn(settings, &drawn.statistics);
+        Ok(())
+    }
+}
+
+fn writes_files(failure: &Failure) -> bool {
+    let code = Some(Code::WritesFiles);
+    failure.errors.iter().any(|error| error.code == code)
+}

@@ -1,0 +1,190 @@
+//! POV-Ray's console, for programs that call this one by the name `povray` and wait for its lines on standard error.
+//!
+//! The lines are those of POV-Ray 3.7.0.10 as far as they mean something here: a banner with the version, the options,
+//! `[Parsing...]` and `[Rendering...]`, times, `POV-Ray finished` or `Render failed`. Progress between them is that of
+//! `progress`. As in POV-Ray, `-GA` leaves the options and the times out and `-GR` and `-GS` either; `--quiet`, which POV-Ray
+//! does not know, leaves all out.
+
+use std::time::Duration;
+
+use super::report::say;
+use super::streams::{drawn_how, drawn_what};
+use crate::app::cli::options::settings::{Settings, Talk};
+use crate::base::options::Statistics;
+
+/// The version of the language and of the command line that programs ask for.
+const POVRAY: &str = "3.7.0";
+
+const RULE: &str = "----------------------------------------------------------------------------";
+
+/// Writes what POV-Ray writes, if this program was called by its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Console {
+    talk: Talk,
+}
+
+impl Console {
+    /// The console of a run.
+    pub(crate) fn new(talk: Talk) -> Self {
+        Console { talk }
+    }
+
+    fn is_on(&self) -> bool {
+        self.talk.is_povray && !self.talk.is_silent
+    }
+
+    fn has_options(&self) -> bool {
+        self.is_on() && !self.talk.quiet && self.talk.renders
+    }
+
+    fn has_statistics(&self) -> bool {
+        self.is_on() && !self.talk.quiet && self.talk.statistics
+    }
+
+    /// The banner and the options of the scene.
+    pub(crate) fn begin(&self, settings: &Settings) {
+        if self.is_on() {
+            say(banner());
+        }
+        if self.has_options() {
+            say(drawn_what(settings).trim_end());
+        }
+    }
+
+    /// A frame of an animation begins.
+    pub(crate) fn frame(&self, number: usize, of: usize) {
+        if self.is_on() {
+            say(format_args!("Rendering frame {number} of {of}"));
+        }
+    }
+
+    /// The scene is about to be read.
+    pub(crate) fn parsing(&self) {
+        self.stage("Parsing");
+    }
+
+    /// The scene has been read, in the time that is known, and is about to be drawn.
+    pub(crate) fn rendering(&self, settings: &Settings, reading: Option<Duration>) {
+        if let Some(took) = reading.filter(|_| self.has_statistics()) {
+            let took = clock(took);
+            say(format_args!(
+                "{RULE}\nParser Time\n  Parse Time:       {took}"
+            ));
+        }
+        if self.has_options() {
+            say(format_args!("{RULE}\n{}", drawn_how(settings).trim_end()));
+        }
+        self.stage("Rendering");
+    }
+
+    /// A picture has been drawn.
+    pub(crate) fn drawn(&self, settings: &Settings, statistics: &Statistics) {
+        if !self.has_statistics() {
+            return;
+        }
+        let (width, height) = (settings.render.width, settings.render.height);
+        let pixels = statistics.pixels;
+        say(format_args!(
+            "{RULE}\nRender Statistics\nImage Resolution {width} x {height}\n{RULE}\nPixels: {pixels:>16}\n{RULE}\nRender Time:"
+        ));
+        let Some(trace) = statistics.stages.iter().find(|stage| stage.name == "trace") else {
+            return;
+        };
+        let took = clock(Duration::try_from_secs_f64(trace.wall).unwrap_or_default());
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let threads = settings.render.threads.unwrap_or_else(cores);
+        say(format_args!(
+            "  Trace Time:       {took}\n              using {threads} thread(s) with {:.3} CPU-seconds total",
+            trace.processor
+        ));
+    }
+
+    /// All is written.
+    pub(crate) fn finished(&self) {
+        self.end("POV-Ray finished");
+    }
+
+    /// The scene is faulty.
+    pub(crate) fn failed(&self) {
+        self.end("Fatal error in parser: Cannot parse input.\nRender failed");
+    }
+
+    /// The drawing was stopped.
+    pub(crate) fn cancelled(&self) {
+        self.end("Fatal error in renderer: Frontend halted render.\nRender cancelled by user");
+    }
+
+    fn stage(&self, name: &str) {
+        if self.is_on() {
+            let begin = format!("==== [{name}...] ");
+            say(format_args!("{begin:=<76}"));
+        }
+    }
+
+    fn end(&self, line: &str) {
+        if self.is_on() {
+            say(format_args!("{line}\n"));
+        }
+    }
+}
+
+/// The banner, whose first line programs look for.
+fn banner() -> String {
+    let own = env!("CARGO_PKG_VERSION");
+    format!(
+        "Persistence of Vision(tm) Ray Tracer Version {POVRAY}.povr (povr {own})\n{}\n",
+        honesty()
+    )
+}
+
+/// The answer to `povray --version`: POV-Ray's first line, and what this really is.
+pub(crate) fn version() -> String {
+    format!("POV-Ray {POVRAY}.povr\n\n{}\n", honesty())
+}
+
+fn honesty() -> String {
+    format!(
+        "This is povr {}, called by the name of POV-Ray: a program of its own that takes\n\
+         the scenes and the command line of POV-Ray {POVRAY}. It is not POV-Ray, and the\n\
+         POV-Ray Team is not responsible for it.",
+        env!("CARGO_PKG_VERSION")
+    )
+}
+
+/// `0 hours  0 minutes  2 seconds (2.345 seconds)`.
+fn clock(took: Duration) -> String {
+    let whole = took.as_secs();
+    format!(
+        "{} hours {:>2} minutes {:>2} seconds ({:.3} seconds)",
+        whole / 3600,
+        whole / 60 % 60,
+        whole % 60,
+        took.as_secs_f64()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_written_as_by_povray() {
+        for (milliseconds, expected) in [
+            (9, "0 hours  0 minutes  0 seconds (0.009 seconds)"),
+            (
+                3_672_345,
+                "1 hours  1 minutes 12 seconds (3672.345 seconds)",
+            ),
+        ] {
+            assert_eq!(clock(Duration::from_millis(milliseconds)), expected);
+        }
+    }
+
+    #[test]
+    fn the_version_says_what_this_is() {
+        let version = version();
+        assert!(version.starts_with("POV-Ray 3.7"), "{version}");
+        assert!(version.contains("This is povr") && version.contains("not POV-Ray"));
+        assert!(banner().starts_with("Persistence of Vision(tm) Ray Tracer Version 3.7"));
+    }
+}

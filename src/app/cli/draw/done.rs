@@ -1,0 +1,71 @@
+//! The line about a picture that is ready, for people: `gears.png  1280x960  11.2 s`.
+
+use std::time::Duration;
+
+use super::report::say;
+use crate::app::cli::options::settings::{Settings, Talk};
+use crate::output::Target;
+
+/// Says that a picture is ready, on a terminal.
+pub(crate) fn tell(settings: &Settings, took: Duration) {
+    if is_told(settings.talk) {
+        say(line(&name(settings), settings, took));
+    }
+}
+
+/// Says that the frames of an animation are ready, on a terminal.
+pub(crate) fn tell_frames(settings: &Settings, (first, last): (&str, &str), took: Duration) {
+    if is_told(settings.talk) {
+        let name = match first == last {
+            true => first.to_owned(),
+            false => format!("{first} to {last}"),
+        };
+        say(line(&name, settings, took));
+    }
+}
+
+fn is_told(talk: Talk) -> bool {
+    talk.is_terminal && !talk.is_povray && !talk.quiet && !talk.json
+}
+
+/// Where the picture went.
+fn name(settings: &Settings) -> String {
+    match &settings.output {
+        Some((Target::File(path), _)) => path.display().to_string(),
+        Some((Target::Stdout, _)) => "standard output".to_owned(),
+        None => format!("{} (not written)", settings.scene.name()),
+    }
+}
+
+fn line(name: &str, settings: &Settings, took: Duration) -> String {
+    let (width, height) = (settings.render.width, settings.render.height);
+    format!("{name}  {width}x{height}  {}", time(took))
+}
+
+/// `0.42 s`, `11.2 s`, `3 min 20 s`.
+fn time(took: Duration) -> String {
+    let seconds = took.as_secs_f64();
+    match took.as_secs() {
+        0 => format!("{seconds:.2} s"),
+        1..120 => format!("{seconds:.1} s"),
+        whole => format!("{} min {} s", whole / 60, whole % 60),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_as_many_digits_as_people_read() {
+        for (milliseconds, expected) in [
+            (4, "0.00 s"),
+            (423, "0.42 s"),
+            (11_240, "11.2 s"),
+            (119_900, "119.9 s"),
+            (200_900, "3 min 20 s"),
+        ] {
+            assert_eq!(time(Duration::from_millis(milliseconds)), expected);
+        }
+    }
+}

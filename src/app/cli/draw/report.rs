@@ -1,0 +1,247 @@
+//! How findings are written: for people, for editors, for programs.
+//!
+//! With `json`, everything about a scene is one object a line:
+//! * `{"type":"finding", ...}`: `severity` ("error" or "warning"), `message`, and where they are known `code`
+//!   ("not-built", "undeclared", "missing-file", "author", "limit"), `file`, `line`, `column`, `end` (`line` and `column`
+//!   of the place behind); `labels` and `trace` (related places, and the calls and includes on the way, innermost
+//!   first: `text`, `file`, `line`, `column`, `end`); `hints` (sentences).
+//! * `{"type":"said","text":...}`: what the scene writes by `#debug`.
+//! * `{"type":"file","file":...,"errors":N,"warnings":N}` and at the end `{"type":"total","files":N,"errors":N,
+//!   "warnings":N}`: the counts of `povr check`.
+//! * `{"type":"statistics", ...}`: what a drawing took, if `--json` asks for it, as `options::Statistics` has it.
+//!
+//! Lines and columns count from 1, columns in characters. Lines of standard error that do not begin with `{` are about
+//! the command line.
+
+use std::fmt;
+use std::io::{self, IsTerminal, Write};
+use std::sync::Mutex;
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use super::streams::{self, Files};
+use crate::app::cli::options::settings::Settings;
+use crate::base::options::{Event, Statistics};
+use crate::base::source::{Message, Severity};
+
+/// The form of findings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MessageFormat {
+    /// POV-Ray's line, for programs that look for it.
+    Povray,
+    /// The lines of the scene with what is wrong beside them.
+    Human,
+    /// One line each: `file:line:column: error: message`.
+    Short,
+    /// One object a line.
+    Json,
+}
+
+/// The standard stream that findings go to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stream {
+    /// Where findings are what the command is for.
+    Out,
+    /// Where standard output is the picture's.
+    Err,
+}
+
+/// Writes what is said about scenes.
+#[derive(Debug)]
+pub(crate) struct Reporter {
+    /// The form of findings.
+    pub(crate) format: MessageFormat,
+    /// Where they go.
+    pub(crate) stream: Stream,
+    /// Whether warnings are written.
+    pub(crate) warns: bool,
+    /// Whether the scene's own words are written.
+    pub(crate) debugs: bool,
+    /// Files for the same.
+    pub(crate) files: Files,
+    counts: Mutex<Counts>,
+}
+
+/// What has been found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Counts {
+    pub(crate) errors: usize,
+    pub(crate) warnings: usize,
+    /// Whether the scene's own words have ended in the middle of a line.
+    is_within_line: bool,
+}
+
+/// A line of `json`.
+#[derive(Serialize)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub(crate) enum Line<'a> {
+    Finding(&'a Message),
+    Said {
+        text: &'a str,
+    },
+    File {
+        file: &'a str,
+        errors: usize,
+        warnings: usize,
+    },
+    Total {
+        files: usize,
+        errors: usize,
+        warnings: usize,
+    },
+    Statistics(&'a Statistics),
+}
+
+impl Reporter {
+    pub(crate) fn new(format: MessageFormat, stream: Stream) -> Self {
+        Reporter {
+            format,
+            stream,
+            warns: true,
+            debugs: true,
+            files: Files::default(),
+            counts: Mutex::new(Counts::default()),
+        }
+    }
+
+    /// Writes what is to be written of an event.
+    pub(crate) fn hear(&self, event: Event<'_>) {
+        match &event {
+            Event::Said(text) => self.files.write(streams::Stream::Debug, text),
+            Event::Found(message) => self.files.found(message),
+            _ => {}
+        }
+        match event {
+            Event::Said(text) if self.debugs => self.said(text),
+            Event::Found(message) => self.found(message),
+            Event::GoesOn(pixels) if self.warns => {
+                say(format_args!("povr: going on: {pixels} pixels are there"));
+            }
+            Event::StartsAnew if self.warns => say(
+                "povr: the unfinished picture is of another scene, has other options or is by another program: \
+                 starting anew",
+            ),
+            Event::KeepsNothing(kind) if self.warns => {
+                say(format_args!(
+                    "povr: the unfinished picture cannot be kept: {kind}"
+                ));
+            }
+            _ => {}
+        }
+    }
+
+    /// The counts so far.
+    pub(crate) fn counts(&self) -> Counts {
+        *self.lock()
+    }
+
+    /// What has been found since this was last asked.
+    pub(crate) fn take_counts(&self) -> Counts {
+        self.end_line();
+        std::mem::take(&mut *self.lock())
+    }
+
+    /// Writes how many errors a drawing met, if they are several.
+    pub(crate) fn total(&self, settings: &Settings, counts: Counts) {
+        let talk = settings.talk;
+        let is_wanted = !talk.quiet && !talk.is_povray && self.format != MessageFormat::Json;
+        if is_wanted && counts.errors > 1 {
+            self.line(format_args!("{}: {counts}", settings.scene.name()));
+        }
+    }
+
+    /// Writes a line where findings go.
+    pub(crate) fn line(&self, line: impl fmt::Display) {
+        // A reader that has gone away is no reason to fail.
+        let _ = match self.stream {
+            Stream::Out => writeln!(io::stdout(), "{line}"),
+            Stream::Err => writeln!(io::stderr(), "{line}"),
+        };
+    }
+
+    /// Writes an object where findings go.
+    pub(crate) fn json(&self, line: &Line<'_>) {
+        if let Ok(line) = serde_json::to_string(line) {
+            self.line(line);
+        }
+    }
+
+    fn said(&self, text: &str) {
+        if self.format == MessageFormat::Json {
+            return self.json(&Line::Said { text });
+        }
+        if let Some(last) = text.chars().last() {
+            self.lock().is_within_line = last != '\n';
+            let _ = write!(io::stderr(), "{text}");
+        }
+    }
+
+    fn found(&self, message: &Message) {
+        self.end_line();
+        let mut counts = self.lock();
+        match message.severity {
+            Severity::Error => counts.errors += 1,
+            Severity::Warning => counts.warnings += 1,
+        }
+        drop(counts);
+        if message.severity == Severity::Warning && !self.warns {
+            return;
+        }
+        match self.format {
+            MessageFormat::Povray => self.line(message.povray()),
+            MessageFormat::Human if self.is_colored() => {
+                self.line(format_args!("{}\n", message.colored));
+            }
+            MessageFormat::Human => self.line(format_args!("{}\n", message.excerpt)),
+            MessageFormat::Short => self.line(message.short()),
+            MessageFormat::Json => self.json(&Line::Finding(message)),
+        }
+    }
+
+    /// Colour is for terminals, and not wanted on all: <https://no-color.org>.
+    fn is_colored(&self) -> bool {
+        let is_terminal = match self.stream {
+            Stream::Out => io::stdout().is_terminal(),
+            Stream::Err => io::stderr().is_terminal(),
+        };
+        is_terminal && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+    }
+
+    /// Ends the line of the scene's own words, so that what follows begins one.
+    fn end_line(&self) {
+        if std::mem::take(&mut self.lock().is_within_line) {
+            say("");
+        }
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Counts> {
+        self.counts
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+impl fmt::Display for Counts {
+    /// `2 errors, 1 warning`, or `ok`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = [(self.errors, "error"), (self.warnings, "warning")]
+            .into_iter()
+            .filter(|&(count, _)| count > 0)
+            .map(|(count, what)| counted(count, what))
+            .collect();
+        f.write_str(if parts.is_empty() { "ok" } else { "" })?;
+        f.write_str(&parts.join(", "))
+    }
+}
+
+/// `1 file`, `2 files`.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
+}
+
+/// One message on standard error. A reader that has gone away is no reason to fail.
+pub(crate) fn say(message: impl fmt::Display) {
+    let _ = writeln!(io::stderr(), "{message}");
+}

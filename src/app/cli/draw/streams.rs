@@ -1,0 +1,227 @@
+//! Files for what is said: `+GDfile` and its kin, `Debug_File` and theirs.
+//!
+//! POV-Ray sorts all that it says into streams, and each may go to a file as well as to the console. The files are made
+//! anew for each run; between the frames of an animation stands a banner, but not in what the scene writes by `#debug`
+//! (measured with POV-Ray 3.7). What the scene writes stands there as POV-Ray has it; findings stand in the form of
+//! POV-Ray's files, in this program's words; statistics are this program's own.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use crate::app::cli::options::error::CliError;
+use crate::app::cli::options::settings::{Scene, Settings};
+use crate::base::source::{Message, Severity};
+use crate::output::Target;
+
+/// What is said, by kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stream {
+    /// Everything: `+GA`.
+    All,
+    /// What the scene writes: `+GD`.
+    Debug,
+    /// Errors: `+GF`.
+    Fatal,
+    /// What is drawn and how: `+GR`.
+    Render,
+    /// What the drawing took: `+GS`.
+    Statistics,
+    /// Warnings: `+GW`.
+    Warning,
+}
+
+impl Stream {
+    /// The file of a stream that is to have one, but is not told which.
+    pub(crate) fn file(self) -> &'static str {
+        match self {
+            Stream::All => "alltext.out",
+            Stream::Debug => "debug.out",
+            Stream::Fatal => "fatal.out",
+            Stream::Render => "render.out",
+            Stream::Statistics => "stats.out",
+            Stream::Warning => "warning.out",
+        }
+    }
+}
+
+/// Lines of findings are no longer than this.
+const WIDTH: usize = 79;
+
+const RULE: &str = "----------------------------------------------------------------------------";
+
+const BANNER: &str = "
+==============================================================================
+=                       Appending to stream output file                      =
+==============================================================================
+
+";
+
+/// The files of a run.
+#[derive(Debug, Default)]
+pub(crate) struct Files {
+    files: Vec<(Stream, Mutex<File>)>,
+}
+
+impl Files {
+    /// Makes the files anew.
+    ///
+    /// # Errors
+    /// When one cannot be made.
+    pub(crate) fn create(wanted: &[(Stream, PathBuf)]) -> Result<Self, CliError> {
+        let mut files = Vec::new();
+        for (stream, path) in wanted {
+            let file = File::create(path).map_err(|error| {
+                CliError::new(format!("cannot write `{}`: {error}", path.display()))
+                    .with_hint("name a file in a folder that exists and may be written")
+            })?;
+            files.push((*stream, Mutex::new(file)));
+        }
+        Ok(Files { files })
+    }
+
+    /// Says that a frame begins, which is not the first one.
+    pub(crate) fn next_frame(&self) {
+        for (stream, file) in &self.files {
+            if *stream != Stream::Debug {
+                put(file, BANNER);
+            }
+        }
+    }
+
+    /// Writes text of a stream.
+    pub(crate) fn write(&self, stream: Stream, text: &str) {
+        for (kind, file) in &self.files {
+            if *kind == stream || *kind == Stream::All {
+                put(file, text);
+            }
+        }
+    }
+
+    /// Writes a finding.
+    pub(crate) fn found(&self, message: &Message) {
+        if self.files.is_empty() {
+            return;
+        }
+        let (stream, kind) = match message.severity {
+            Severity::Error => (Stream::Fatal, "Error"),
+            Severity::Warning => (Stream::Warning, "Warning"),
+        };
+        let place = message.place.as_ref();
+        let place = place.map_or_else(String::new, |place| {
+            format!("File: {}  Line: {}\n", place.file, place.line)
+        });
+        let text = wrapped(&format!("Parse {kind}: {}", message.message));
+        self.write(stream, &format!("{place}{text}\n"));
+    }
+
+    /// Writes what is drawn and how.
+    pub(crate) fn begin(&self, settings: &Settings) {
+        if !self.files.is_empty() {
+            let text = format!("{}{RULE}\n{}", drawn_what(settings), drawn_how(settings));
+            self.write(Stream::Render, &text);
+        }
+    }
+}
+
+/// A full disk is no reason to stop drawing.
+fn put(file: &Mutex<File>, text: &str) {
+    let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
+    let _ = file.write_all(text.as_bytes());
+}
+
+/// The text in lines, all but the first with a blank before them.
+fn wrapped(text: &str) -> String {
+    let mut lines = String::new();
+    let mut length = 0;
+    for (at, word) in text.split_whitespace().enumerate() {
+        let letters = word.chars().count();
+        if at > 0 {
+            let is_full = length + 1 + letters > WIDTH;
+            lines.push_str(if is_full { "\n " } else { " " });
+            length = if is_full { 1 } else { length + 1 };
+        }
+        lines.push_str(word);
+        length += letters;
+    }
+    lines
+}
+
+/// The options of scene and picture as POV-Ray lists them, those that mean something here.
+pub(crate) fn drawn_what(settings: &Settings) -> String {
+    let scene = match &settings.scene {
+        Scene::File(path) => path.display().to_string(),
+        Scene::Stdin => "standard input".to_owned(),
+    };
+    let mut text = format!("Parser Options\n  Input file: {scene}\n  Library paths:\n");
+    for path in &settings.read.library_paths {
+        text += &format!("    {}\n", path.display());
+    }
+    let (clock, render) = (settings.read.clock, &settings.render);
+    let animation = if settings.frames.is_some() {
+        "On"
+    } else {
+        "Off"
+    };
+    let (rows, columns) = (&render.rows, &render.columns);
+    text += &format!(
+        "  Clock value: {clock:8.3}  (Animation {animation})\nImage Output Options\n  Image resolution.....{} by {} \
+         (rows {} to {}, columns {} to {}).\n",
+        render.width,
+        render.height,
+        rows.start + 1,
+        rows.end,
+        columns.start + 1,
+        columns.end
+    );
+    match &settings.output {
+        Some((Target::File(path), _)) => {
+            text += &format!("  Output file..........{}\n", path.display());
+        }
+        Some((Target::Stdout, _)) => text += "  Output file..........standard output\n",
+        None => text += "  Output file..........Off\n",
+    }
+    text
+}
+
+/// The options of drawing as POV-Ray lists them.
+pub(crate) fn drawn_how(settings: &Settings) -> String {
+    format!("Render Options\n  Quality: {:2}\n", settings.render.quality)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_findings_are_wrapped_as_by_povray() {
+        let text = "Parse Warning: assumed_gamma not specified, so gamma_correction is turned off for compatibility with \
+                    this pre POV-Ray 3.7 scene. See the documentation for more details.";
+        assert_eq!(
+            wrapped(text),
+            "Parse Warning: assumed_gamma not specified, so gamma_correction is turned off\n for compatibility with \
+             this pre POV-Ray 3.7 scene. See the documentation for\n more details."
+        );
+    }
+
+    #[test]
+    fn each_stream_has_its_file_and_all_have_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let wanted = [
+            (Stream::Debug, path("debug")),
+            (Stream::All, path("all")),
+            (Stream::Warning, path("warning")),
+        ];
+        let files = Files::create(&wanted).unwrap();
+        files.write(Stream::Debug, "one\n");
+        files.next_frame();
+        files.write(Stream::Statistics, "two\n");
+        let read = |name: &str| std::fs::read_to_string(path(name)).unwrap();
+        assert_eq!(read("debug"), "one\n");
+        assert_eq!(read("all"), format!("one\n{BANNER}two\n"));
+        assert_eq!(read("warning"), BANNER);
+        assert!(Files::create(&[(Stream::All, path("none/all"))]).is_err());
+    }
+}

@@ -1,0 +1,76 @@
+//! Where settings come from besides the command line: POV-Ray's ini files of the system and of the user.
+
+use std::env;
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+
+use super::error::CliError;
+use super::ini::Reader;
+use super::raw_args::RawArgs;
+use crate::app::cli::draw::report::MessageFormat;
+
+/// Where settings come from besides the command line.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Environment {
+    /// The system's ini file. Only its folders count: its display and its talk are the distributor's taste.
+    pub system_ini: Option<PathBuf>,
+    /// The user's ini file.
+    pub user_ini: Option<PathBuf>,
+    /// What was wrong with it.
+    pub warning: Option<String>,
+    /// Set if standard error is a terminal, where people read.
+    pub is_terminal: bool,
+    /// Set if the program was called by the name `povray`.
+    pub is_povray: bool,
+}
+
+impl Environment {
+    /// Those of this process, found where POV-Ray looks: `$POVINI`, `povray.ini` here, in `~/.povray/3.7`, in `/etc`.
+    #[must_use]
+    pub fn of_this_process() -> Self {
+        let named = env::var_os("POVINI").map(PathBuf::from);
+        let missing = named.as_ref().filter(|file| !file.is_file());
+        let home = env::var_os("HOME").map(PathBuf::from);
+        let places = [
+            named.clone(),
+            Some(PathBuf::from("povray.ini")),
+            home.map(|home| home.join(".povray/3.7/povray.ini")),
+        ];
+        Environment {
+            system_ini: Some(PathBuf::from("/etc/povray/3.7/povray.ini")).filter(|f| f.is_file()),
+            warning: missing
+                .map(|file| format!("`POVINI` names `{}`, which is not there", file.display())),
+            is_terminal: io::stderr().is_terminal(),
+            is_povray: false,
+            user_ini: places.into_iter().flatten().find(|file| file.is_file()),
+        }
+    }
+
+    /// The folders of the system's ini file, where includes and ini files are searched last.
+    pub(crate) fn standard_folders(&self) -> Result<Vec<PathBuf>, CliError> {
+        let mut system = RawArgs::default();
+        if let Some(file) = &self.system_ini {
+            Reader::new(&mut system, &[]).read_file(file, None)?;
+        }
+        Ok(system.library_paths)
+    }
+
+    /// The form of messages that nobody chose: people get the lines of the scene, programs POV-Ray's one line.
+    pub(crate) fn message_format(&self) -> MessageFormat {
+        if self.is_terminal && !self.is_povray {
+            MessageFormat::Human
+        } else {
+            MessageFormat::Povray
+        }
+    }
+
+    /// What holds before the first argument is read: the settings of the user's ini file.
+    pub(crate) fn typed(&self, standard_folders: &[PathBuf]) -> Result<RawArgs, CliError> {
+        let mut typed = RawArgs::default();
+        typed.doubts.extend(self.warning.clone());
+        if let Some(file) = &self.user_ini {
+            Reader::new(&mut typed, standard_folders).read_file(file, None)?;
+        }
+        Ok(typed)
+    }
+}

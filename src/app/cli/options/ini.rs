@@ -1,0 +1,204 @@
+//! Ini files: lines of `Key=Value`, of switches, of further files; sections; comments.
+//!
+//! What stands before the first `[section]` always counts, what stands in a section only if the file was named with
+//! it, `file.ini[section]`. `;` begins a comment, and `#` at the start of a word.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::arg_words;
+use super::error::CliError;
+use super::nearest::nearest;
+use super::raw_args::RawArgs;
+use crate::app::cli::COMMANDS;
+use crate::base::source::read_regular;
+
+/// A folder with more entries is not searched to its end for a file that may have been meant.
+const MOST_NEIGHBOURS: usize = 10_000;
+
+/// Files may name further files, so many deep.
+const DEEPEST: usize = 16;
+
+/// Takes words and files in, one after the other.
+pub(crate) struct Reader<'a> {
+    /// What has been typed so far.
+    pub(crate) typed: &'a mut RawArgs,
+    /// Folders searched for ini files after the current one and those of `Library_Path`.
+    standard_folders: &'a [PathBuf],
+    depth: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub(crate) fn new(typed: &'a mut RawArgs, standard_folders: &'a [PathBuf]) -> Self {
+        Reader {
+            typed,
+            standard_folders,
+            depth: 0,
+        }
+    }
+
+    /// Reads the file a word names: `name`, `name.ini`, either with `[section]`.
+    pub(crate) fn read_named(&mut self, word: &str) -> Result<(), CliError> {
+        let (name, section) = match word.strip_suffix(']').and_then(|w| w.rsplit_once('[')) {
+            Some((name, section)) => (name, Some(section)),
+            None => (word, None),
+        };
+        match self.find(name) {
+            Some(file) => self.read_file(&file, section),
+            None if self.depth > 0 => Err(missing(name, "no scene or ini file", &[])),
+            None => {
+                let commands = COMMANDS.iter().map(|command| command.name);
+                let commands: Vec<&str> = commands.collect();
+                Err(missing(name, "no scene, ini file or command", &commands))
+            }
+        }
+    }
+
+    /// Reads a file that is known to be there.
+    pub(crate) fn read_file(&mut self, file: &Path, section: Option<&str>) -> Result<(), CliError> {
+        if self.depth == DEEPEST {
+            return Err(CliError::new(format!(
+                "ini files name each other more than {DEEPEST} deep, the last is `{}`",
+                file.display()
+            )));
+        }
+        let bytes = read_regular(file)
+            .map_err(|error| CliError::new(format!("cannot read `{}`: {error}", file.display())))?;
+        self.depth += 1;
+        let read = self.read_text(&String::from_utf8_lossy(&bytes), file, section);
+        self.depth -= 1;
+        read
+    }
+
+    fn read_text(
+        &mut self,
+        text: &str,
+        file: &Path,
+        section: Option<&str>,
+    ) -> Result<(), CliError> {
+        let mut counts = true;
+        for (number, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+            let line = without_comment(line).trim();
+            if let Some(found) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
+                counts = section.is_some_and(|s| s.trim().eq_ignore_ascii_case(found.trim()));
+            } else if counts {
+                self.read_line(line)
+                    .map_err(|refusal| refusal.in_file(file, number + 1))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_line(&mut self, line: &str) -> Result<(), CliError> {
+        arg_words::of_argument(line)
+            .iter()
+            .try_for_each(|word| arg_words::read(self, word))
+    }
+
+    fn find(&self, name: &str) -> Option<PathBuf> {
+        let folders = [PathBuf::new()];
+        folders
+            .iter()
+            .chain(&self.typed.library_paths)
+            .chain(self.standard_folders)
+            .flat_map(|folder| [folder.join(name), folder.join(format!("{name}.ini"))])
+            .find(|file| file.is_file())
+    }
+}
+
+/// Refuses a name that stands for nothing, and names what it may have been meant for.
+fn missing(name: &str, kinds: &str, commands: &[&str]) -> CliError {
+    let kinds = match arg_words::has_ending(name, ".ini") {
+        true => "no ini file",
+        false => kinds,
+    };
+    let scene = format!("{name}.pov");
+    let command = || nearest(name, commands.iter().copied());
+    let meant = if Path::new(&scene).is_file() {
+        Some(scene)
+    } else {
+        let command = command().map(|command| format!("povr {command}"));
+        command.or_else(|| neighbour(Path::new(name)))
+    };
+    let refusal = match meant {
+        Some(meant) => format!("{kinds} named `{name}`; did you mean `{meant}`?"),
+        None => format!("{kinds} named `{name}`"),
+    };
+    let refusal = CliError::new(refusal);
+    if Path::new(name).is_file() {
+        refusal.with_hint(format!("name a scene with another ending by `+I{name}`"))
+    } else {
+        refusal
+    }
+}
+
+/// The scene or ini file beside `missing` whose name, with or without its ending, is nearest to that of `missing`.
+pub(crate) fn neighbour(missing: &Path) -> Option<String> {
+    let folder = match missing.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let files = fs::read_dir(folder).ok()?.take(MOST_NEIGHBOURS).flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    let names = names.filter(|name| {
+        [".pov", ".ini"]
+            .iter()
+            .any(|end| arg_words::has_ending(name, end))
+    });
+    let names: Vec<String> = names.collect();
+    let name = missing.file_name()?.to_string_lossy();
+    let stems = names.iter().filter_map(|name| name.rsplit_once('.'));
+    let found = match name.contains('.') {
+        true => nearest(&name, names.iter().map(String::as_str))?,
+        false => {
+            let stem = nearest(&name, stems.map(|(stem, _)| stem))?;
+            let mut names = names.iter().map(String::as_str);
+            names.find(|name| name.starts_with(&format!("{stem}.")))?
+        }
+    };
+    Some(missing.with_file_name(found).display().to_string())
+}
+
+/// The line up to its comment.
+fn without_comment(line: &str) -> &str {
+    let mut quote = None;
+    let mut before = ' ';
+    for (at, c) in line.char_indices() {
+        let begins_word = before.is_whitespace();
+        match quote {
+            Some(open) if c == open => quote = None,
+            Some(_) => {}
+            None if c == ';' || (c == '#' && begins_word) => return &line[..at],
+            None if c == '"' || (c == '\'' && (begins_word || before == '=')) => quote = Some(c),
+            None => {}
+        }
+        before = c;
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_end_a_line_unless_quoted() {
+        for (line, expected) in [
+            ("Width=9 ; wide", "Width=9 "),
+            ("; all", ""),
+            ("# all", ""),
+            (
+                "Input_File_Name=\"a;b.pov\" ; c",
+                "Input_File_Name=\"a;b.pov\" ",
+            ),
+            ("Input_File_Name=a#1.pov", "Input_File_Name=a#1.pov"),
+            (
+                "Input_File_Name='a;b.pov' ; c",
+                "Input_File_Name='a;b.pov' ",
+            ),
+            ("Input_File_Name=it's.pov ; c", "Input_File_Name=it's.pov "),
+        ] {
+            assert_eq!(without_comment(line), expected);
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! The options by their ini names: one list, what each does, and which have no effect here.
+//!
+//! Switches are other names of these (see `switches`). The list is that of the POV-Ray 3.7 reference, checked against
+//! what the program of 3.7.0.10 accepts.
+
+use super::error::CliError;
+use super::nearest::nearest;
+use super::raw_args::{Output, RawArgs, Unbuilt};
+use super::values::{
+    duration, error, file_gamma, file_type, flag, name, number, path, size, whole,
+};
+use crate::app::cli::draw::streams::Stream;
+use crate::base::options::Method;
+
+/// What an option does with its value. The third text is what was typed, for messages.
+pub(crate) type Set = fn(&mut RawArgs, &str, &str) -> Result<(), CliError>;
+
+/// Sets an option by its ini name.
+pub(crate) fn set(typed: &mut RawArgs, key: &str, value: &str, said: &str) -> Result<(), CliError> {
+    match KEYS.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)) {
+        Some((_, set)) => set(typed, value, said),
+        None => {
+            let refusal = CliError::new(format!("unknown option `{key}`"));
+            Err(match nearest(key, KEYS.iter().map(|(name, _)| *name)) {
+                Some(near) => refusal.with_hint(format!("did you mean `{near}`?")),
+                None => refusal.with_hint("`povr --help` tells which options there are"),
+            })
+        }
+    }
+}
+
+/// Known, without effect on this program: said in verbose mode.
+const IDLE: Set = |typed, _, said| {
+    typed.idle.push(said.to_owned());
+    Ok(())
+};
+
+/// About a display or a keyboard, of which this program has none.
+const SCREEN: Set = |_, _, _| Ok(());
+
+#[rustfmt::skip]
+const KEYS: &[(&str, Set)] = &[
+    ("All_Console", |t, v, s| { t.has_console = true; t.quiet = !flag(t, v, s); Ok(()) }),
+    ("All_File", |t, v, _| { t.stream(Stream::All, v); Ok(()) }),
+    ("Antialias", |t, v, s| { t.is_antialiased = flag(t, v, s); Ok(()) }),
+    ("Antialias_Depth", |t, v, s| { t.antialias.depth = u32::from(up_to(MOST_DEPTH, v, s)?.max(1)); Ok(()) }),
+    ("Antialias_Error", |t, v, s| { t.error = Some(error(v, s)?); t.converge(); Ok(()) }),
+    ("Antialias_Gamma", |t, v, s| { t.antialias.gamma = above_zero(v, s)?; Ok(()) }),
+    ("Antialias_Threshold", |t, v, s| { t.antialias.threshold = number(v, s)?.max(0.0); Ok(()) }),
+    ("Antialias_Time", |t, v, s| { t.time = Some(duration(v, s)?); t.converge(); Ok(()) }),
+    ("Append_File", IDLE),
+    ("Bits_Per_Color", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
+    ("Bits_Per_Colour", |t, v, s| { t.bits = Some(bits(v, s)?); Ok(()) }),
+    ("Bounding", IDLE),
+    ("Bounding_Method", IDLE),
+    ("Bounding_Threshold", IDLE),
+    ("BSP_BaseAccessCost", IDLE),
+    ("BSP_ChildAccessCost", IDLE),
+    ("BSP_ISectCost", IDLE),
+    ("BSP_MaxDepth", IDLE),
+    ("BSP_MissChance", IDLE),
+    ("Clock", |t, v, s| { t.clock = Some(f64::from(single(v, s)?)); Ok(()) }),
+    ("Clockless_Animation", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Clockless, on, s); Ok(()) }),
+    ("Compression", |t, v, s| { t.compression = up_to(100, v, s)?; Ok(()) }),
+    ("Continue_Trace", |t, v, s| { t.continues = flag(t, v, s); Ok(()) }),
+    ("Create_Ini", IDLE),
+    ("Cyclic_Animation", |t, v, s| { t.frames.is_cyclic = flag(t, v, s); Ok(()) }),
+    ("Debug_Console", |t, v, s| { t.has_console = true; t.debugs = flag(t, v, s); Ok(()) }),
+    ("Debug_File", |t, v, _| { t.stream(Stream::Debug, v); Ok(()) }),
+    ("Declare", declare),
+    ("Display", SCREEN),
+    ("Display_Gamma", SCREEN),
+    ("Dither", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Dither, on, s); Ok(()) }),
+    ("Dither_Method", IDLE),
+    ("Draw_Vistas", IDLE),
+    ("End_Column", |t, v, s| { t.end_column = Some(single(v, s)?); Ok(()) }),
+    ("End_Row", |t, v, s| { t.end_row = Some(single(v, s)?); Ok(()) }),
+    ("Fatal_Console", |t, _, s| { t.has_console = true; t.idle.push(s.to_owned()); Ok(()) }),
+    ("Fatal_Error_Command", IDLE),
+    ("Fatal_Error_Return", IDLE),
+    ("Fatal_File", |t, v, _| { t.stream(Stream::Fatal, v); Ok(()) }),
+    ("Field_Render", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::Fields, on, s); Ok(()) }),
+    ("File_Gamma", |t, v, s| { t.file_gamma = file_gamma(v, s)?; Ok(()) }),
+    ("Final_Clock", |t, v, s| { t.frames.final_clock = single(v, s)?; Ok(()) }),
+    ("Final_Frame", |t, v, s| { t.frames.final_frame = Some(frame(v, s)?); Ok(()) }),
+    ("Frame_Step", |t, v, s| { t.frames.step = frame(v, s)?; Ok(()) }),
+    ("Grayscale_Output", |t, v, s| { t.grayscale = flag(t, v, s); Ok(()) }),
+    ("Height", |t, v, s| { t.height = size(v, s)?; Ok(()) }),
+    ("High_Reproducibility", IDLE),
+    ("Include_Header", |t, v, s| { t.include_header = Some(path(v, s)?); Ok(()) }),
+    ("Initial_Clock", |t, v, s| { t.frames.initial_clock = single(v, s)?; Ok(()) }),
+    ("Initial_Frame", |t, v, s| { t.frames.initial_frame = Some(frame(v, s)?); Ok(()) }),
+    ("Input_File_Name", |t, v, s| { t.scene = Some(name(v, s)?); Ok(()) }),
+    ("Jitter", |t, v, s| { t.is_jittered = flag(t, v, s); Ok(()) }),
+    ("Jitter_Amount", |t, v, s| { t.antialias.jitter = number(v, s)?.clamp(0.0, 1.0); Ok(()) }),
+    ("Library_Path", |t, v, s| { t.library_paths.push(path(v, s)?); Ok(()) }),
+    ("Light_Buffer", IDLE),
+    ("Max_Image_Buffer_Memory", IDLE),
+    ("Odd_Field", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::OddField, on, s); Ok(()) }),
+    ("Output_Alpha", |t, v, s| { t.alpha = flag(t, v, s); Ok(()) }),
+    ("Output_File_Name", |t, v, s| { t.output = Output::Povray(name(v, s)?); Ok(()) }),
+    ("Output_File_Type", |t, v, s| file_type(t, v, s)),
+    ("Output_To_File", |t, v, s| { t.to_file = flag(t, v, s); Ok(()) }),
+    ("Palette", SCREEN),
+    ("Pause_When_Done", SCREEN),
+    ("Post_Frame_Command", IDLE),
+    ("Post_Frame_Return", IDLE),
+    ("Post_Scene_Command", IDLE),
+    ("Post_Scene_Return", IDLE),
+    ("Pre_Frame_Command", IDLE),
+    ("Pre_Frame_Return", IDLE),
+    ("Pre_Scene_Command", IDLE),
+    ("Pre_Scene_Return", IDLE),
+    ("Preview_End_Size", SCREEN),
+    ("Preview_Start_Size", SCREEN),
+    ("Quality", |t, v, s| { t.quality = up_to(11, v, s)?; Ok(()) }),
+    ("Radiosity_File_Name", IDLE),
+    ("Radiosity_From_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_To_File", |t, v, s| { let on = flag(t, v, s); t.ask(Unbuilt::SavedRadiosity, on, s); Ok(()) }),
+    ("Radiosity_Vain_Pretrace", IDLE),
+    ("Real_Time_Raytracing", IDLE),
+    ("Remove_Bounds", IDLE),
+    ("Render_Block_Size", IDLE),
+    ("Render_Block_Step", IDLE),
+    ("Render_Console", |t, v, s| { t.has_console = true; t.renders = flag(t, v, s); Ok(()) }),
+    ("Render_File", |t, v, _| { t.stream(Stream::Render, v); Ok(()) }),
+    ("Render_Pattern", IDLE),
+    ("Sampling_Method", method),
+    ("Split_Unions", IDLE),
+    ("Start_Column", |t, v, s| { t.start_column = Some(single(v, s)?); Ok(()) }),
+    ("Start_Row", |t, v, s| { t.start_row = Some(single(v, s)?); Ok(()) }),
+    ("Statistic_Console", |t, v, s| { t.has_console = true; t.statistics = flag(t, v, s); Ok(()) }),
+    ("Statistic_File", |t, v, _| { t.stream(Stream::Statistics, v); Ok(()) }),
+    ("Subset_End_Frame", |t, v, s| { t.frames.subset_end = Some(single(v, s)?); Ok(()) }),
+    ("Subset_Start_Frame", |t, v, s| { t.frames.subset_start = Some(single(v, s)?); Ok(()) }),
+    ("Test_Abort", SCREEN),
+    ("Test_Abort_Count", SCREEN),
+    ("User_Abort_Command", IDLE),
+    ("User_Abort_Return", IDLE),
+    ("Verbose", |t, v, s| { t.verbose = flag(t, v, s); Ok(()) }),
+    ("Version", |t, v, s| { t.version = Some(number(v, s)?); Ok(()) }),
+    ("Video_Mode", SCREEN),
+    ("Vista_Buffer", IDLE),
+    ("Warning_Console", |t, v, s| { t.has_console = true; t.warnings = flag(t, v, s); Ok(()) }),
+    ("Warning_File", |t, v, _| { t.stream(Stream::Warning, v); Ok(()) }),
+    ("Warning_Level", |t, v, s| { t.warnings = number(v, s)? > 0.0; Ok(()) }),
+    ("Width", |t, v, s| { t.width = size(v, s)?; Ok(()) }),
+    ("Work_Threads", |t, v, s| { t.threads = Some(whole(v, s)? as usize).filter(|&n| n > 0); Ok(()) }),
+];
+
+/// POV-Ray's largest `+R`; larger ones count as this.
+const MOST_DEPTH: u8 = 9;
+
+fn above_zero(value: &str, said: &str) -> Result<f64, CliError> {
+    match number(value, said)? {
+        gamma if gamma > 0.0 && gamma.is_finite() => Ok(gamma),
+        other => Err(CliError::new(format!(
+            "`{said}`: a gamma is above 0, found {other}"
+        ))),
+    }
+}
+
+/// Method 3 is a second name of method 2, as in POV-Ray; method 4 is one of this program and turns antialiasing on.
+fn method(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
+    typed.converges = false;
+    match whole(value, said)? {
+        1 => typed.antialias.method = Method::One,
+        2 | 3 => typed.antialias.method = Method::Two,
+        4 => typed.converge(),
+        other => {
+            return Err(CliError::new(format!(
+                "`{said}`: there is no sampling method {other}; there are 1, 2 and 4"
+            ))
+            .with_hint("4 samples until the error is small, see `--error`"));
+        }
+    }
+    Ok(())
+}
+
+/// A value of a small scale; POV-Ray takes what is beyond it for its end.
+fn up_to(most: u8, value: &str, said: &str) -> Result<u8, CliError> {
+    let value = number(value, said)?.clamp(0.0, f64::from(most));
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to 0..=most"
+    )]
+    Ok(value as u8)
+}
+
+fn bits(value: &str, said: &str) -> Result<u8, CliError> {
+    up_to(32, value, said)
+}
+
+/// A number in single precision, as POV-Ray keeps clocks, and pixels or shares of the picture.
+fn single(value: &str, said: &str) -> Result<f32, CliError> {
+    #[allow(clippy::cast_possible_truncation, reason = "POV-Ray rounds so")]
+    let single = number(value, said)? as f32;
+    if single.is_finite() {
+        Ok(single)
+    } else {
+        Err(CliError::new(format!("`{said}`: this number is too large")))
+    }
+}
+
+/// A number of a frame without its fraction; what is below 0 counts as 0 where it matters.
+fn frame(value: &str, said: &str) -> Result<i64, CliError> {
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "beyond the range is its end"
+    )]
+    number(value, said).map(|frame| frame as i64)
+}
+
+fn declare(typed: &mut RawArgs, value: &str, said: &str) -> Result<(), CliError> {
+    let example = || {
+        CliError::new(format!("`{said}` declares no number"))
+            .with_hint("write `Declare=Name=2.5`, without spaces around the name")
+    };
+    let (name, value) = value.split_once('=').ok_or_else(example)?;
+    let name = name.trim();
+    let is_identifier = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let value: f64 = value.trim().parse().map_err(|_| example())?;
+    if !is_identifier || !value.is_finite() {
+        return Err(example());
+    }
+    typed.declares.retain(|(declared, _)| declared != name);
+    typed.declares.push((name.to_owned(), value));
+    Ok(())
+}
+
+/// The names of all options, in the order of the alphabet, and whether they have an effect on this program.
+pub(crate) fn names() -> impl Iterator<Item = (&'static str, bool)> {
+    KEYS.iter().map(|&(name, set)| (name, acts(set)))
+}
+
+/// Whether an option ever changes what is to be done, or refuses to.
+fn acts(set: Set) -> bool {
+    ["on", "off", "0", "1", "2", "0.5", "A=1", "x"]
+        .iter()
+        .any(|value| {
+            let mut typed = RawArgs::default();
+            let done = set(&mut typed, value, "");
+            typed.idle.clear();
+            typed.has_console = false;
+            done.is_err() || typed != RawArgs::default()
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_is_sorted_and_without_doubles() {
+        let names: Vec<String> = KEYS.iter().map(|(n, _)| n.to_ascii_lowercase()).collect();
+        assert!(names.windows(2).all(|pair| pair[0] < pair[1]), "{names:?}");
+    }
+
+    #[test]
+    fn a_misspelt_option_names_its_neighbour() {
+        let refused = set(&mut RawArgs::default(), "Widht", "3", "Widht=3").unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "unknown option `Widht`\n  hint: did you mean `Width`?"
+        );
+        let refused = set(&mut RawArgs::default(), "Foo", "3", "Foo=3").unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "unknown option `Foo`\n  hint: `povr --help` tells which options there are"
+        );
+    }
+
+    #[test]
+    fn a_declared_name_keeps_its_last_value() {
+        let mut typed = RawArgs::default();
+        for text in ["A=1", "b_2= -1.5e3", "A=2"] {
+            set(&mut typed, "Declare", text, text).unwrap();
+        }
+        assert_eq!(
+            typed.declares,
+            [("b_2".to_owned(), -1500.0), ("A".to_owned(), 2.0)]
+        );
+        for text in ["A", "A=x", "2=3", "=4", "A=", "A=\"x\"", "A=inf"] {
+            let refused = set(&mut typed, "Declare", text, &format!("Declare={text}"));
+            assert_eq!(
+                refused.unwrap_err().to_string(),
+                format!(
+                    "`Declare={text}` declares no number\n  hint: write `Declare=Name=2.5`, without spaces around the name"
+                )
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_beyond_a_scale_is_its_end() {
+        let mut typed = RawArgs::default();
+        set(&mut typed, "Quality", "12", "+Q12").unwrap();
+        assert_eq!(typed.quality, 11);
+        set(&mut typed, "quality", "-1", "+Q-1").unwrap();
+        assert_eq!(typed.quality, 0);
+    }
+}

@@ -1,0 +1,218 @@
+//! The face this program has beside POV-Ray's: long options, and `-o`.
+
+use std::str::FromStr;
+use std::time::Duration;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Parser};
+
+use super::error::CliError;
+use super::raw_args::{Output, RawArgs};
+use super::unknown;
+use super::values::{duration, error};
+use crate::app::cli::COMMANDS;
+use crate::app::cli::draw::report::MessageFormat;
+use crate::base::options::{LeastDistance, RandomOrder};
+
+/// Draws POV-Ray scenes.
+#[derive(Debug, Parser)]
+#[command(
+    name = "povr",
+    version,
+    override_usage = "povr [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE.pov",
+    after_help = commands(),
+    disable_version_flag = true
+)]
+pub(crate) struct LongOptions {
+    /// Output file; the extension selects the format (`-` for standard output)
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<String>,
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    size: Option<Size>,
+    /// Number of threads [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Print nothing but errors
+    #[arg(long)]
+    quiet: bool,
+    /// How to print errors and warnings: povray, human, short or json
+    #[arg(long, value_name = "FORM", value_enum, hide_possible_values = true)]
+    message_format: Option<MessageFormat>,
+    /// Print statistics and timings
+    #[arg(long)]
+    stats: bool,
+    /// Print them as one line of JSON
+    #[arg(long)]
+    json: bool,
+    /// Sample until the estimated error of every pixel is at most E/255 (as +AM4 does with 1)
+    #[arg(long, value_name = "E", value_parser = |text: &str| error(text, "--error"))]
+    error: Option<f64>,
+    /// Stop after this time with the best picture so far: 10s, 500ms, 2m
+    #[arg(long, value_name = "TIME", value_parser = |text: &str| duration(text, "--time"))]
+    time: Option<Duration>,
+    /// Use POV-Ray's minimum distances, dropping very thin surfaces as it does
+    #[arg(long)]
+    pov_distances: bool,
+    /// Match POV-Ray's random numbers in large images as well (renders on one thread)
+    #[arg(long)]
+    pov_random: bool,
+    // Without a short form: `-V` is POV-Ray's.
+    /// Print version
+    #[arg(long, action = clap::ArgAction::Version)]
+    version: Option<bool>,
+}
+
+/// Switches as people look for them, in lines that no terminal of 80 columns breaks.
+pub(crate) const SWITCHES: &str = "\
+POV-Ray's switches, upper or lower case; later ones win:
+  SCENE.pov, +IFILE     the scene; - is standard input
+  +OFILE                output file (extension added if missing); +O- standard
+                        output
+  +W800 +H600           size in pixels
+  +FN +FN16 +FNg        PNG, with 16 bits, grey; +FT Targa, +FB BMP, +FP PPM,
+                        +FJ JPEG, +FE EXR, +FH HDR, -F no file
+  +UA                   keep the transparency of the background
+  +Q9                   quality, 0 to 11
+  +A0.3 +AM2 +R3 -J     antialiasing: threshold, method (4: see --error),
+                        depth, jitter; -A off
+  +SC +EC +SR +ER       first and last column and row: pixels from 1, or
+                        shares like 0.25
+  +LFOLDER              search includes here too
+  +K0.5                 the clock
+  +KFI1 +KFF30 +KC      an animation: first and last frame, cyclic; +KI0 +KF1
+                        its clock, +SF +EF a part of it
+  +C                    resume an interrupted render
+  Declare=Name=1.5      declare a number before the scene
+  +MV3.6 +HIFILE        language version, file to include first
+  +WT4 +V -GA           threads, verbose, quiet
+All options of POV-Ray's ini files work as Key=Value, here and in files.";
+
+/// `320x240`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size(pub(crate) u32, pub(crate) u32);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Size, String> {
+        let side = |text: &str| {
+            text.parse()
+                .ok()
+                .filter(|side| (1..=1 << 20).contains(side))
+        };
+        text.split_once(['x', 'X', '×'])
+            .and_then(|(width, height)| Some(Size(side(width)?, side(height)?)))
+            .ok_or_else(|| "a size is written like 320x240".to_owned())
+    }
+}
+
+/// How many arguments from the first on belong to a face; 0 if the first does not.
+pub(crate) fn length<Face: CommandFactory>(arguments: &[String]) -> usize {
+    let Some(first) = arguments.first() else {
+        return 0;
+    };
+    let takes_value = |is_it: &dyn Fn(&clap::Arg) -> bool| {
+        Face::command()
+            .get_arguments()
+            .any(|a| is_it(a) && a.get_action().takes_values())
+    };
+    let takes_value = match first.strip_prefix("--") {
+        Some(name) if name.contains('=') => false,
+        Some(name) => takes_value(&|a| a.get_long() == Some(name)),
+        None if first == "-o" && takes_value(&|a| a.get_short() == Some('o')) => true,
+        None if matches!(first.as_str(), "-h" | "-help" | "-version" | "-?") => false,
+        None => return 0,
+    };
+    (1 + usize::from(takes_value)).min(arguments.len())
+}
+
+/// One option of a face with its value.
+///
+/// # Errors
+/// What clap has to say: a refusal, or the text of `--help` or `--version`.
+pub(crate) fn parse<Face: Parser>(option: &[String]) -> Result<Face, clap::Error> {
+    let words = option.iter().map(|word| match word.as_str() {
+        "-help" | "-?" => "--help",
+        "-version" => "--version",
+        other => other,
+    });
+    Face::try_parse_from(std::iter::once("povr").chain(words))
+}
+
+/// The text that clap printed: an answer, or a refusal of an option of this face.
+pub(crate) fn printed<Face: CommandFactory>(said: &clap::Error) -> Result<String, CliError> {
+    if let (ErrorKind::UnknownArgument, Some(ContextValue::String(option))) =
+        (said.kind(), said.get(ContextKind::InvalidArg))
+    {
+        return Err(unknown::refused(option, &Face::command()));
+    }
+    let text = said.render().to_string();
+    if said.use_stderr() {
+        let text = text.trim_end();
+        Err(CliError::new(text.strip_prefix("error: ").unwrap_or(text)))
+    } else {
+        Ok(text)
+    }
+}
+
+impl LongOptions {
+    /// Takes in what was given.
+    pub(crate) fn set(self, typed: &mut RawArgs) {
+        if let Some(output) = self.output {
+            typed.output = Output::Exact(output);
+            typed.to_file = true;
+        }
+        if let Some(Size(width, height)) = self.size {
+            (typed.width, typed.height) = (width, height);
+        }
+        if let Some(threads) = self.threads {
+            typed.threads = Some(usize::from(threads));
+        }
+        typed.message_format = self.message_format.or(typed.message_format);
+        typed.quiet |= self.quiet;
+        typed.silent |= self.quiet;
+        typed.stats |= self.stats;
+        typed.json |= self.json;
+        if self.error.is_some() || self.time.is_some() {
+            typed.error = self.error.or(typed.error);
+            typed.time = self.time.or(typed.time);
+            typed.converge();
+        }
+        if self.pov_distances {
+            typed.least_distance = LeastDistance::PovRay;
+        }
+        if self.pov_random {
+            typed.random_order = RandomOrder::PovRay;
+        }
+    }
+}
+
+/// The whole command line for programs that describe it: options, and commands with theirs.
+pub(crate) fn everything() -> clap::Command {
+    let commands = COMMANDS.iter().map(|command| {
+        let face = (command.face)().about(command.about);
+        face.name(command.name)
+            .bin_name(format!("povr {}", command.name))
+    });
+    LongOptions::command()
+        .disable_help_subcommand(true)
+        .arg(
+            clap::Arg::new("scene")
+                .value_name("SCENE.pov")
+                .value_hint(clap::ValueHint::FilePath)
+                .num_args(0..),
+        )
+        .subcommands(commands)
+}
+
+/// The commands, for the help of the program: a line each.
+fn commands() -> String {
+    let lines = COMMANDS
+        .iter()
+        .map(|command| format!("  povr {:<17}{}\n", command.name, command.about));
+    format!(
+        "Commands, each with its own --help:\n{}\n{SWITCHES}",
+        lines.collect::<String>()
+    )
+}

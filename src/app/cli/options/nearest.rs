@@ -1,0 +1,60 @@
+//! The word that was meant by one that nothing knows.
+
+/// The candidate that differs from `word` in the fewest letters: at most two, and less than half of them.
+pub(crate) fn nearest<T: AsRef<str>>(
+    word: &str,
+    candidates: impl IntoIterator<Item = T>,
+) -> Option<T> {
+    let word = word.to_ascii_lowercase();
+    candidates
+        .into_iter()
+        .map(|candidate| {
+            let name = candidate.as_ref().to_ascii_lowercase();
+            (distance(&word, &name), name, candidate)
+        })
+        .filter(|(distance, name, _)| *distance <= 2 && 2 * *distance < name.len())
+        .min_by(|(a, first, _), (b, second, _)| (a, first).cmp(&(b, second)))
+        .map(|(_, _, candidate)| candidate)
+}
+
+/// The number of letters to put in, leave out, change, or swap with a neighbour (Damerau 1964, restricted).
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut before: Vec<usize> = Vec::new();
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let changed = above[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut least = changed.min(above[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(before[j - 2] + 1);
+            }
+            row.push(least);
+        }
+        before = std::mem::replace(&mut above, row);
+    }
+    above[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_misspelt_word_has_its_neighbour() {
+        let commands = ["batch", "check", "compare", "curve", "man", "watch"];
+        for (word, expected) in [
+            ("wacth", Some("watch")),
+            ("wathc", Some("watch")),
+            ("Check", Some("check")),
+            ("compair", Some("compare")),
+            ("mna", Some("man")),
+            ("gears", None),
+            ("m", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(word, commands), expected, "{word}");
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! What was typed, before it is decided what that means: every option's last value.
+
+use crate::base::options::{Antialias, LeastDistance, RandomOrder};
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crate::app::cli::draw::frames::Wanted;
+use crate::app::cli::draw::report::MessageFormat;
+use crate::app::cli::draw::streams::Stream;
+use crate::base::color::Gamma;
+use crate::output::Format;
+
+/// The last value of every option that has a meaning here.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RawArgs {
+    pub(crate) scene: Option<String>,
+    pub(crate) output: Output,
+    pub(crate) to_file: bool,
+    /// `None` until somebody names one.
+    pub(crate) format: Option<Format>,
+    pub(crate) bits: Option<u8>,
+    pub(crate) grayscale: bool,
+    pub(crate) alpha: bool,
+    pub(crate) file_gamma: Gamma,
+    pub(crate) compression: u8,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) start_column: Option<f32>,
+    pub(crate) end_column: Option<f32>,
+    pub(crate) start_row: Option<f32>,
+    pub(crate) end_row: Option<f32>,
+    pub(crate) quality: u8,
+    pub(crate) threads: Option<usize>,
+    pub(crate) library_paths: Vec<PathBuf>,
+    pub(crate) declares: Vec<(String, f64)>,
+    pub(crate) version: Option<f64>,
+    pub(crate) include_header: Option<PathBuf>,
+    pub(crate) clock: Option<f64>,
+    pub(crate) frames: Wanted,
+    pub(crate) verbose: bool,
+    pub(crate) quiet: bool,
+    /// By `--quiet`, which leaves out even what POV-Ray prints under `-GA`.
+    pub(crate) silent: bool,
+    pub(crate) warnings: bool,
+    pub(crate) debugs: bool,
+    /// Options and times on POV-Ray's console.
+    pub(crate) renders: bool,
+    pub(crate) statistics: bool,
+    /// Files for what is said.
+    pub(crate) streams: Vec<(Stream, PathBuf)>,
+    /// `None` until somebody names one.
+    pub(crate) message_format: Option<MessageFormat>,
+    /// Set by any option about a console: the messages then have POV-Ray's form.
+    pub(crate) has_console: bool,
+    pub(crate) stats: bool,
+    pub(crate) json: bool,
+    pub(crate) least_distance: LeastDistance,
+    pub(crate) random_order: RandomOrder,
+    /// Whether to go on with an unfinished picture.
+    pub(crate) continues: bool,
+    pub(crate) is_antialiased: bool,
+    pub(crate) is_jittered: bool,
+    /// How, if it is antialiased.
+    pub(crate) antialias: Antialias,
+    /// Whether by the method that converges.
+    pub(crate) converges: bool,
+    /// Its target in steps of 1/255, and when it is to stop.
+    pub(crate) error: Option<f64>,
+    pub(crate) time: Option<Duration>,
+    /// What was asked for and is not built, with the words that asked. Taken back by the opposite option.
+    pub(crate) unbuilt: Vec<(Unbuilt, String)>,
+    /// Options that are known and have no effect, as typed.
+    pub(crate) idle: Vec<String>,
+    /// What was assumed about doubtful values.
+    pub(crate) doubts: Vec<String>,
+}
+
+/// Where the picture is to go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Output {
+    /// Named by nobody: after the scene.
+    Unnamed,
+    /// By `+O`: the type's ending is appended unless it is there. `-` is standard output.
+    Povray(String),
+    /// By `-o`: this very name, and it chooses the type unless `+F` did.
+    Exact(String),
+}
+
+/// What POV-Ray can do and this program cannot yet. Asking for it is an error: leaving it out would change the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unbuilt {
+    Clockless,
+    Dither,
+    Fields,
+    OddField,
+    SavedRadiosity,
+}
+
+impl Default for RawArgs {
+    fn default() -> Self {
+        RawArgs {
+            scene: None,
+            output: Output::Unnamed,
+            to_file: true,
+            format: None,
+            bits: None,
+            grayscale: false,
+            alpha: false,
+            file_gamma: Gamma::Srgb,
+            compression: 0,
+            width: 800,
+            height: 600,
+            start_column: None,
+            end_column: None,
+            start_row: None,
+            end_row: None,
+            quality: 9,
+            threads: None,
+            library_paths: Vec::new(),
+            declares: Vec::new(),
+            version: None,
+            include_header: None,
+            clock: None,
+            frames: Wanted::default(),
+            verbose: false,
+            quiet: false,
+            silent: false,
+            renders: true,
+            statistics: true,
+            warnings: true,
+            debugs: true,
+            streams: Vec::new(),
+            message_format: None,
+            has_console: false,
+            stats: false,
+            json: false,
+            least_distance: LeastDistance::default(),
+            random_order: RandomOrder::default(),
+            continues: false,
+            is_antialiased: false,
+            is_jittered: true,
+            antialias: Antialias::default(),
+            converges: false,
+            error: None,
+            time: None,
+            unbuilt: Vec::new(),
+            idle: Vec::new(),
+            doubts: Vec::new(),
+        }
+    }
+}
+
+impl RawArgs {
+    /// Names the file of a stream; an empty name means none, and a mere "yes" POV-Ray's own name for it.
+    pub(crate) fn stream(&mut self, stream: Stream, name: &str) {
+        const YES: [&str; 4] = ["on", "true", "yes", "1"];
+        self.streams.retain(|(other, _)| *other != stream);
+        let is_yes = YES.iter().any(|yes| name.eq_ignore_ascii_case(yes));
+        let name = if is_yes { stream.file() } else { name };
+        if !name.is_empty() {
+            self.streams.push((stream, PathBuf::from(name)));
+        }
+    }
+
+    /// Whether statistics go to a file.
+    pub(crate) fn keeps_statistics(&self) -> bool {
+        let mut streams = self.streams.iter();
+        streams.any(|(stream, _)| matches!(stream, Stream::Statistics | Stream::All))
+    }
+
+    /// Chooses the method that converges.
+    pub(crate) fn converge(&mut self) {
+        self.is_antialiased = true;
+        self.converges = true;
+    }
+
+    /// Notes that something unbuilt was asked for, or that the wish was taken back.
+    pub(crate) fn ask(&mut self, what: Unbuilt, wanted: bool, said: &str) {
+        self.unbuilt.retain(|(asked, _)| *asked != what);
+        if wanted {
+            self.unbuilt.push((what, said.to_owned()));
+        }
+    }
+}
+
+impl Unbuilt {
+    /// What it is, and how to do without: the two halves of a refusal.
+    pub(crate) fn refusal(self) -> (&'static str, &'static str) {
+        match self {
+            Unbuilt::Clockless => (
+                "animation by several cameras is not built yet",
+                "leave `Clockless_Animation` out and move one camera with `clock`",
+            ),
+            Unbuilt::Dither => ("dithering is not built yet", "use `-TH` (or `Dither=off`)"),
+            Unbuilt::Fields => (
+                "rendering of fields is not built yet",
+                "use `-UF` (or `Field_Render=off`)",
+            ),
+            Unbuilt::OddField => (
+                "rendering of fields is not built yet",
+                "use `-UO` (or `Odd_Field=off`)",
+            ),
+            Unbuilt::SavedRadiosity => (
+                "radiosity files are not built yet",
+                "use `-RFI` and `-RFO` (or leave `Radiosity_From_File` and `Radiosity_To_File` out)",
+            ),
+        }
+    }
+}

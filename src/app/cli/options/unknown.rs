@@ -1,0 +1,130 @@
+//! Remedies for options that a command does not have.
+
+use clap::CommandFactory;
+
+use super::error::CliError;
+use super::long_options::LongOptions;
+use super::nearest::nearest;
+use super::{keys, switches};
+use crate::app::cli::COMMANDS;
+
+/// Refuses a long option that `own` does not have. `said` is what was typed, with or without a value behind `=`.
+pub(crate) fn refused(said: &str, own: &clap::Command) -> CliError {
+    let said = said.split('=').next().unwrap_or(said);
+    let listed = format!("`{} --help` lists the options", own.get_name());
+    let refusal = CliError::new(format!("unknown option `{said}`"));
+    let Some(name) = said.strip_prefix("--") else {
+        return CliError::new(format!("unexpected argument `{said}`")).with_hint(listed);
+    };
+    if let Some(command) = commands_with(name, own).first() {
+        return CliError::new(format!("`{said}` is an option of `{command}`"));
+    }
+    if let Some(near) = nearest(name, long_options(own)) {
+        return refusal.with_hint(format!("did you mean `--{near}`?"));
+    }
+    if let Some(switch) = switch_for(name) {
+        return refusal.with_hint(format!("did you mean {switch}?"));
+    }
+    let others = every_command().filter(|(_, face)| face.get_name() != own.get_name());
+    let others = others.flat_map(|(command, face)| {
+        long_options(&face).into_iter().map(move |option| Of {
+            option,
+            command: command.clone(),
+        })
+    });
+    match nearest(name, others) {
+        Some(Of { option, command }) => refusal.with_hint(format!(
+            "did you mean `--{option}`, an option of `{command}`?"
+        )),
+        None => refusal.with_hint(listed),
+    }
+}
+
+/// An option of a command.
+struct Of {
+    option: String,
+    command: String,
+}
+
+impl AsRef<str> for Of {
+    fn as_ref(&self) -> &str {
+        &self.option
+    }
+}
+
+/// Drawing, and the commands, with their options.
+fn every_command() -> impl Iterator<Item = (String, clap::Command)> {
+    let drawing = std::iter::once(("povr".to_owned(), LongOptions::command()));
+    drawing.chain(COMMANDS.iter().map(|command| {
+        let face = (command.face)();
+        (format!("povr {}", command.name), face)
+    }))
+}
+
+/// The other commands that have an option of this name.
+fn commands_with(name: &str, own: &clap::Command) -> Vec<String> {
+    every_command()
+        .filter(|(_, face)| face.get_name() != own.get_name())
+        .filter(|(_, face)| long_options(face).iter().any(|option| option == name))
+        .map(|(command, _)| command)
+        .collect()
+}
+
+fn long_options(face: &clap::Command) -> Vec<String> {
+    let longs = face.get_arguments().filter_map(clap::Arg::get_long);
+    longs.map(str::to_owned).collect()
+}
+
+/// POV-Ray's form of an option that was written with two hyphens: `--work-threads` is `Work_Threads`, or `+WT`.
+fn switch_for(name: &str) -> Option<String> {
+    let key = name.replace('-', "_");
+    let (known, _) = keys::names().find(|(known, _)| known.eq_ignore_ascii_case(&key))?;
+    Some(match switches::of_key(known) {
+        Some(switch) => format!("`{switch}` (`{known}`)"),
+        None => format!("`{known}=...`"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_of_other_commands_and_of_povray_are_named() {
+        let own = LongOptions::command();
+        for (said, expected) in [
+            ("--serve", "`--serve` is an option of `povr watch`"),
+            ("--port=80", "`--port` is an option of `povr watch`"),
+            (
+                "--verbose",
+                "unknown option `--verbose`\n  hint: did you mean `+V` (`Verbose`)?",
+            ),
+            (
+                "--width",
+                "unknown option `--width`\n  hint: did you mean `+W<value>` (`Width`)?",
+            ),
+            (
+                "--clock-on",
+                "unknown option `--clock-on`\n  hint: `povr --help` lists the options",
+            ),
+            (
+                "--sise",
+                "unknown option `--sise`\n  hint: did you mean `--size`?",
+            ),
+            (
+                "--serv",
+                "unknown option `--serv`\n  hint: did you mean `--serve`, an option of `povr watch`?",
+            ),
+            (
+                "--foo",
+                "unknown option `--foo`\n  hint: `povr --help` lists the options",
+            ),
+        ] {
+            assert_eq!(refused(said, &own).to_string(), expected);
+        }
+        let watch = COMMANDS.iter().find(|command| command.name == "watch");
+        let watch = (watch.expect("it is there").face)();
+        let refusal = refused("--threads", &watch).to_string();
+        assert_eq!(refusal, "`--threads` is an option of `povr`");
+    }
+}

@@ -1,0 +1,8 @@
+//! Root finders and the intersections that rest on them.
+
+pub(super) mod bernstein;
+pub(crate) mod hyperbolic;
+pub(crate) mod interval_roots;
+pub(crate) mod polynomial;
+pub(crate) mod quartic;
+pub(crate) mod ray_sphere;

@@ -1,0 +1,375 @@
+//! What to do about a token that does not belong where it stands.
+
+use crate::base::args::Word;
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::expr::value::Value;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, END_OF_FILE, Kind, Symbol, Token, Tokens};
+
+/// Folders hold so many include files at most that are searched for a name.
+const INCLUDE_FILES: usize = 200;
+
+impl Reader<'_> {
+    /// What the token at hand, which cannot stand there, was probably meant to be.
+    pub(crate) fn remedy(&self, token: Token, wanted: &str) -> Option<String> {
+        match token.kind {
+            Kind::Name => self.remedy_of_name(Symbol(token.value), wanted),
+            Kind::Mark => self.remedy_of_mark(char::from_u32(token.value)?, wanted),
+            Kind::Word => self
+                .remedy_behind_directive(token.word()?)
+                .or_else(|| remedy_of_word(token.word()?, wanted))
+                .or_else(|| self.remedy_of_no_value(wanted)),
+            Kind::Number if wanted == "a string" => Some(NUMBER_FOR_STRING.to_owned()),
+            _ => None,
+        }
+    }
+
+    /// `#else if` for `#elseif`.
+    fn remedy_behind_directive(&self, word: Word) -> Option<String> {
+        let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?];
+        let is_else = before.kind == Kind::Directive
+            && self.here.tokens.directives[before.value as usize].word == Some(Word::Else);
+        (is_else && word == Word::If).then(|| "Write `#elseif`.".to_owned())
+    }
+
+    /// A word whose value is missing: `rotate }`.
+    fn remedy_of_no_value(&self, wanted: &str) -> Option<String> {
+        let before = self.here.tokens.tokens[self.here.at.checked_sub(1)?].word()?;
+        let is_value = matches!(before.class(), Class::Value | Class::Function);
+        (wants_value(wanted) && !is_value).then(|| format!("Write a value behind `{before}`."))
+    }
+
+    fn remedy_of_mark(&self, mark: char, wanted: &str) -> Option<String> {
+        let before = self.mark_before();
+        let text = match mark {
+            '=' if before == Some('=') => "One `=` compares two values.",
+            '&' if before == Some('&') => "One `&` means \"and\".",
+            '|' if before == Some('|') => "One `|` means \"or\".",
+            '[' => "Only an array has items in `[` and `]`.",
+            '+' if self.is_behind_string() => "Strings are joined by `concat(a, b)`.",
+            '%' => "The remainder of a division is `mod(a, b)`.",
+            '^' => "A power is `pow(a, b)`.",
+            '+' | '-' | '*' | '/' if wanted.starts_with("`=` after") => {
+                "Write the name again behind `=`: `#declare N = N + 1;`."
+            }
+            '=' if wanted.contains("the start of `#for`") => {
+                "Write `#for (I, first, last)`, with commas only."
+            }
+            ',' if wants_word(wanted) && self.is_between_numbers() => {
+                "A vector stands in `<` and `>`: `<1, 2, 3>`."
+            }
+            ',' if wants_word(wanted) => "Parts of a block stand without commas; remove it.",
+            ';' if wants_word(wanted) => {
+                "Only declarations of numbers, and some directives, end with `;`; remove it."
+            }
+            '(' if wants_word(wanted) => "Parameters stand in `{` and `}`, or in none at all.",
+            '}' => return self.remedy_of_no_value(wanted),
+            '=' | ':' if wants_word(wanted) || self.is_behind_word() => {
+                "A value follows its word without a sign: `ambient 0.2`."
+            }
+            _ => return None,
+        };
+        Some(text.to_owned())
+    }
+
+    /// The mark that stands right before the token at hand.
+    fn mark_before(&self) -> Option<char> {
+        let at = self.here.at.checked_sub(1)?;
+        let token = self.here.tokens.tokens[at];
+        let touches = self.here.tokens.span(at).end == self.here_span().start;
+        (token.kind == Kind::Mark && touches).then(|| char::from_u32(token.value))?
+    }
+
+    /// Whether the token at hand stands behind a number and before another one.
+    fn is_between_numbers(&self) -> bool {
+        let kind = |at: usize| self.here.tokens.tokens.get(at).map(|token| token.kind);
+        let before = self.here.at.checked_sub(1).and_then(kind);
+        let behind = self.raw_ahead(1);
+        let is_signed = behind.is_mark('-') && self.raw_ahead(2).kind == Kind::Number;
+        before == Some(Kind::Number) && (behind.kind == Kind::Number || is_signed)
+    }
+
+    fn is_behind_word(&self) -> bool {
+        let before = self.here.at.checked_sub(1);
+        before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::Word)
+    }
+
+    fn is_behind_string(&self) -> bool {
+        let before = self.here.at.checked_sub(1);
+        before.is_some_and(|at| self.here.tokens.tokens[at].kind == Kind::String)
+    }
+
+    fn remedy_of_name(&self, symbol: Symbol, wanted: &str) -> Option<String> {
+        let name = self.names.spelling(symbol);
+        if let Some(value) = self.scopes.get(symbol) {
+            return remedy_of_value(name, value, wanted);
+        }
+        let small = name.to_lowercase();
+        // `Red` is the colour that is called so, not the word `red`.
+        let is_part_of_color = |word| {
+            matches!(
+                word,
+                Word::Red | Word::Green | Word::Blue | Word::Gray | Word::Filter | Word::Transmit
+            )
+        };
+        if Word::from_spelling(&small)
+            .is_some_and(|word| fits(word, wanted) && !is_part_of_color(word))
+        {
+            return Some(format!("Reserved words have small letters: `{small}`."));
+        }
+        if let Some(line) = self.declared_further_down(symbol) {
+            return Some(format!(
+                "`{name}` is declared only in line {line}: move that above this."
+            ));
+        }
+        if let Some(known) = self.sources.library_file_that_declares(name, INCLUDE_FILES) {
+            let file = known.file;
+            let include = format!("`{file}` declares `{name}`: write `#include \"{file}\"` above");
+            let is_color =
+                Word::from_spelling(&known.kind).is_some_and(|word| word.class() == Class::Color);
+            return Some(match is_color && wanted.ends_with("`texture`") {
+                true => format!("{include}, and `pigment {{ {name} }}` here, for it is a colour."),
+                false => format!("{include}."),
+            });
+        }
+        if let Some(near) = self.similar_name(name, wanted) {
+            return Some(format!("Did you mean `{near}`?"));
+        }
+        if let Some(translated) = super::other_dialects::translated(name, wants_value(wanted)) {
+            return Some(translated);
+        }
+        Some(match wants_word(wanted) && !wanted.contains("statement") {
+            true => format!("There is no word `{name}`, and nothing of that name is declared."),
+            false => format!("Declare `{name}` above, or include the file that does."),
+        })
+    }
+
+    /// The line of the same file, below this one, that declares a name.
+    fn declared_further_down(&self, symbol: Symbol) -> Option<usize> {
+        let tokens = &self.here.tokens;
+        let declares = |pair: &[Token]| {
+            let [directive, name] = pair else {
+                return false;
+            };
+            name.symbol() == Some(symbol)
+                && directive.kind == Kind::Directive
+                && matches!(
+                    tokens.directives[directive.value as usize].word,
+                    Some(Word::Declare | Word::Local | Word::Macro)
+                )
+        };
+        let behind = tokens.tokens.get(self.here.at..)?;
+        let at = self.here.at + behind.windows(2).position(declares)?;
+        Some(self.sources.line_column(tokens.span(at)).0)
+    }
+
+    /// A declared name or a reserved word that differs from this one by a letter or two and could stand here.
+    fn similar_name(&self, name: &str, wanted: &str) -> Option<String> {
+        let words = Word::all().filter(|&word| fits(word, wanted));
+        let mut known: Vec<&str> = words.map(Word::spelling).collect();
+        let declared = self.scopes.defined();
+        known.extend(declared.map(|symbol| self.names.spelling(symbol)));
+        super::did_you_mean::nearest(name, known.into_iter()).map(str::to_owned)
+    }
+
+    /// Adds the include file whose name is nearest to that of one which is not found.
+    pub(crate) fn suggest_include(&self, error: &mut Diagnostic, name: &str) {
+        let files = self.sources.include_files(self.here.tokens.file);
+        let bare = |name: &str| name.strip_suffix(".inc").unwrap_or(name).to_owned();
+        let names: Vec<String> = files.iter().map(|file| bare(file)).collect();
+        let near = super::did_you_mean::nearest(&bare(name), names.iter().map(String::as_str));
+        // Who differs only in case has been named.
+        if let Some(near) = near.filter(|near| !near.eq_ignore_ascii_case(&bare(name))) {
+            error.hints = vec![format!("Did you mean `{near}.inc`?")];
+        }
+    }
+
+    /// The directive whose spelling is nearest.
+    pub(crate) fn similar_directive(wanted: &str) -> Option<&'static str> {
+        let words = Word::all().filter(|word| word.class() == Class::Directive);
+        super::did_you_mean::nearest(wanted, words.map(Word::spelling))
+    }
+
+    /// A sign in the parameters of the block at this depth that was probably meant to begin a value: `<0, 0, 0> -1`.
+    pub(crate) fn subtracting_sign(&self, depth: usize) -> Option<Span> {
+        let open = *self.blocks.get(depth.checked_sub(1)?)?;
+        let tokens = &self.here.tokens;
+        if tokens.file != open.file {
+            return None;
+        }
+        let first = tokens
+            .tokens
+            .partition_point(|token| token.start <= open.start);
+        let text = tokens.text().as_bytes();
+        let is_blank = |at: usize| text.get(at).is_some_and(u8::is_ascii_whitespace);
+        let at = (first + 1..self.here.at).rfind(|&at| {
+            let token = tokens.tokens[at];
+            let start = token.start as usize;
+            let before = tokens.tokens[at - 1];
+            let is_behind_value =
+                !matches!(before.kind, Kind::Mark) || before.is_mark('>') || before.is_mark(')');
+            (token.is_mark('-') || token.is_mark('+'))
+                && is_behind_value
+                && is_blank(start - 1)
+                && !is_blank(start + 1)
+        })?;
+        Some(tokens.span(at))
+    }
+
+    /// How an object is written, for those who leave out a part of it.
+    pub(crate) fn usage(word: Word) -> Option<&'static str> {
+        Some(match word {
+            Word::Sphere => "`sphere { <centre>, radius ... }`",
+            Word::Box => "`box { <corner>, <opposite corner> ... }`",
+            Word::Cylinder => "`cylinder { <end>, <other end>, radius ... }`",
+            Word::Cone => "`cone { <end>, radius, <other end>, radius ... }`",
+            Word::Plane => "`plane { <normal>, distance ... }`",
+            Word::Disc => "`disc { <centre>, <normal>, radius [, hole] ... }`",
+            Word::Torus => "`torus { major, minor ... }`",
+            Word::Quadric => "`quadric { <A, B, C>, <D, E, F>, <G, H, I>, J ... }`",
+            Word::Blob => "`blob { threshold value sphere { <centre>, radius, strength } ... }`",
+            Word::Superellipsoid => "`superellipsoid { <e, n> ... }`",
+            Word::Prism => "`prism { height, other height, number of points, <x, z>, ... }`",
+            Word::Lathe => "`lathe { number of points, <r, y>, ... }`",
+            Word::Sor => "`sor { number of points, <r, y>, ... }`",
+            Word::Polygon => "`polygon { number of points, <point>, ... }`",
+            Word::Poly => "`poly { order, <coefficients> ... }`",
+            Word::Cubic => "`cubic { <20 coefficients> ... }`",
+            Word::Quartic => "`quartic { <35 coefficients> ... }`",
+            Word::Ovus => "`ovus { bottom radius, top radius ... }`",
+            Word::Triangle => "`triangle { <corner>, <corner>, <corner> ... }`",
+            Word::SmoothTriangle => {
+                "`smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> ... }`"
+            }
+            Word::LightSource => "`light_source { <place>, colour ... }`",
+            _ => return None,
+        })
+    }
+
+    /// The last directive of a file whose group has no `#end` there.
+    pub(crate) fn unclosed_directive(tokens: &Tokens) -> Option<Span> {
+        let opens = |token: &Token| {
+            if token.kind != Kind::Directive {
+                return false;
+            }
+            let directive = &tokens.directives[token.value as usize];
+            directive.end == END_OF_FILE && directive.word.is_some_and(opens_group)
+        };
+        let at = tokens.tokens.iter().rposition(opens)?;
+        Some(tokens.span(at))
+    }
+
+    /// Whether this name has been found undeclared before, or may stand in a file that was not found: then its error
+    /// is a consequence of one that was told.
+    pub(crate) fn is_known_as_undeclared(&mut self, token: Token) -> bool {
+        let symbol = Symbol(token.value);
+        token.kind == Kind::Name
+            && self.scopes.get(symbol).is_none()
+            && (self.lacks_file || !self.undeclared.insert(symbol))
+    }
+
+    /// The error of using the name of a value that could not be read.
+    pub(crate) fn of_poison(&self, token: Token) -> Option<Box<Diagnostic>> {
+        if token.kind != Kind::Name {
+            return None;
+        }
+        match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Poison(why)) => Some(self.consequence_of(why.as_deref())),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a directive needs an `#end`.
+pub(crate) fn opens_group(word: Word) -> bool {
+    matches!(
+        word,
+        Word::If
+            | Word::Ifdef
+            | Word::Ifndef
+            | Word::While
+            | Word::For
+            | Word::Switch
+            | Word::Macro
+    )
+}
+
+const NUMBER_FOR_STRING: &str = "A number becomes a string by `str(number, 0, digits)`.";
+
+/// What to do about a value that cannot stand here.
+fn remedy_of_value(name: &str, value: &Value, wanted: &str) -> Option<String> {
+    let element = match value {
+        Value::Element(element) => element.name,
+        Value::Object(_) => "object",
+        Value::Number(_) if wanted == "a string" => return Some(NUMBER_FOR_STRING.to_owned()),
+        _ => return None,
+    };
+    let is_part = ["texture", "pigment", "finish", "normal", "interior"]
+        .iter()
+        .any(|part| {
+            wanted.ends_with(&format!("`{part}`")) || wanted.contains(&format!("of `{part}`"))
+        });
+    Some(match element {
+        "object" if is_part => {
+            format!("`{name}` is drawn by `object {{ {name} }}`; it is no part of a texture.")
+        }
+        "object" if wants_value(wanted) => {
+            format!("`{name}` is drawn by `object {{ {name} }}`; a number must stand here.")
+        }
+        "object" if wanted.starts_with("a modifier") || wanted.starts_with("a transform") => {
+            format!(
+                "Parts of a combination stand before its modifiers: move `{name}` there, or behind the `}}`."
+            )
+        }
+        _ if wanted.contains("statement") => {
+            format!("A {element} stands in an object: `{element} {{ {name} }}`.")
+        }
+        _ if wants_word(wanted) => format!("Write `{element} {{ {name} }}`."),
+        _ => return None,
+    })
+}
+
+/// Whether a word of a block or a statement is wanted.
+fn wants_word(wanted: &str) -> bool {
+    wanted.contains("`}`") || wanted.contains("statement")
+}
+
+/// Whether a number or the like is wanted.
+fn wants_value(wanted: &str) -> bool {
+    wanted.starts_with("a number")
+}
+
+/// Whether a word may stand where something is wanted, as far as its class tells.
+fn fits(word: Word, wanted: &str) -> bool {
+    let is_value = matches!(word.class(), Class::Value | Class::Function);
+    if wants_value(wanted) {
+        is_value
+    } else if wanted.contains("statement") {
+        matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+    } else {
+        !wants_word(wanted) || !is_value && word.class() != Class::Directive
+    }
+}
+
+fn remedy_of_word(word: Word, wanted: &str) -> Option<String> {
+    let is_in = |block: &str| wanted.ends_with(block);
+    if word.class() == Class::Directive && (wants_word(wanted) || wants_value(wanted)) {
+        return Some(format!("Directives begin with `#`: `#{word}`."));
+    }
+    if let Some(translated) = super::other_dialects::translated(word.spelling(), false) {
+        return Some(translated);
+    }
+    if word.class() == Class::Color && is_in("`texture`") {
+        return Some("A colour stands in `pigment { }`.".to_owned());
+    }
+    let is_part = matches!(
+        word,
+        Word::Texture | Word::Pigment | Word::Normal | Word::Finish | Word::Interior
+    );
+    if is_part && (is_in("`pigment`") || is_in("`finish` or `}`")) {
+        return Some(format!(
+            "`{word}` stands beside this block, not in it: close it with `}}` first."
+        ));
+    }
+    None
+}

@@ -1,0 +1,143 @@
+//! Words of other programs and languages that people write into scenes, and what the scene language has instead.
+
+/// What a foreign word is in the scene language, as a sentence; spelling of capitals and `_` apart.
+///
+/// `is_value` tells whether it stands in an expression, where other words are meant than in a block.
+pub(crate) fn translated(name: &str, is_value: bool) -> Option<String> {
+    let bare: String = name
+        .chars()
+        .filter(|&c| c != '_')
+        .map(|c| c.to_ascii_lowercase())
+        .collect();
+    let words = if is_value { VALUES } else { WORDS };
+    let (_, instead) = words
+        .iter()
+        .find(|(words, _)| words.split(' ').any(|word| word == bare))?;
+    Some(if instead.contains(' ') {
+        format!("{instead}.")
+    } else {
+        format!("The scene language says `{instead}`.")
+    })
+}
+
+/// Foreign words in blocks and at the top, and the word that is meant, or a sentence without its full stop.
+const WORDS: &[(&str, &str)] = &[
+    (
+        "shininess shiny gloss glossy glossiness specularity",
+        "A highlight is `phong 0.8 phong_size 40` or `specular 0.5 roughness 0.02`",
+    ),
+    ("smoothness", "roughness"),
+    ("reflect reflective reflectivity mirror", "reflection"),
+    ("emissive emit emits glow luminosity", "emission"),
+    (
+        "opacity transparency transparent translucent translucency",
+        "Transparency belongs to the colour: `rgb <1, 0, 0> transmit 0.5`",
+    ),
+    (
+        "refraction indexofrefraction refractiveindex",
+        "`ior 1.5` in `interior { }` bends light",
+    ),
+    (
+        "basecolor albedocolor diffusecolor",
+        "A colour stands in `pigment { }`",
+    ),
+    (
+        "bump bumpiness",
+        "Bumps are a pattern: `normal { bumps 0.5 }`",
+    ),
+    ("position pos origin eye", "location"),
+    ("target lookto", "look_at"),
+    ("fov fieldofview", "angle"),
+    ("cube cuboid", "box"),
+    ("ball globe", "sphere"),
+    ("circle", "disc"),
+    ("ring donut doughnut", "torus"),
+    (
+        "capsule pill",
+        "`sphere_sweep { linear_spline 2, <end>, radius, <end>, radius }` has round ends",
+    ),
+    ("tube pipe rod", "cylinder"),
+    (
+        "pyramid",
+        "`cone { }` is round; `prism { conic_sweep ... }` has corners",
+    ),
+    ("ground", "plane"),
+    ("light lamp pointlight omnilight sun", "light_source"),
+    (
+        "directionallight",
+        "`light_source { }` with `parallel` and `point_at` shines in one direction",
+    ),
+    ("arealight", "`area_light` stands in `light_source { }`"),
+    ("skybox skydome", "sky_sphere"),
+    ("subtract subtraction minus", "difference"),
+    ("intersect and", "intersection"),
+    ("group add join combine", "union"),
+    ("move moved translation shift", "translate"),
+    ("rotation turn rotated", "rotate"),
+    ("scaling resize scaled", "scale"),
+    ("endif endwhile endfor endmacro endswitch fi done", "#end"),
+    ("elsif elif elseif", "#elseif"),
+    ("foreach repeat loop", "#for"),
+    (
+        "def define let var const set float vector string double",
+        "#declare",
+    ),
+    ("func sub proc", "#macro"),
+    ("import require use", "#include"),
+    ("print printf echo log", "#debug"),
+];
+
+/// The same in expressions.
+const VALUES: &[(&str, &str)] = &[
+    ("power", "pow"),
+    ("length magnitude norm", "vlength"),
+    ("dot dotproduct", "vdot"),
+    ("cross crossproduct", "vcross"),
+    ("normalize normalise unit", "vnormalize"),
+    (
+        "random rnd",
+        "`rand(stream)` draws a number; `#declare stream = seed(1);` makes the stream",
+    ),
+    ("ceiling", "ceil"),
+    ("round", "`int(value + 0.5)` rounds"),
+    (
+        "null none nil",
+        "There is no empty value; `#undef` takes a name away, `#ifdef` asks for it",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::translated;
+
+    #[test]
+    fn a_foreign_word_is_told_in_the_words_of_the_language() {
+        assert_eq!(
+            translated("fieldOfView", false).as_deref(),
+            Some("The scene language says `angle`.")
+        );
+        assert_eq!(
+            translated("Shininess", false).as_deref(),
+            Some("A highlight is `phong 0.8 phong_size 40` or `specular 0.5 roughness 0.02`.")
+        );
+        assert_eq!(translated("Chair", false), None);
+        assert_eq!(translated("power", false), None);
+        assert_eq!(
+            translated("power", true).as_deref(),
+            Some("The scene language says `pow`.")
+        );
+    }
+
+    #[test]
+    fn no_word_is_listed_twice() {
+        let mut words: Vec<&str> = [super::WORDS, super::VALUES]
+            .into_iter()
+            .flatten()
+            .flat_map(|(words, _)| words.split(' '))
+            .collect();
+        let count = words.len();
+        words.sort_unstable();
+        words.dedup();
+        assert_eq!(words.len(), count);
+    }
+}

@@ -1,0 +1,152 @@
+//! What is said about a `{`, `(` or `<` that is open where it should not be, or missing.
+
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::cursor::Start;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind, Token};
+
+impl Reader<'_> {
+    /// An error inside a block, with the block: the one that is still open where a token stands that begins something
+    /// new, and in which one the others stand.
+    pub(crate) fn with_block(&self, error: Diagnostic, found: Token, open: Span) -> Diagnostic {
+        let (element, name) = self.element_of(open);
+        if !begins_new(found) {
+            return error.with_label(element, format!("in this `{name}`"));
+        }
+        let error = error.with_label(open, "this `{` is still open");
+        if let Some((start, end)) = self.swallowed_end(open) {
+            return error
+                .with_label(start, "the `}` of this `{` may be the one that is missing")
+                .with_label(end, "it ends here");
+        }
+        if !error.hints.is_empty() {
+            return error;
+        }
+        if found.kind == Kind::End {
+            error.with_hint(format!("Write the `}}` of `{name}`."))
+        } else {
+            let new = self.source_text(self.here_span());
+            error.with_hint(format!("Write the `}}` of `{name}` before `{new}`."))
+        }
+    }
+
+    /// The word that a block belongs to, with its place; that of the `{` where there is none.
+    fn element_of(&self, open: Span) -> (Span, &str) {
+        for tokens in [&self.here.tokens, &self.last.tokens] {
+            if tokens.file != open.file {
+                continue;
+            }
+            let at = tokens
+                .tokens
+                .partition_point(|token| token.start < open.start);
+            if let Some(before) = at.checked_sub(1)
+                && tokens.tokens[before].kind == Kind::Word
+            {
+                let word = tokens.span(before);
+                return (word.to(open), self.source_text(word));
+            }
+        }
+        (open, self.source_text(open))
+    }
+
+    /// The `{` behind a word is missing.
+    pub(crate) fn no_block(&mut self, element: Span) -> Box<Diagnostic> {
+        let after = self.source_text(element).to_owned();
+        let mut error = self.expected_behind(element, &format!("`{{` after `{after}`"));
+        if error.hints.is_empty() {
+            error.hints.push(format!("Write `{after} {{`."));
+        }
+        error
+    }
+
+    /// "expected WHAT, found ...". Where the token found stands in a later line, the faulty line is that of the place
+    /// behind which something is missing.
+    pub(crate) fn expected_behind(&mut self, place: Span, what: &str) -> Box<Diagnostic> {
+        let mut error = self.expected_here(what);
+        let line = |span: Span| self.sources.line_column(span).0;
+        match error.span {
+            Some(found) if found.file == place.file && line(found) > line(place) => {
+                error.span = Some(place);
+                Box::new(error.with_label(found, "found here"))
+            }
+            _ => error,
+        }
+    }
+
+    /// The error that `mark` does not close what was opened at `open`.
+    pub(crate) fn with_opened(
+        &self,
+        error: Box<Diagnostic>,
+        mark: char,
+        open: Start,
+    ) -> Box<Diagnostic> {
+        if error.message.is_empty() {
+            return error;
+        }
+        let open = self.span_of(open);
+        let opened = self.source_text(open).to_owned();
+        let mut error = error.with_label(open, format!("this `{opened}` is still open"));
+        if error.hints.is_empty() {
+            let before = (open.start as usize).checked_sub(1);
+            let text = self.sources.text(open.file).as_bytes();
+            if before.and_then(|at| text.get(at)) == Some(&b'<') {
+                error.hints.push("One `<` compares two values.".to_owned());
+                return Box::new(error);
+            }
+            let found = self.source_text(self.here_span());
+            let line = found.lines().next().unwrap_or_default();
+            error.hints.push(match line {
+                "" => format!("Write the `{mark}`."),
+                line => format!("Write the `{mark}` before `{line}`."),
+            });
+        }
+        Box::new(error)
+    }
+
+    /// The opened `{` that the missing `}` belongs to, where the indentation tells: a block whose `}` begins a line
+    /// with less indentation than the line of its `{` has swallowed the `}` of the block around it.
+    pub(crate) fn swallowed_end(&self, open: Span) -> Option<(Span, Span)> {
+        let tokens = &self.here.tokens;
+        if open.file != tokens.file || open.start > self.here_span().start {
+            return None;
+        }
+        let text = self.sources.text(open.file);
+        let mut inner: Vec<usize> = Vec::new();
+        let first = tokens
+            .tokens
+            .partition_point(|token| token.start <= open.start);
+        for at in first..self.here.at {
+            let token = tokens.tokens[at];
+            if token.is_mark('{') {
+                inner.push(at);
+            } else if token.is_mark('}') {
+                let (start, end) = (tokens.span(inner.pop()?), tokens.span(at));
+                let (opened, _) = indentation(text, start.start as usize);
+                let (closed, is_first) = indentation(text, end.start as usize);
+                if is_first && closed < opened {
+                    return Some((start, end));
+                }
+            }
+        }
+        None
+    }
+}
+
+/// Whether a token begins an object or a statement, or ends the file: then a `}` is missing before it.
+fn begins_new(token: Token) -> bool {
+    match token.kind {
+        Kind::End => true,
+        Kind::Word => token.word().is_some_and(|word| {
+            matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+        }),
+        _ => false,
+    }
+}
+
+/// How far the line of a byte is indented, and whether the byte is its first.
+fn indentation(text: &str, at: usize) -> (usize, bool) {
+    let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let before = &text[line..at];
+    let indent = before.len() - before.trim_start().len();
+    (indent, indent == before.len())
+}

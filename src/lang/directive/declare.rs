@@ -1,0 +1,380 @@
+//! `#declare`, `#local`, `#undef`, `#include`, `#version`, and the values that identifiers are given.
+
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::cursor::{Declaring, Entered, Frame, Start, is_bare_directive};
+use crate::lang::expr::function::{FUNCTION, is_callable};
+use crate::lang::expr::value::Value;
+use crate::lang::fast_path::replay::Level;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, Symbol, Token};
+use std::rc::Rc;
+
+/// What `deprecated` says of a name.
+#[derive(Debug)]
+pub(crate) struct Deprecation {
+    is_once: bool,
+    message: Option<String>,
+}
+
+/// What a name holds, as far as it matters to what it may hold next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kept {
+    Function,
+    Macro,
+    Poison,
+    Other,
+}
+
+impl Kept {
+    fn of(value: &Value) -> Self {
+        match value {
+            Value::Macro(_) => Kept::Macro,
+            Value::Element(element) if element.name == FUNCTION => Kept::Function,
+            Value::Poison(_) => Kept::Poison,
+            _ => Kept::Other,
+        }
+    }
+
+    /// Functions and macros stay what they are, and nothing else becomes a function that is written there.
+    fn keeps_out(self, next: Kept) -> bool {
+        self != Kept::Poison
+            && next != Kept::Poison
+            && (self != Kept::Other || next == Kept::Function)
+    }
+}
+
+impl Reader<'_> {
+    /// `#declare Name = value` and `#local Name = value`, and the same for an item of an array.
+    pub(crate) fn run_declare(&mut self, is_local: bool) -> Parse<()> {
+        // It may stand where another declaration should have ended.
+        let outer = self.without_semicolon.take();
+        let end = self.declare(is_local);
+        if outer.is_some() {
+            self.without_semicolon = outer;
+        }
+        end
+    }
+
+    fn declare(&mut self, is_local: bool) -> Parse<()> {
+        let deprecation = self.deprecation()?;
+        let symbol = self.identifier("a name to declare")?;
+        let name = self.start_taken();
+        match deprecation {
+            Some(deprecation) => {
+                self.deprecated.insert(symbol, deprecation);
+            }
+            None if !self.deprecated.is_empty() => {
+                self.deprecated.remove(&symbol);
+            }
+            None => {}
+        }
+        if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
+            return self.declare_item(symbol, is_local);
+        }
+        if !self.take_mark('=')? {
+            let spelling = self.names.spelling(symbol).to_owned();
+            let mut error = self.expected_here(&format!("`=` after `#declare {spelling}`"));
+            if !error.message.is_empty() && error.hints.is_empty() {
+                *error = error.with_hint(format!("Write `#declare {spelling} = ...`."));
+            }
+            return Err(error);
+        }
+        let outer = self.declaring.take();
+        let mut place = self.declaring_here(symbol, is_local);
+        let known = if is_local {
+            self.scopes.bound_at(symbol, place.scope)
+        } else {
+            self.scopes.get(symbol)
+        };
+        let known = known.map(Kept::of);
+        let mut start = name;
+        let value = self.replayed(Level::Value, |reader| {
+            // Directives before the value run before it and may enter a file or a macro where it is then read:
+            // `#declare N = #declare A = 1; N + A;`.
+            reader.peek()?;
+            place = Declaring {
+                scope: place.scope,
+                ..reader.declaring_here(symbol, is_local)
+            };
+            start = reader.start_here();
+            reader.declaring = Some(place);
+            reader.read_value("a value")
+        });
+        self.declaring = outer;
+        match value {
+            Ok(Some(value)) => {
+                // The name has its value before the `;` is looked for: a directive may stand there and use it.
+                let is_number = self.is_like_number(&value);
+                // A function that is copied may stand in for anything but a function.
+                let next = if is_number {
+                    Kept::Other
+                } else {
+                    Kept::of(&value)
+                };
+                if let Some(known) = known
+                    && known.keeps_out(next)
+                {
+                    let error = self.name_is_taken(symbol, name);
+                    self.record(*error);
+                }
+                self.assign(&place, value);
+                let outer = self.declaring.replace(Declaring {
+                    is_complete: true,
+                    ..place
+                });
+                let end = self.end_of_declaration(is_number);
+                self.declaring = outer;
+                end
+            }
+            Ok(None) => {
+                self.assign(&place, Value::Poison(None));
+                let spelling = self.names.spelling(symbol).to_owned();
+                let error = self.expected_here(&format!("a value for `{spelling}`"));
+                let name = self.span_of(name);
+                Err(Box::new(error.with_label(name, "declared here")))
+            }
+            Err(error) if error.code == Some(Code::NotBuilt) => {
+                // A directive may stand behind the value and use the name.
+                self.assign(&place, Value::Poison(Some(Rc::new(*error))));
+                self.has_faulty_directive = false;
+                self.skip_value(place, start)
+            }
+            Err(error) => {
+                self.assign(&place, Value::Poison(None));
+                Err(error)
+            }
+        }
+    }
+
+    /// Tells whether a value that has been read ends as a number does: it is one, or a function or spline by its name.
+    pub(crate) fn is_like_number(&self, value: &Value) -> bool {
+        let is_written = || self.last.tokens.tokens[self.last.at].is_mark('}');
+        matches!(value, Value::Number(_)) || is_callable(value) && !is_written()
+    }
+
+    /// The error for a name that holds a function or a macro, or shall hold one and is something else.
+    pub(crate) fn name_is_taken(&self, symbol: Symbol, name: Start) -> Box<Diagnostic> {
+        let spelling = self.names.spelling(symbol);
+        let known = self.scopes.get(symbol);
+        let known = known.map_or("in use".to_owned(), Value::kind);
+        let error = Diagnostic::error(
+            self.span_of(name),
+            format!("`{spelling}` is {known} already"),
+        );
+        self.with_trace(error.with_hint(format!(
+            "Write `#undef {spelling}` above, or take another name."
+        )))
+    }
+
+    /// Goes behind the value that is being declared, in which something is not built yet.
+    fn skip_value(&mut self, place: Declaring, start: Start) -> Parse<()> {
+        let is_expression = match self.raw().kind {
+            Kind::Name | Kind::Word if self.start_here() == start => {
+                let next = self.raw_ahead(1);
+                ['(', '[', '.', '+', '-', '*', '/']
+                    .into_iter()
+                    .any(|mark| next.is_mark(mark))
+            }
+            Kind::Word => false,
+            _ => true,
+        };
+        if is_expression && self.blocks.len() <= place.blocks {
+            while !self.peek()?.is_mark(';') && self.raw().kind != Kind::End {
+                self.pass();
+            }
+        } else {
+            self.skip_blocks(place.blocks)?;
+        }
+        self.depth = place.depth;
+        if self.raw().is_mark(';') {
+            self.pass();
+        }
+        Ok(())
+    }
+
+    /// Goes behind a value or an object in which something is not built yet, to where so many blocks were open. Nothing
+    /// is wrong with it: directives in it run.
+    pub(crate) fn skip_blocks(&mut self, outside: usize) -> Parse<()> {
+        let mut open = self.blocks.len().saturating_sub(outside);
+        loop {
+            let token = self.peek()?;
+            if token.kind == Kind::End {
+                break;
+            }
+            if token.is_mark('}') && open == 0 {
+                break;
+            }
+            self.pass();
+            if token.is_mark('{') {
+                open += 1;
+            } else if token.is_mark('}') {
+                open -= 1;
+            }
+            // The word that is not built may stand before its block, and further layers of a texture behind it.
+            let next = self.raw();
+            if open == 0 && !next.is_mark('{') && next.word() != Some(Word::Texture) {
+                break;
+            }
+        }
+        self.blocks.truncate(outside);
+        Ok(())
+    }
+
+    /// `deprecated [once] ["message"]` before a name that is declared.
+    fn deprecation(&mut self) -> Parse<Option<Deprecation>> {
+        if self.raw().word() != Some(Word::Deprecated) {
+            return Ok(None);
+        }
+        self.pass();
+        let is_once = self.raw().word() == Some(Word::Once);
+        if is_once {
+            self.pass();
+        }
+        let message = if self.raw().kind == Kind::String {
+            Some(self.string()?)
+        } else {
+            None
+        };
+        Ok(Some(Deprecation { is_once, message }))
+    }
+
+    /// Warns where a deprecated name is used, or only where it is used first.
+    pub(crate) fn warn_of_deprecated(&mut self, symbol: Symbol) {
+        let Some(deprecation) = self.deprecated.get(&symbol) else {
+            return;
+        };
+        let name = self.names.spelling(symbol);
+        let message = match &deprecation.message {
+            Some(message) => message.trim_end().to_owned(),
+            None => format!("`{name}` was declared deprecated"),
+        };
+        if deprecation.is_once {
+            self.deprecated.remove(&symbol);
+        }
+        self.warning(Diagnostic::warning(self.here_span(), message));
+    }
+
+    /// A declaration whose value begins here.
+    pub(crate) fn declaring_here(&self, symbol: Symbol, is_local: bool) -> Declaring {
+        Declaring {
+            symbol,
+            is_local,
+            scope: self.scopes.depth(),
+            is_item: false,
+            frames: self.frames.len(),
+            depth: self.depth,
+            blocks: self.blocks.len(),
+            is_complete: false,
+            has_ended: false,
+        }
+    }
+
+    /// Looks at what follows a value that may be complete. A directive or a macro call there may use the name that is
+    /// being declared, so it gets what it has until now.
+    pub(crate) fn peek_behind(&mut self, value: impl FnOnce() -> Value) -> Parse<Token> {
+        let place = (self.depth, self.blocks.len());
+        let open = self
+            .declaring
+            .filter(|open| (open.depth, open.blocks) == place);
+        if let Some(open) = open {
+            let next = self.raw();
+            let is_run = match next.kind {
+                Kind::Directive => true,
+                Kind::Name => self.scopes.is_macro(Symbol(next.value)),
+                Kind::Word => is_bare_directive(next),
+                _ => false,
+            };
+            if is_run && !open.is_item {
+                self.assign(&open, value());
+            }
+            self.declaring = Some(Declaring {
+                is_complete: true,
+                ..open
+            });
+        }
+        let token = self.peek();
+        if open.is_some() {
+            self.declaring = open;
+        }
+        token
+    }
+
+    /// Gives a name its value. A macro may have been entered since the name was read, and may end behind the value.
+    pub(crate) fn assign(&mut self, to: &Declaring, value: Value) {
+        if to.scope < self.scopes.depth() {
+            self.scopes
+                .assign_from(to.scope, to.symbol, value, to.is_local);
+        } else if to.is_local {
+            self.scopes.local(to.symbol, value);
+        } else {
+            self.scopes.declare(to.symbol, value);
+        }
+    }
+
+    pub(crate) fn is_raw_mark(&self, mark: char) -> bool {
+        let token = self.raw();
+        token.kind == Kind::Mark && token.value == mark as u32
+    }
+
+    /// Whether no macro or file has been entered, and nothing left, since so many frames were open.
+    pub(crate) fn is_within(&self, frames: usize) -> bool {
+        let is_macro_or_file =
+            |frame: &Frame| matches!(frame.kind, Entered::Macro { .. } | Entered::Include { .. });
+        self.frames
+            .get(frames..)
+            .is_some_and(|entered| !entered.iter().any(is_macro_or_file))
+    }
+
+    pub(crate) fn run_undef(&mut self) -> Parse<()> {
+        let symbol = self.identifier("a name after `#undef`")?;
+        if matches!(self.scopes.get(symbol), Some(Value::Array(_))) && self.is_raw_mark('[') {
+            let path = self.item_path(symbol)?;
+            let array = self.scopes.get_mut(symbol);
+            if let Some(item) = array.and_then(|array| array.item_mut(&path)) {
+                *item = None;
+            }
+            return Ok(());
+        }
+        if let Some(&Value::File(handle)) = self.scopes.get(symbol) {
+            self.scopes.undefine(symbol);
+            return self.close_file(handle, self.taken_span());
+        }
+        if !self.scopes.undefine(symbol) {
+            let name = self.names.spelling(symbol).to_owned();
+            self.warning(Diagnostic::warning(
+                self.taken_span(),
+                format!("`{name}` is not declared; nothing to undo"),
+            ));
+        }
+        Ok(())
+    }
+
+    /// The bracketed name of `#ifdef`, perhaps an item of an array.
+    pub(crate) fn is_defined(&mut self) -> Parse<bool> {
+        self.expect_mark('(', "`(` after `#ifdef`")?;
+        self.pass_hash();
+        // A reserved word is no identifier.
+        let is_word = self.raw().kind == Kind::Word;
+        if is_word {
+            self.pass();
+        }
+        let is_defined = !is_word && self.names_a_value()?;
+        self.expect_mark(')', "`)` after the name")?;
+        Ok(is_defined)
+    }
+
+    /// Whether the identifier at hand, with its indices, has a value.
+    pub(crate) fn names_a_value(&mut self) -> Parse<bool> {
+        self.pass_hash();
+        let symbol = self.identifier("a name")?;
+        let is_array = matches!(self.scopes.get(symbol), Some(Value::Array(_)));
+        let path = if is_array && self.is_raw_mark('[') {
+            self.item_path(symbol)?
+        } else {
+            Vec::new()
+        };
+        let held = self.scopes.get(symbol);
+        Ok(held.is_some_and(|value| value.item(&path).is_some()))
+    }
+}

@@ -1,0 +1,279 @@
+//! `#fopen`, `#fclose`, `#read` and `#write`: files that a scene reads values from and writes text to.
+//!
+//! What is written goes to a nameless file, which takes its name at `#fclose`, at the end of the scene, or as soon as
+//! the scene looks for any file; a scene that fails before leaves what was there. Only [`ReadOptions::writable`] folders
+//! are written to. POV-Ray on Debian is configured alike, but 3.7.0.10 keeps no scene from writing anywhere.
+//!
+//! [`ReadOptions::writable`]: crate::base::options::ReadOptions::writable
+
+use super::data_file::DataFile;
+use super::output_file::Output;
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::expr::strings::general;
+use crate::lang::expr::value::{Number, Value};
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::Symbol;
+
+/// The files of a run, by the handles that identifiers hold.
+#[derive(Debug, Default)]
+pub(crate) struct Files {
+    all: Vec<Option<OpenFile>>,
+    /// Bytes written in the whole run.
+    written: u64,
+}
+
+impl Files {
+    /// Bytes written in the whole run.
+    pub(crate) fn written(&self) -> u64 {
+        self.written
+    }
+}
+
+#[derive(Debug)]
+enum OpenFile {
+    Read(DataFile),
+    Write(Box<Output>),
+}
+
+impl Reader<'_> {
+    /// `#fopen Name "file" read`, or `write`, or `append`.
+    pub(crate) fn run_fopen(&mut self) -> Parse<()> {
+        let symbol = self.identifier("a name for the file after `#fopen`")?;
+        if let Some(held) = self.scopes.get(symbol) {
+            let hint = match held {
+                Value::File(_) => "Close the file with `#fclose` first.",
+                _ => "Take another name, or `#undef` this one.",
+            };
+            let message = format!("this name is taken: it is {}", held.kind());
+            let error = Diagnostic::error(self.taken_span(), message);
+            return Err(self.with_trace(error.with_hint(hint)));
+        }
+        let name = self.file_name()?;
+        let span = self.taken_span();
+        let mode = match self.peek()?.word() {
+            Some(mode @ (Word::Read | Word::Write | Word::Append)) => mode,
+            _ => return Err(self.expected_here("`read`, `write` or `append` after the file name")),
+        };
+        self.pass();
+        let is_open = |file: &&Option<OpenFile>| file.is_some();
+        if self.files.all.iter().filter(is_open).count() >= limits::FILES {
+            let message = format!("a scene has at most {} files open at once", limits::FILES);
+            let error = Diagnostic::error(span, message);
+            return Err(self.with_trace(error.with_hint("Close files with `#fclose`.")));
+        }
+        self.publish_files(span)?;
+        let file = if mode == Word::Read {
+            OpenFile::Read(self.open_data(&name, span)?)
+        } else {
+            OpenFile::Write(Box::new(self.open_output(name, mode, span)?))
+        };
+        let handle = self.files.all.len();
+        self.files.all.push(Some(file));
+        self.scopes.declare(symbol, Value::File(handle));
+        Ok(())
+    }
+
+    /// The name of a file, in which `\` is no escape.
+    pub(crate) fn file_name(&mut self) -> Parse<String> {
+        let token = self.peek()?;
+        if token.kind != crate::lang::syntax::Kind::String {
+            return self.string();
+        }
+        self.pass();
+        Ok(self.last.tokens.string_raw(token.value).into_owned())
+    }
+
+    fn open_data(&mut self, name: &str, span: Span) -> Parse<DataFile> {
+        let found = self.sources.find_data(name, span.file);
+        let file = found.map_err(|mut error| {
+            error.span = Some(span);
+            self.with_trace(*error)
+        })?;
+        Ok(DataFile::new(name.to_owned(), self.tokens_of(file)?))
+    }
+
+    /// Makes all that the scene has written visible, before it looks for any file.
+    pub(crate) fn publish_files(&mut self, span: Span) -> Parse<()> {
+        for handle in 0..self.files.all.len() {
+            if matches!(self.files.all[handle], Some(OpenFile::Write(_))) {
+                let open = self.publish(handle, span)?;
+                self.files.all[handle] = open.map(|output| OpenFile::Write(Box::new(output)));
+            }
+        }
+        Ok(())
+    }
+
+    fn publish(&mut self, handle: usize, span: Span) -> Parse<Option<Output>> {
+        let Some(OpenFile::Write(output)) = self.files.all[handle].take() else {
+            return Ok(None);
+        };
+        let name = output.name.clone();
+        match output.publish(self.sources) {
+            Ok(output) => Ok(Some(output)),
+            Err(error) => Err(self.not_written(&name, &error, span)),
+        }
+    }
+
+    /// At the end of a scene without errors: what is still open for writing is complete.
+    pub(crate) fn close_files(&mut self) {
+        let span = self.taken_span();
+        if let Err(error) = self.publish_files(span) {
+            self.record(*error);
+        }
+        self.files.all.clear();
+    }
+
+    /// `#fclose Name`.
+    pub(crate) fn run_fclose(&mut self) -> Parse<()> {
+        let symbol = self.identifier("the name of an open file after `#fclose`")?;
+        match self.scopes.get(symbol) {
+            // POV-Ray says nothing: `#read` has closed it at its end.
+            None => Ok(()),
+            Some(&Value::File(handle)) => {
+                let span = self.taken_span();
+                self.scopes.undefine(symbol);
+                self.close_file(handle, span)
+            }
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
+            Some(other) => {
+                let found = other.kind();
+                Err(self.error_taken(format!("expected an open file, found {found}")))
+            }
+        }
+    }
+
+    /// Closes a file whose name is gone.
+    pub(crate) fn close_file(&mut self, handle: usize, span: Span) -> Parse<()> {
+        self.publish(handle, span)?;
+        self.files.all[handle] = None;
+        Ok(())
+    }
+
+    /// The `(` and the file of `#read` and `#write`.
+    fn file_in_parentheses(&mut self, word: Word) -> Parse<(Symbol, usize)> {
+        self.expect_mark('(', &format!("`(` after `#{word}`"))?;
+        let what = format!("the name of an open file in `#{word}`");
+        let symbol = self.identifier(&what)?;
+        match self.scopes.get(symbol) {
+            Some(&Value::File(handle)) => Ok((symbol, handle)),
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
+            held => {
+                let found = match held {
+                    Some(held) => format!("expected an open file, found {}", held.kind()),
+                    None => format!("`{}` is no open file", self.names.spelling(symbol)),
+                };
+                let hint = "Open it with `#fopen`; at its end a file that is read is closed.";
+                let error = Diagnostic::error(self.taken_span(), found);
+                Err(self.with_trace(error.with_hint(hint)))
+            }
+        }
+    }
+
+    /// `#write(Name, value, ...)`: strings as they are, numbers and vectors as C's `%g`.
+    pub(crate) fn run_write(&mut self) -> Parse<()> {
+        let (_, handle) = self.file_in_parentheses(Word::Write)?;
+        let span = self.taken_span();
+        loop {
+            self.take_mark(',')?;
+            if self.take_mark(')')? {
+                return Ok(());
+            }
+            let text = if self.at_string()? {
+                self.string()?
+            } else if self.begins_number()? {
+                written(&self.sum()?)
+            } else {
+                return Err(self.expected_here("a string, a number, a vector or `)` in `#write`"));
+            };
+            self.write_text(handle, &text, span)?;
+        }
+    }
+
+    fn write_text(&mut self, handle: usize, text: &str, span: Span) -> Parse<()> {
+        self.files.written += text.len() as u64;
+        if self.files.written > limits::WRITTEN {
+            self.is_over = true;
+            let message = format!("a scene writes at most {} bytes", limits::WRITTEN);
+            return Err(self.with_trace(Diagnostic::error(span, message)));
+        }
+        let open = self.files.all.get(handle);
+        if matches!(open, Some(Some(OpenFile::Write(output))) if output.is_in_memory()) {
+            self.take_memory(text.len() as u64, span)?;
+        }
+        let result = match self.files.all.get_mut(handle) {
+            Some(Some(OpenFile::Write(output))) => {
+                let done = output.write(text);
+                done.map_err(|error| format!("cannot write `{}`: {error}", output.name))
+            }
+            Some(Some(OpenFile::Read(data))) => {
+                Err(format!("`{}` is open for reading only", data.name()))
+            }
+            _ => Err("this file is closed".to_owned()),
+        };
+        result.map_err(|message| self.with_trace(Diagnostic::error(span, message)))
+    }
+
+    /// `#read(Name, A, B, ...)`. At the end of the file the names that are left keep what they hold, and the file is
+    /// closed and its name gone, which `defined` tells.
+    pub(crate) fn run_read(&mut self) -> Parse<()> {
+        let (symbol, handle) = self.file_in_parentheses(Word::Read)?;
+        let span = self.taken_span();
+        let mut data = match self.files.all.get_mut(handle).and_then(Option::take) {
+            Some(OpenFile::Read(data)) => data,
+            other => {
+                let message = match &other {
+                    Some(OpenFile::Write(output)) => {
+                        format!("`{}` is open for writing only", output.name)
+                    }
+                    _ => "this file is closed".to_owned(),
+                };
+                self.files.all[handle] = other;
+                return Err(self.with_trace(Diagnostic::error(span, message)));
+            }
+        };
+        let result = self.read_values(&mut data);
+        if data.is_at_end() {
+            self.scopes.undefine(symbol);
+        } else {
+            self.files.all[handle] = Some(OpenFile::Read(data));
+        }
+        result
+    }
+
+    fn read_values(&mut self, data: &mut DataFile) -> Parse<()> {
+        loop {
+            self.take_mark(',')?;
+            if self.take_mark(')')? {
+                return Ok(());
+            }
+            let symbol = self.identifier("a name to read into, or `)`")?;
+            match self.scopes.get(symbol) {
+                None | Some(Value::Number(_) | Value::Text(_) | Value::Poison(_)) => {}
+                Some(other) => {
+                    let message = format!("cannot read into this name: it is {}", other.kind());
+                    let error = Diagnostic::error(self.taken_span(), message);
+                    return Err(self.with_trace(error.with_hint("Take a name of its own.")));
+                }
+            }
+            match data.next(&mut |warning| self.warning(warning)) {
+                Ok(Some(value)) => self.scopes.declare(symbol, value),
+                Ok(None) => {}
+                Err(error) => return Err(self.with_trace(error)),
+            }
+        }
+    }
+}
+
+/// A number as `#write` writes it: a vector with a blank behind it.
+fn written(number: &Number) -> String {
+    if number.len == 1 {
+        return general(number.v[0]);
+    }
+    let parts: Vec<String> = number.v[..usize::from(number.len)]
+        .iter()
+        .map(|&part| general(part))
+        .collect();
+    format!("<{}> ", parts.join(","))
+}

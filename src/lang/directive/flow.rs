@@ -1,0 +1,375 @@
+//! Directives that choose what is read next: conditions, loops, `#switch`, macros' `#end`.
+
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Code, Diagnostic, Span};
+use crate::lang::cursor::{Entered, Frame, Place};
+use crate::lang::expr::value::{Number, Value};
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind, Token, Tokens};
+use std::rc::Rc;
+
+/// How far two floats may differ and still be equal to the language.
+pub(crate) const EQUAL: f64 = 1e-10;
+
+impl Reader<'_> {
+    /// Runs the directive at hand and leaves the cursor where reading goes on.
+    pub(crate) fn run_directive(&mut self, token: Token) -> Parse<()> {
+        let index = self.here.at;
+        let span = self.here_span();
+        self.pass();
+        let Some(word) = self.here.tokens.directives[token.value as usize].word else {
+            return self.nested(|reader| reader.run_hash(span));
+        };
+        let frames = self.frames.len();
+        let home = Rc::clone(&self.here.tokens);
+        // What a directive reads is no part of the value that is declared around it.
+        let declaring = self.declaring.take();
+        let result = self.nested(|reader| reader.run_known(word, index, span));
+        self.declaring = declaring;
+        match result {
+            Err(error) if crate::lang::diagnose::hints::opens_group(word) && !self.is_over => self
+                .go_on_in_group(
+                    error,
+                    &Place {
+                        tokens: home,
+                        at: index,
+                    },
+                    frames,
+                ),
+            result => result,
+        }
+    }
+
+    /// After an error in the head of a directive that opens a group: tells it and goes on in the first part of an
+    /// `#if`, behind the `#end` of anything else, so that the `#end` is not taken for one too many.
+    fn go_on_in_group(
+        &mut self,
+        error: Box<Diagnostic>,
+        opener: &Place,
+        frames: usize,
+    ) -> Parse<()> {
+        let directives = &opener.tokens.directives;
+        let directive = &directives[opener.tokens.tokens[opener.at].value as usize];
+        let (word, end) = (directive.word, directive.end);
+        if end == u32::MAX || !self.is_within(frames) {
+            return Err(error);
+        }
+        self.frames.truncate(frames);
+        self.record(*error);
+        if self.errors >= limits::ERRORS {
+            return Err(self.consequence());
+        }
+        self.here = opener.clone();
+        self.pass();
+        if matches!(word, Some(Word::If | Word::Ifdef | Word::Ifndef)) {
+            self.pass_parentheses();
+            self.enter(opener.at, Entered::If);
+        } else {
+            self.here.at = end as usize + 1;
+        }
+        Ok(())
+    }
+
+    /// Goes behind the parentheses at hand, or, where they are missing, to the next object or statement; not past a
+    /// directive.
+    fn pass_parentheses(&mut self) {
+        let begins = |token: Token| {
+            token.word().is_some_and(|word| {
+                matches!(word.class(), Class::Shape | Class::Csg | Class::Statement)
+            })
+        };
+        if !self.is_raw_mark('(') {
+            while !ends_text(self.raw()) && !begins(self.raw()) {
+                self.pass();
+            }
+            return;
+        }
+        let mut depth = 0;
+        loop {
+            let token = self.raw();
+            if ends_text(token) {
+                return;
+            }
+            depth += i32::from(token.is_mark('(')) - i32::from(token.is_mark(')'));
+            self.pass();
+            if depth <= 0 {
+                return;
+            }
+        }
+    }
+
+    fn run_known(&mut self, word: Word, index: usize, span: Span) -> Parse<()> {
+        if changes_values(word) {
+            self.changes += 1;
+        }
+        match word {
+            Word::If => self.run_if(index, span, |reader| reader.condition()),
+            Word::Ifdef => self.run_if(index, span, |reader| reader.is_defined()),
+            Word::Ifndef => self.run_if(index, span, |reader| Ok(!reader.is_defined()?)),
+            Word::Else | Word::Elseif => self.run_else(index, span, word),
+            Word::While => {
+                self.enter(
+                    index,
+                    Entered::While {
+                        condition: self.here.at,
+                        rounds: 1,
+                        changes: None,
+                    },
+                );
+                self.run_while(index)
+            }
+            Word::For => self.run_for(index, span),
+            Word::Switch => self.run_switch(index),
+            Word::Case | Word::Range => self.run_case(index, span, word),
+            Word::Break => self.run_break(span),
+            Word::End => self.run_end(),
+            Word::Macro => self.define_macro(index, span),
+            Word::Declare => self.run_declare(false),
+            Word::Local => self.run_declare(true),
+            Word::Undef => self.run_undef(),
+            Word::Include => self.run_include(),
+            Word::Default => self.run_default(),
+            Word::Version => self.run_version(),
+            Word::Fopen => self.run_fopen(),
+            Word::Fclose => self.run_fclose(),
+            Word::Read => self.run_read(),
+            Word::Write => self.run_write(),
+            Word::Debug | Word::Warning | Word::Error | Word::Render | Word::Statistics => {
+                self.run_message(word, span)
+            }
+            _ => Err(self.with_trace(
+                Diagnostic::error(span, format!("`#{word}` is not built yet"))
+                    .with_code(Code::NotBuilt),
+            )),
+        }
+    }
+
+    /// Runs `declare` or `include` written without `#`.
+    pub(crate) fn run_bare_directive(&mut self, token: Token) -> Parse<()> {
+        let span = self.here_span();
+        self.pass();
+        let is_include = token.value == Word::Include as u32;
+        let word = if is_include {
+            Word::Include
+        } else {
+            Word::Declare
+        };
+        self.warning(Diagnostic::warning(
+            span,
+            format!("`{word}` without `#`; read as `#{word}`"),
+        ));
+        if is_include {
+            self.run_include()
+        } else {
+            self.run_declare(false)
+        }
+    }
+
+    /// Goes to the token behind the directive that follows in its group; an error where the group is not closed.
+    pub(crate) fn jump(&mut self, to: u32, span: Span) -> Parse<()> {
+        if to == u32::MAX {
+            return Err(self.with_trace(
+                Diagnostic::error(span, "this directive has no matching `#end`")
+                    .with_hint("Write `#end` where it is to end."),
+            ));
+        }
+        self.here.at = to as usize;
+        Ok(())
+    }
+
+    /// Enters the group of the directive at `index` of the file at hand.
+    pub(crate) fn enter(&mut self, index: usize, kind: Entered) {
+        let (_, end) = self.group(index);
+        self.enter_frame(Rc::clone(&self.here.tokens), end, kind);
+    }
+
+    pub(crate) fn innermost(&self) -> Option<&Entered> {
+        self.frames.last().map(|frame| &frame.kind)
+    }
+
+    /// The next part and the `#end` of the group of a directive of the file at hand.
+    pub(crate) fn group(&self, index: usize) -> (u32, u32) {
+        let tokens = &self.here.tokens;
+        let token = tokens.tokens.get(index);
+        let directive = token.and_then(|token| tokens.directives.get(token.value as usize));
+        directive.map_or((u32::MAX, u32::MAX), |directive| {
+            (directive.next, directive.end)
+        })
+    }
+
+    /// The innermost group, which may have begun in a file that includes the one at hand.
+    pub(crate) fn innermost_group(&mut self) -> Option<&mut Entered> {
+        let is_group = |frame: &&mut Frame| !matches!(frame.kind, Entered::Include { .. });
+        let mut frames = self.frames.iter_mut().rev();
+        frames.find(is_group).map(|frame| &mut frame.kind)
+    }
+
+    /// Ends the innermost group.
+    pub(crate) fn leave_group(&mut self) {
+        let is_group = |frame: &Frame| !matches!(frame.kind, Entered::Include { .. });
+        if let Some(at) = self.frames.iter().rposition(is_group) {
+            self.frames.remove(at);
+        }
+    }
+
+    /// `#break` leaves the innermost loop, `#switch` or macro.
+    fn run_break(&mut self, span: Span) -> Parse<()> {
+        let is_target =
+            |frame: &Frame| !matches!(frame.kind, Entered::If | Entered::Include { .. });
+        let Some(at) = self.frames.iter().rposition(is_target) else {
+            return Err(self.with_trace(
+                Diagnostic::error(span, "`#break` outside of a loop, `#switch` or macro")
+                    .with_hint(
+                        "Remove it, or put it inside `#while`, `#for`, `#switch` or `#macro`.",
+                    ),
+            ));
+        };
+        for left in self.frames.drain(at + 1..) {
+            if matches!(left.kind, Entered::Include { .. }) {
+                self.scopes.leave();
+            }
+        }
+        let frame = &self.frames[at];
+        let end = frame.end;
+        self.here.tokens = Rc::clone(&frame.home);
+        self.jump(end, span)?;
+        if !matches!(self.innermost(), Some(Entered::Macro { .. })) {
+            self.frames.pop();
+            self.pass();
+        }
+        Ok(())
+    }
+
+    /// `#end` closes the innermost group: a loop goes round, a macro goes back to its call.
+    pub(crate) fn run_end(&mut self) -> Parse<()> {
+        if matches!(self.innermost(), Some(Entered::Include { .. }))
+            && matches!(
+                self.innermost_group(),
+                Some(Entered::If | Entered::Switch { .. })
+            )
+        {
+            self.leave_group();
+            return Ok(());
+        }
+        let Some(frame) = self.frames.last_mut() else {
+            return Err(self.unopened_end());
+        };
+        match &mut frame.kind {
+            Entered::If | Entered::Switch { .. } => {
+                self.frames.pop();
+                Ok(())
+            }
+            Entered::While {
+                condition, rounds, ..
+            } => {
+                *rounds += 1;
+                self.here.at = *condition;
+                self.here.tokens = Rc::clone(&frame.home);
+                self.run_while(self.here.at - 1)
+            }
+            Entered::For(run) => {
+                // The body may have changed the variable: POV-Ray counts on from what it holds.
+                let now = match self.scopes.get(run.variable()) {
+                    Some(Value::Number(now)) => Some(now.v[0]),
+                    _ => None,
+                };
+                let value = run.count_on(now);
+                let (variable, is_over, body) = (run.variable(), run.is_over(), run.body());
+                if is_over {
+                    self.frames.pop();
+                } else {
+                    self.here.at = body;
+                    self.here.tokens = Rc::clone(&frame.home);
+                    let end = frame.end;
+                    self.count_round(body, end, self.start_taken())?;
+                }
+                self.scopes
+                    .local(variable, Value::Number(Number::float(value)));
+                Ok(())
+            }
+            Entered::Macro { .. } => {
+                if let Some(Frame {
+                    kind: Entered::Macro { back, .. },
+                    ..
+                }) = self.frames.pop()
+                {
+                    self.here = back;
+                    self.scopes.leave();
+                }
+                Ok(())
+            }
+            Entered::Include { .. } => Err(self.unopened_end()),
+        }
+    }
+
+    fn unopened_end(&self) -> Box<Diagnostic> {
+        let span = self.taken_span();
+        self.with_trace(
+            Diagnostic::error(
+                span,
+                "`#end` without an open `#if`, `#while`, `#for`, `#switch` or `#macro`",
+            )
+            .with_hint("Remove it, or look for a directive above that lacks its `#`."),
+        )
+    }
+
+    /// After a condition was read: it must have ended in the file where it began.
+    pub(crate) fn stay_in(&mut self, home: &Rc<Tokens>, span: Span) -> Parse<()> {
+        if Rc::ptr_eq(home, &self.here.tokens) {
+            return Ok(());
+        }
+        Err(self.with_trace(Diagnostic::error(
+            span,
+            "the condition of this directive ends in another file",
+        )))
+    }
+
+    /// The bracketed condition of `#if`, `#elseif` or `#while`.
+    pub(crate) fn condition(&mut self) -> Parse<bool> {
+        Ok(self.number_in_parentheses()?.abs() > EQUAL)
+    }
+
+    pub(crate) fn number_in_parentheses(&mut self) -> Parse<f64> {
+        if let Some(number) = self.replay_parentheses(self.here.at)? {
+            return Ok(number);
+        }
+        self.expect_mark('(', "`(` and a condition or number")?;
+        let open = self.start_taken();
+        let value = self.condition_value()?;
+        self.expect_end(')', "an operator or `)`", open)?;
+        Ok(value)
+    }
+
+    pub(crate) fn pair_in_parentheses(&mut self) -> Parse<(f64, f64)> {
+        self.expect_mark('(', "`(`")?;
+        let low = self.condition_value()?;
+        self.take_mark(',')?;
+        let high = self.condition_value()?;
+        self.expect_mark(')', "`)`")?;
+        Ok((low, high))
+    }
+}
+
+/// Whether the text at hand ends, or what comes next is not all of it.
+fn ends_text(token: Token) -> bool {
+    matches!(token.kind, Kind::End | Kind::More | Kind::Directive)
+}
+
+/// Whether a directive may change what an expression gives.
+fn changes_values(word: Word) -> bool {
+    matches!(
+        word,
+        Word::Declare
+            | Word::Local
+            | Word::Undef
+            | Word::For
+            | Word::Macro
+            | Word::Include
+            | Word::Version
+            | Word::Default
+            | Word::Fopen
+            | Word::Fclose
+            | Word::Read
+    )
+}

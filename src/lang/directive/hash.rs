@@ -1,0 +1,73 @@
+//! `#` before anything but a directive.
+//!
+//! It is passed over, as if it did not stand there, unless a float follows: a number, a name of one, or a function that
+//! gives one. The lexer keeps it where that has to be looked at.
+
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::expr::value::{Number, Value};
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, Token};
+
+impl Reader<'_> {
+    /// Runs a `#` that has been passed and begins no directive. A name behind it that is not declared is taken for a
+    /// misspelt directive.
+    pub(crate) fn run_hash(&mut self, hash: Span) -> Parse<()> {
+        let name = self.raw().symbol();
+        if name.is_some_and(|name| self.scopes.get(name).is_none()) {
+            let name = self.here_span();
+            self.here.at += 1;
+            return Err(self.no_directive(hash, name));
+        }
+        let token = self.peek()?;
+        if !self.is_float(token) {
+            return Ok(());
+        }
+        let error = Diagnostic::error(hash, "`#` stands before a number here");
+        Err(self.with_trace(error.with_hint("Remove it.")))
+    }
+
+    fn no_directive(&self, hash: Span, name: Span) -> Box<Diagnostic> {
+        let found = self.source_text(name).to_owned();
+        let hint = match Self::similar_directive(&found) {
+            Some(near) => format!("Did you mean `#{near}`?"),
+            None => {
+                "Directives are `#declare`, `#if`, `#while`, `#macro`, `#include` and the like."
+                    .to_owned()
+            }
+        };
+        let error = Diagnostic::error(hash.to(name), format!("`#{found}` is no directive"));
+        self.with_trace(error.with_hint(hint))
+    }
+
+    /// Tells if a float begins with this token.
+    fn is_float(&self, token: Token) -> bool {
+        match token.kind {
+            Kind::Number => true,
+            Kind::Name => match token.symbol().and_then(|name| self.scopes.get(name)) {
+                Some(Value::Number(Number { len: 1, .. })) => true,
+                Some(Value::Array(array)) => array.holds == Some(FLOAT),
+                _ => false,
+            },
+            _ => token.word().is_some_and(Word::gives_float),
+        }
+    }
+
+    /// Passes a `#` before the name that follows, which need not be declared.
+    pub(crate) fn pass_hash(&mut self) {
+        if self.here.tokens.is_hash(self.raw()) {
+            self.pass();
+        }
+    }
+
+    /// The same only before a name that is not declared: one that a loop or a function makes.
+    pub(crate) fn pass_hash_of_new_name(&mut self) {
+        let name = self.raw_ahead(1).symbol();
+        if name.is_some_and(|name| self.scopes.get(name).is_none()) {
+            self.pass_hash();
+        }
+    }
+}
+
+/// The sort of floats in arrays.
+const FLOAT: &str = "a number";

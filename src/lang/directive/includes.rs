@@ -1,0 +1,134 @@
+//! Other files, the version, and what a scene says to people: `#include`, `#version`, `#debug` and its kin.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::cursor::{Entered, Place};
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use std::rc::Rc;
+
+impl Reader<'_> {
+    pub(crate) fn run_include(&mut self) -> Parse<()> {
+        let name = self.file_name()?;
+        let from = self.taken_span();
+        self.publish_files(from)?;
+        let depth = self
+            .frames
+            .iter()
+            .filter(|frame| matches!(frame.kind, Entered::Include { .. }))
+            .count();
+        if depth >= limits::INCLUDES {
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    from,
+                    format!(
+                        "files include each other more than {} deep",
+                        limits::INCLUDES
+                    ),
+                )
+                .with_hint("A file that includes itself needs an `#ifndef` around the `#include`."),
+            ));
+        }
+        let file = match self.sources.find_include(&name, from.file) {
+            Ok(file) => file,
+            Err(mut error) => {
+                self.lacks_file = true;
+                error.span = Some(from);
+                error.code = Some(Code::MissingFile);
+                self.suggest_include(&mut error, &name);
+                return Err(self.with_trace(*error));
+            }
+        };
+        self.enter_file(file, from)
+    }
+
+    /// Enters the file that the command line asks to include before the scene.
+    pub(crate) fn enter_header(&mut self) {
+        let Some(header) = &self.options.include_header else {
+            return;
+        };
+        let from = self.here_span();
+        let entered = self
+            .sources
+            .load_regular(header)
+            .and_then(|file| self.enter_file(file, from));
+        if let Err(error) = entered {
+            self.record(*error);
+        }
+    }
+
+    fn enter_file(
+        &mut self,
+        file: crate::base::source::FileId,
+        from: crate::base::source::Span,
+    ) -> Parse<()> {
+        let tokens = self.tokens_of(file)?;
+        let kind = Entered::Include {
+            back: self.here.clone(),
+            from,
+        };
+        self.enter_frame(Rc::clone(&tokens), u32::MAX, kind);
+        self.scopes.enter();
+        self.here = Place { tokens, at: 0 };
+        Ok(())
+    }
+
+    pub(crate) fn run_version(&mut self) -> Parse<()> {
+        // It holds at once, for a directive behind it as well.
+        self.is_in_version = true;
+        let version = self.float();
+        self.is_in_version = false;
+        let version = version?;
+        self.take_semicolon();
+        if version > 3.7 + super::flow::EQUAL {
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    self.taken_span(),
+                    format!("this scene asks for version {version}; povr draws as POV-Ray 3.7"),
+                )
+                .with_hint("Write `#version 3.7;` if the scene uses nothing newer."),
+            ));
+        }
+        if (version < 3.5) != (self.version < 3.5) {
+            // Macros behind a number are read in another way.
+            self.replays.forget();
+        }
+        self.version = version;
+        self.has_version = true;
+        Ok(())
+    }
+
+    /// `#debug`, `#warning`, `#error`, `#render`, `#statistics` and their string.
+    pub(crate) fn run_message(&mut self, word: Word, span: crate::base::source::Span) -> Parse<()> {
+        let text = self.string()?;
+        match word {
+            Word::Error => {
+                // What follows was written for a scene that is right so far.
+                self.is_over = true;
+                let text = match text.trim_end() {
+                    "" => "the scene stops itself here",
+                    text => text,
+                };
+                Err(self.with_trace(Diagnostic::error(span, text).with_code(Code::Author)))
+            }
+            Word::Warning => {
+                let warning = Diagnostic::warning(span, text.trim_end().to_owned());
+                self.warning(warning.with_code(Code::Author));
+                Ok(())
+            }
+            _ => {
+                if self.say(&text) <= limits::MESSAGES {
+                    return Ok(());
+                }
+                self.is_over = true;
+                Err(self.with_trace(Diagnostic::error(
+                    span,
+                    format!(
+                        "a scene writes at most {} bytes of messages",
+                        limits::MESSAGES
+                    ),
+                )))
+            }
+        }
+    }
+}

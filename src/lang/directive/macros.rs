@@ -1,0 +1,297 @@
+//! Macros: text that is put in place of its call.
+
+use crate::base::args::{Parse, Word};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::cursor::{Entered, Place, Start};
+use crate::lang::expr::value::Value;
+use crate::lang::fast_path::replay::Source;
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::scope::Target;
+use crate::lang::syntax::{Kind, Symbol, Tokens};
+use smallvec::SmallVec;
+use std::rc::Rc;
+
+/// A declared macro.
+#[derive(Debug)]
+pub(crate) struct Macro {
+    tokens: Rc<Tokens>,
+    body: usize,
+    end: u32,
+    parameters: Vec<Symbol>,
+    defined: Span,
+}
+
+impl Macro {
+    /// The names of what it is given.
+    pub(crate) fn parameters(&self) -> &[Symbol] {
+        &self.parameters
+    }
+}
+
+/// What a call gives for one parameter.
+pub(crate) enum Argument {
+    Reference(Target),
+    Value(Value),
+}
+
+/// The arguments of a call, and where a recorded expression finds each of them. Few macros have more of them.
+#[derive(Default)]
+pub(crate) struct Arguments {
+    pub(crate) values: SmallVec<[Argument; 6]>,
+    sources: SmallVec<[Option<Source>; 6]>,
+}
+
+impl Reader<'_> {
+    /// `#macro Name(A, B) ... #end`: keeps the place of the body and goes behind its `#end`.
+    pub(crate) fn define_macro(&mut self, index: usize, span: Span) -> Parse<()> {
+        let token = self.here.tokens.tokens[index];
+        let end = self.here.tokens.directives[token.value as usize].end;
+        if end == u32::MAX {
+            // All that follows is the macro's.
+            self.here.at = self.here.tokens.tokens.len() - 1;
+            return Err(self.with_trace(
+                Diagnostic::error(span, "this `#macro` has no matching `#end`")
+                    .with_hint("Write `#end` behind the macro."),
+            ));
+        }
+        let name = self.identifier("a name after `#macro`")?;
+        if let Some(held) = self.scopes.get(name)
+            && !matches!(held, Value::Macro(_) | Value::Poison(_))
+        {
+            let error = self.name_is_taken(name, self.start_taken());
+            self.record(*error);
+        }
+        let mut parameters = Vec::new();
+        if !self.take_raw_mark('(') {
+            let name = self.taken_span();
+            let text = self.source_text(name).to_owned();
+            let error = self.expected_behind(name, "`(` after the macro's name");
+            return Err(Box::new(error.with_hint(format!(
+                "Write `#macro {text}()` if it takes nothing."
+            ))));
+        }
+        loop {
+            self.take_raw_mark(',');
+            if self.take_raw_mark(')') {
+                break;
+            }
+            parameters.push(self.identifier("a parameter or `)` in `#macro`")?);
+        }
+        let defined = Macro {
+            tokens: Rc::clone(&self.here.tokens),
+            body: self.here.at,
+            end,
+            parameters,
+            defined: span.to(self.taken_span()),
+        };
+        self.scopes.declare(name, Value::Macro(Rc::new(defined)));
+        self.here.at = end as usize;
+        self.pass();
+        Ok(())
+    }
+
+    fn take_raw_mark(&mut self, mark: char) -> bool {
+        let token = self.raw();
+        let is_it = token.kind == Kind::Mark && token.value == mark as u32;
+        if is_it {
+            self.pass();
+        }
+        is_it
+    }
+
+    /// The call at hand: reads its arguments and enters the body.
+    pub(crate) fn call_macro(&mut self, name: Symbol, called: &Rc<Macro>) -> Parse<()> {
+        self.pass();
+        let call = self.start_taken();
+        let mut arguments = Arguments::default();
+        if !self.replay_arguments(called.parameters.len(), &mut arguments)? {
+            // The arguments are no part of the value that is declared around the call, or before it without a `;`.
+            let declaring = self.declaring.take();
+            let read = self.nested(|reader| reader.macro_arguments(name, called, call));
+            self.declaring = declaring;
+            arguments = read?;
+        }
+        if self.scopes.depth() as usize >= limits::CALLS {
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    self.span_of(call),
+                    format!("macros call each other more than {} deep", limits::CALLS),
+                )
+                .with_hint("A macro that calls itself needs an `#if` that ends the recursion."),
+            ));
+        }
+        let length = (called.end as usize).saturating_sub(called.body);
+        self.count_again(length, call)?;
+        let body = Place {
+            tokens: Rc::clone(&called.tokens),
+            at: called.body,
+        };
+        let kind = Entered::Macro {
+            back: std::mem::replace(&mut self.here, body),
+            call,
+            called_to: self.start_taken(),
+            name,
+            called: Rc::clone(called),
+        };
+        self.enter_frame(Rc::clone(&called.tokens), called.end, kind);
+        self.scopes.enter();
+        for (&parameter, argument) in called.parameters.iter().zip(arguments.values.drain(..)) {
+            match argument {
+                Argument::Reference(target) => self.scopes.alias(parameter, target),
+                Argument::Value(value) => self.scopes.local(parameter, value),
+            }
+        }
+        self.note_call(name, called, length, &arguments.sources);
+        Ok(())
+    }
+
+    fn macro_arguments(&mut self, name: Symbol, called: &Macro, call: Start) -> Parse<Arguments> {
+        if !self.take_mark('(')? {
+            let spelling = self.names.spelling(name);
+            let mut error = self.expected_here(&format!("`(` after the macro `{spelling}`"));
+            if !error.message.is_empty() {
+                error.hints = vec![self.call_form(name, called)];
+                *error = error.with_label(called.defined, "defined here");
+            }
+            return Err(error);
+        }
+        let mut arguments = Arguments::default();
+        let wanted = called.parameters.len();
+        while !self.take_mark(')')? {
+            if arguments.values.len() == wanted {
+                let spelling = self.names.spelling(name);
+                let error = self.error_here(format!(
+                    "the macro `{spelling}` takes {wanted} {}, found a further one",
+                    arguments_word(wanted)
+                ));
+                return Err(Box::new(
+                    error
+                        .with_label(called.defined, "defined here")
+                        .with_hint(self.call_form(name, called)),
+                ));
+            }
+            self.macro_argument(&mut arguments)?;
+            self.take_mark(',')?;
+        }
+        if arguments.values.len() < wanted {
+            let found = arguments.values.len();
+            let spelling = self.names.spelling(name);
+            return Err(self.with_trace(
+                Diagnostic::error(
+                    self.span_of(call),
+                    format!(
+                        "the macro `{spelling}` takes {wanted} {}, found {found}",
+                        arguments_word(wanted)
+                    ),
+                )
+                .with_label(called.defined, "defined here")
+                .with_hint(self.call_form(name, called)),
+            ));
+        }
+        Ok(arguments)
+    }
+
+    /// How a macro is called.
+    fn call_form(&self, name: Symbol, called: &Macro) -> String {
+        let spelling = |&symbol: &Symbol| self.names.spelling(symbol);
+        let parameters: Vec<&str> = called.parameters.iter().map(spelling).collect();
+        format!("Write `{}({})`.", spelling(&name), parameters.join(", "))
+    }
+
+    /// A bare identifier goes by reference, everything else by value.
+    fn macro_argument(&mut self, arguments: &mut Arguments) -> Parse<()> {
+        let token = self.peek()?;
+        let behind = self.raw_ahead(1);
+        let ends =
+            behind.kind == Kind::Mark && (behind.value == ',' as u32 || behind.value == ')' as u32);
+        if token.kind == Kind::Name
+            && ends
+            && let Some(target) = self.scopes.target(Symbol(token.value))
+        {
+            self.pass();
+            let source = self.note_reference(Symbol(token.value));
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(source);
+            return Ok(());
+        }
+        if token.kind == Kind::Name
+            && behind.is_mark('[')
+            && let Some(target) = self.item_by_reference(Symbol(token.value))?
+        {
+            arguments.values.push(Argument::Reference(target));
+            arguments.sources.push(None);
+            return Ok(());
+        }
+        let what = "an argument of the macro";
+        match self.value(what)? {
+            Some(value) => {
+                arguments.sources.push(self.note_argument(&value));
+                arguments.values.push(Argument::Value(value));
+                Ok(())
+            }
+            None => Err(self.expected_here(what)),
+        }
+    }
+
+    /// The item of an array, if the argument is no more than that; otherwise nothing is taken.
+    fn item_by_reference(&mut self, symbol: Symbol) -> Parse<Option<Target>> {
+        if !matches!(self.scopes.get(symbol), Some(Value::Array(_))) {
+            return Ok(None);
+        }
+        self.spoil();
+        let before = self.here.clone();
+        self.pass();
+        let path = self.item_path(symbol)?;
+        let is_whole = matches!(self.peek()?, token if token.is_mark(',') || token.is_mark(')'));
+        let has_value = self
+            .scopes
+            .get(symbol)
+            .is_some_and(|array| array.item(&path).is_some());
+        if is_whole && has_value {
+            return Ok(self.scopes.target_of_item(symbol, &path));
+        }
+        self.here = before;
+        Ok(None)
+    }
+
+    /// An identifier as it is written, whatever it holds; no macro of that name is called.
+    pub(crate) fn identifier(&mut self, what: &str) -> Parse<Symbol> {
+        let token = self.raw();
+        match token.kind {
+            Kind::Name => {
+                self.pass();
+                Ok(Symbol(token.value))
+            }
+            Kind::Word => {
+                let word = token.word().map_or("", Word::spelling);
+                Err(self.with_trace(
+                    Diagnostic::error(
+                        self.here_span(),
+                        format!("expected {what}, found the reserved word `{word}`"),
+                    )
+                    .with_hint(format!(
+                        "Reserved words cannot be declared; `{}` could.",
+                        capitalised(word)
+                    )),
+                ))
+            }
+            Kind::Directive | Kind::End => {
+                self.peek()?;
+                Err(self.expected_here(what))
+            }
+            _ => Err(self.expected_here(what)),
+        }
+    }
+}
+
+fn arguments_word(count: usize) -> &'static str {
+    if count == 1 { "argument" } else { "arguments" }
+}
+
+fn capitalised(word: &str) -> String {
+    word.split('_')
+        .map(|part| part[..1].to_uppercase() + &part[1..])
+        .collect::<Vec<_>>()
+        .join("_")
+}

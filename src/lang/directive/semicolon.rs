@@ -1,0 +1,159 @@
+//! The `;` behind what is declared.
+//!
+//! A number, a vector, a colour and a function that is named must have one from version 3.5 on, and may have two; anything
+//! else may have one. Each may stand behind the end of the macro or the file in which the value ends, as in
+//! `#macro M() #declare A = 1 #end  M();`, but no directive may stand before it.
+
+use crate::base::args::Parse;
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::cursor::{Declaring, Entered, Frame};
+use crate::lang::expr::value::Value;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, Token};
+
+impl Reader<'_> {
+    /// The token behind the ends of macros and files that follow each other from a token of the current text on, and how
+    /// many ends these are.
+    pub(crate) fn behind_ends(&self, from: usize) -> (u32, Token) {
+        let (mut tokens, mut at) = (&self.here.tokens, from);
+        let mut ends = 0;
+        for frame in self.frames.iter().rev() {
+            let token = tokens.tokens[at];
+            let back = match &frame.kind {
+                Entered::Macro { back, .. } if tokens.is_end(token) => back,
+                Entered::Include { back, .. } if token.kind == Kind::End => back,
+                _ => break,
+            };
+            (tokens, at) = (&back.tokens, back.at);
+            ends += 1;
+        }
+        (ends, tokens.tokens[at])
+    }
+
+    /// Takes a `;` that comes next, or behind the ends of macros and files that come next, which are left then.
+    pub(crate) fn take_semicolon(&mut self) -> bool {
+        let (ends, token) = self.behind_ends(self.here.at);
+        let is_it = token.is_mark(';');
+        if is_it {
+            for _ in 0..ends {
+                self.leave_macro_or_file();
+            }
+            self.pass();
+        }
+        is_it
+    }
+
+    fn leave_macro_or_file(&mut self) {
+        self.spoil();
+        if let Some(Frame {
+            kind: Entered::Macro { back, .. } | Entered::Include { back, .. },
+            ..
+        }) = self.frames.pop()
+        {
+            self.here = back;
+            self.scopes.leave();
+        }
+    }
+
+    /// Behind a part of a number that is being declared: if a directive follows, a `;` is probably missing. The directive
+    /// runs before the name has its value, and must not find the name undeclared.
+    pub(crate) fn look_for_semicolon(&mut self) {
+        let next = self.raw();
+        if !matches!(next.kind, Kind::Directive | Kind::End | Kind::Name) {
+            return;
+        }
+        let place = (self.depth, self.blocks.len());
+        let Some(open) = self
+            .declaring
+            .filter(|open| (open.depth, open.blocks) == place)
+        else {
+            return;
+        };
+        if self.ends_before_macro(next) || self.ends_with_scope(&open) {
+            self.declaring = Some(Declaring {
+                has_ended: true,
+                ..open
+            });
+            return;
+        }
+        if next.kind != Kind::Directive || self.version < 3.5 {
+            return;
+        }
+        if self.is_end_of_macro() && self.scopes.depth() > open.scope {
+            return;
+        }
+        self.without_semicolon = Some((self.taken_span(), self.here.clone(), self.frames.len()));
+        if !open.is_item && self.scopes.get(open.symbol).is_none() {
+            self.assign(&open, Value::Poison(None));
+        }
+    }
+
+    /// Tells if a number ends before the next token because a macro is called there, which may use its name: so before
+    /// 3.5, where it needs no `;`.
+    fn ends_before_macro(&self, next: Token) -> bool {
+        self.version < 3.5 && next.symbol().is_some_and(|name| self.scopes.is_macro(name))
+    }
+
+    /// Tells if the macro or file in which a name is declared ends next, and the number with it: then the name must get
+    /// its value before it is left, for it may be a parameter.
+    fn ends_with_scope(&self, open: &Declaring) -> bool {
+        let (ends, behind) = self.behind_ends(self.here.at);
+        let goes_on = || {
+            ['+', '-', '*', '/', '.']
+                .into_iter()
+                .any(|mark| behind.is_mark(mark))
+        };
+        ends > self.scopes.depth().saturating_sub(open.scope)
+            && (behind.is_mark(';') || self.version < 3.5 && !goes_on())
+    }
+
+    /// Numbers must end with `;` from version 3.5 on; elsewhere it is optional.
+    pub(crate) fn end_of_declaration(&mut self, is_number: bool) -> Parse<()> {
+        if self.take_semicolon() || self.take_mark(';')? {
+            if is_number {
+                self.take_semicolon();
+            }
+            if let Some((last, ..)) = self.without_semicolon.take() {
+                self.miss_semicolon(last);
+            }
+            return Ok(());
+        }
+        if !is_number {
+            self.without_semicolon = None;
+            return Ok(());
+        }
+        let next = self.raw();
+        let is_operator = |mark| next.is_mark(mark);
+        if self.version >= 3.5
+            && self.without_semicolon.is_none()
+            && ['%', '^', '=', '&', '|'].into_iter().any(is_operator)
+        {
+            return Err(self.expected_here("an operator or `;` behind the value"));
+        }
+        let last = match self.without_semicolon.take() {
+            Some((last, place, frames)) => {
+                // The directive has run without the value; from here on it is there.
+                if self.is_within(frames) {
+                    self.frames.truncate(frames);
+                    self.here = place;
+                }
+                last
+            }
+            None => self.taken_span(),
+        };
+        self.miss_semicolon(last);
+        Ok(())
+    }
+
+    /// Tells that a `;` is missing behind the number that ends there.
+    pub(crate) fn miss_semicolon(&mut self, last: Span) {
+        let behind = Span::new(last.file, last.end.saturating_sub(1), last.end);
+        let message = "a declared number, vector or colour must end with `;`";
+        if self.version >= 3.5 {
+            let error = Diagnostic::error(behind, message).with_hint("Write `;` behind this.");
+            self.record(*self.with_trace(error));
+        } else {
+            self.warning(Diagnostic::warning(behind, message));
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! The reader as elements see it.
+
+use crate::base::args::{Args, Interner, Parse, Sampled, Word};
+use crate::base::color::{Color, Gamma};
+use crate::base::math::Transform;
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::cursor::Start;
+use crate::lang::expr::value::{Number, Value};
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, Symbol};
+use crate::scene;
+use crate::scene::shape::{PlacedMesh, Shape};
+use crate::scene::texture::{Layer, Normal, Pigment, Texture};
+use glam::{DVec2, DVec3};
+use std::any::{Any, TypeId};
+use std::sync::Arc;
+
+/// From this version on there is gamma handling even if a scene does not ask for it.
+const GAMMA_SINCE: f64 = 3.7;
+
+impl Args for Reader<'_> {
+    fn alike(&self) -> Option<&Interner> {
+        Some(&self.memory.alike)
+    }
+
+    fn float(&mut self) -> Parse<f64> {
+        let start = self.start()?;
+        let number = self.number_at_sum()?;
+        self.finite(&[number], start)?;
+        Ok(number)
+    }
+
+    fn float_or(&mut self, default: f64) -> Parse<f64> {
+        if self.begins_number()? {
+            self.float()
+        } else {
+            Ok(default)
+        }
+    }
+
+    fn vector2(&mut self) -> Parse<DVec2> {
+        let number = self.finite_vector(2)?;
+        Ok(DVec2::new(number.v[0], number.v[1]))
+    }
+
+    fn vector(&mut self) -> Parse<DVec3> {
+        let number = self.finite_vector(3)?;
+        Ok(DVec3::new(number.v[0], number.v[1], number.v[2]))
+    }
+
+    fn vector4(&mut self) -> Parse<[f64; 4]> {
+        let number = self.finite_vector(4)?;
+        Ok([number.v[0], number.v[1], number.v[2], number.v[3]])
+    }
+
+    fn color(&mut self) -> Parse<Color> {
+        self.color_value()
+    }
+
+    fn color_if_any(&mut self) -> Parse<Option<Color>> {
+        self.color_if_begun()
+    }
+
+    fn string(&mut self) -> Parse<String> {
+        Reader::string(self)
+    }
+
+    fn file_named(&mut self, what: &str, name: &str, endings: &[&str]) -> Parse<Arc<[u8]>> {
+        let at = self.taken_span();
+        let found = self.sources.find_bytes(what, name, at.file, endings);
+        found.map_err(|mut error| {
+            error.span = Some(at);
+            self.with_trace(*error)
+        })
+    }
+
+    fn file(&mut self, what: &str, endings: &[&str]) -> Parse<(String, Arc<[u8]>)> {
+        let name = self.file_name()?;
+        let bytes = self.file_named(what, &name, endings)?;
+        Ok((name, bytes))
+    }
+
+    fn sampled(&mut self) -> Parse<Option<Sampled>> {
+        if !self.take_word(Word::Function)? {
+            return Ok(None);
+        }
+        self.picture_of_function().map(Some)
+    }
+
+    fn object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        match self.object_or_name()? {
+            Some(object) => {
+                self.check_probed(&object)?;
+                Ok(object)
+            }
+            None => Err(self.expected_here("an object")),
+        }
+    }
+
+    fn moved_object_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let Some(object) = self.object_or_name()? else {
+            return Err(self.expected_here("an object"));
+        };
+        self.check_probed(&object)?;
+        let mut moved = [object];
+        self.move_all(&mut moved)?;
+        let [object] = moved;
+        Ok(object)
+    }
+
+    fn mesh_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let at = Args::span(self);
+        if let Some(object) = self.object()?
+            && let scene::Kind::Shape(shape) = &object.kind
+            && let Shape::Mesh(mesh) = &**shape
+        {
+            let place = Transform::from_steps(&object.steps);
+            return Ok(Arc::new(PlacedMesh::new(mesh.clone(), place)));
+        }
+        let message = "this is not a mesh".to_owned();
+        Err(self.with_trace(Diagnostic::error(at, message)))
+    }
+
+    fn working_gamma(&self) -> Option<Gamma> {
+        match self.globals.assumed_gamma {
+            None if self.effective_version() >= GAMMA_SINCE => Some(Gamma::LINEAR),
+            known => known,
+        }
+    }
+
+    fn literal_vectors(&mut self, len: usize, take: &mut dyn FnMut(&[f64]) -> bool) {
+        self.take_literal_vectors(len, take);
+    }
+
+    fn literal_number(&mut self) -> Option<f64> {
+        self.take_literal_number()
+    }
+
+    fn texture_any(&mut self) -> Parse<Arc<dyn Any + Send + Sync>> {
+        let default = self.default_layer.clone();
+        Ok(Arc::new(Texture::read(self, &default)?))
+    }
+
+    fn at_mark(&mut self, mark: char) -> Parse<bool> {
+        Ok(self.peek()?.is_mark(mark))
+    }
+
+    fn comma(&mut self) -> Parse<bool> {
+        self.take_mark(',')
+    }
+
+    fn word(&mut self) -> Parse<Option<Word>> {
+        Ok(self.peek()?.word())
+    }
+
+    fn accept(&mut self, word: Word) -> Parse<bool> {
+        self.take_word(word)
+    }
+
+    fn accept_mark(&mut self, mark: char) -> Parse<bool> {
+        match mark {
+            '{' if self.peek()?.is_mark('{') => self.open_block().map(|()| true),
+            '}' => self.take_close(),
+            _ => self.take_mark(mark),
+        }
+    }
+
+    fn open(&mut self) -> Parse<()> {
+        self.open_block()
+    }
+
+    fn accept_close(&mut self) -> Parse<bool> {
+        self.take_close()
+    }
+
+    fn close(&mut self) -> Parse<()> {
+        if self.take_close()? {
+            Ok(())
+        } else {
+            Err(self.expected_here("`}`"))
+        }
+    }
+
+    fn at_expression(&mut self) -> Parse<bool> {
+        self.begins_number()
+    }
+
+    fn declared_any(&mut self, kind: TypeId) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        let token = self.peek()?;
+        if token.kind != Kind::Name {
+            return Ok(None);
+        }
+        match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Element(element)) if element.kind() == kind => {
+                let value = Arc::clone(&element.value);
+                self.pass();
+                Ok(Some(value))
+            }
+            Some(Value::Array(array))
+                if array
+                    .items
+                    .iter()
+                    .flatten()
+                    .any(|item| item.is_element(kind)) =>
+            {
+                match self.array_or_item()? {
+                    Value::Element(element) if element.kind() == kind => Ok(Some(element.value)),
+                    other => Err(self.error_taken(format!("{} cannot stand here", other.kind()))),
+                }
+            }
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
+            _ => Ok(None),
+        }
+    }
+
+    fn default_any(&self, kind: TypeId) -> Option<Arc<dyn Any + Send + Sync>> {
+        let layer = &self.default_layer;
+        if kind == TypeId::of::<Pigment>() {
+            Some(Arc::new(layer.pigment.clone()))
+        } else if kind == TypeId::of::<Option<Arc<Normal>>>() {
+            Some(Arc::new(layer.normal.clone()))
+        } else if kind == TypeId::of::<Layer>() {
+            Some(Arc::new(layer.clone()))
+        } else {
+            None
+        }
+    }
+
+    fn function_any(&mut self) -> Parse<Option<Arc<dyn Any + Send + Sync>>> {
+        Ok(Some(self.function_block()?))
+    }
+
+    fn span(&mut self) -> Span {
+        if let Err(error) = self.peek() {
+            // A faulty directive before the token has been passed: nobody meets it again.
+            let error = self.with_trace(*error);
+            self.record(*error);
+        }
+        self.here_span()
+    }
+
+    fn last_span(&self) -> Span {
+        self.taken_span()
+    }
+
+    fn expected(&mut self, what: &str) -> Box<Diagnostic> {
+        self.expected_here(what)
+    }
+
+    fn warn(&mut self, warning: Diagnostic) {
+        self.warning(warning);
+    }
+
+    fn version(&self) -> f64 {
+        self.version
+    }
+
+    fn effective_version(&self) -> f64 {
+        self.version_of_rules()
+    }
+
+    fn make_room(&mut self, what: &str, bytes: u64, at: Span) -> Parse<()> {
+        self.take_memory_for(what, bytes, at)
+    }
+}
+
+impl Reader<'_> {
+    fn finite_vector(&mut self, len: u8) -> Parse<Number> {
+        let start = self.start()?;
+        let number = self.vector_of(len)?;
+        self.finite(&number.v[..usize::from(len)], start)?;
+        Ok(number)
+    }
+
+    /// What reaches an element must be finite: no ray meets an infinite sphere, and a picture has no infinite colour.
+    pub(crate) fn finite(&self, numbers: &[f64], start: Start) -> Parse<()> {
+        let Some(bad) = numbers.iter().find(|number| !number.is_finite()) else {
+            return Ok(());
+        };
+        let (is, hint) = if bad.is_nan() {
+            ("no number", "It comes of `0 * infinity` or the like.")
+        } else {
+            (
+                "infinite",
+                "It comes of a division by zero, or of a number too large to hold.",
+            )
+        };
+        let place = self.span_from(start);
+        Err(self
+            .with_trace(Diagnostic::error(place, format!("this value is {is}")).with_hint(hint)))
+    }
+}

@@ -1,0 +1,410 @@
+//! Objects and what they carry.
+
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::math::shorten;
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::expr::value::Value;
+use crate::lang::fast_path::parallel::{Defaults, Taker};
+use crate::lang::fast_path::plain::Read;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind as Tok, Symbol};
+use crate::scene::interior::Interior;
+use crate::scene::shape::Shape;
+use crate::scene::texture::{Layer, Material, Texture};
+use crate::scene::{Attached, Kind, Object, Operation};
+use std::sync::Arc;
+
+/// The parts of an object.
+impl Taker for Vec<Arc<Object>> {
+    type Kept = Arc<Object>;
+
+    fn kept(read: Read, defaults: &Defaults<'_>) -> Arc<Object> {
+        Arc::new(read.into_object(defaults.layer))
+    }
+
+    fn take(&mut self, reader: &mut Reader<'_>, mut piece: Vec<Arc<Object>>) -> Parse<()> {
+        let count = piece.len() as u64;
+        self.append(&mut piece);
+        reader.count_objects(count)
+    }
+}
+
+impl Reader<'_> {
+    /// The object that begins at hand, if one does.
+    pub(crate) fn object(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        let Some(word) = token.word() else {
+            return Ok(None);
+        };
+        if let Some(read) = self.replay_object()? {
+            return Ok(Some(Arc::new(read.into_object(&self.default_layer))));
+        }
+        self.object_of_tokens(word)
+    }
+
+    /// The object of a word at hand, read token by token.
+    pub(crate) fn object_of_tokens(&mut self, word: Word) -> Parse<Option<Arc<Object>>> {
+        let mut object = match word {
+            Word::Union => self.csg(Operation::Union)?,
+            Word::Merge => self.csg(Operation::Merge)?,
+            Word::Intersection => self.csg(Operation::Intersection)?,
+            Word::Difference => self.csg(Operation::Difference)?,
+            Word::Object => self.object_block()?,
+            Word::LightSource => self.light()?,
+            _ if word.class() == Class::Shape => self.shape(word)?,
+            Word::LightGroup => self.light_group()?,
+            _ => return Ok(None),
+        };
+        object.steps.shrink_to_fit();
+        Ok(Some(Arc::new(object)))
+    }
+
+    /// The object of the identifier at hand.
+    pub(crate) fn object_of_name(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        if token.kind != Tok::Name {
+            return Ok(None);
+        }
+        let value = match self.scopes.get(Symbol(token.value)) {
+            Some(Value::Array(_)) => self.array_or_item()?,
+            Some(Value::Poison(why)) => return Err(self.consequence_of(why.as_deref())),
+            Some(value @ Value::Object(_)) => {
+                let value = value.clone();
+                self.pass();
+                value
+            }
+            _ => return Ok(None),
+        };
+        match value {
+            Value::Object(object) => Ok(Some(object)),
+            other => Err(self.error_taken(format!("expected an object, found {}", other.kind()))),
+        }
+    }
+
+    /// The same where a vector may stand as well: an item of an array may be either.
+    pub(crate) fn object_in_shape(&mut self) -> Parse<Option<Arc<Object>>> {
+        let token = self.peek()?;
+        let name = token.symbol().and_then(|name| self.scopes.get(name));
+        if !matches!(name, Some(Value::Array(_))) {
+            return self.object_of_name();
+        }
+        let (before, streams) = (self.here.clone(), self.streams.clone());
+        match self.array_or_item()? {
+            Value::Object(object) => Ok(Some(object)),
+            _ => {
+                // It is read once more, as a number.
+                (self.here, self.streams) = (before, streams);
+                Ok(None)
+            }
+        }
+    }
+
+    /// The object that follows, in words or by its name.
+    pub(crate) fn object_or_name(&mut self) -> Parse<Option<Arc<Object>>> {
+        match self.object()? {
+            Some(object) => Ok(Some(object)),
+            None => self.object_of_name(),
+        }
+    }
+
+    /// Moves objects by the transforms that follow.
+    pub(crate) fn move_all(&mut self, objects: &mut [Arc<Object>]) -> Parse<()> {
+        let mut steps = Vec::new();
+        while let Some(step) = transform_step(self)? {
+            steps.push(step);
+            shorten(&mut steps, 0);
+        }
+        if steps.is_empty() {
+            return Ok(());
+        }
+        for object in objects {
+            let object = Arc::make_mut(object);
+            object.steps.extend_from_slice(&steps);
+            fold_steps(object);
+        }
+        Ok(())
+    }
+
+    /// `object { Identifier ... }` or `object { sphere { ... } ... }`.
+    fn object_block(&mut self) -> Parse<Object> {
+        self.pass();
+        self.open_block()?;
+        let Some(inner) = self.object_or_name()? else {
+            return Err(self.expected_here("an object in `object { }`"));
+        };
+        let mut object = (*inner).clone();
+        self.modifiers(&mut object, "object")?;
+        Ok(object)
+    }
+
+    fn shape(&mut self, word: Word) -> Parse<Object> {
+        self.pass();
+        let start = self.start_taken();
+        self.open_block()?;
+        let depth = self.blocks.len();
+        let mut object = match self.object_in_shape()? {
+            Some(object) => (*object).clone(),
+            None => match Shape::read(word, self) {
+                Some(Ok(shape)) => Object::new(Kind::Shape(Arc::new(shape))),
+                Some(Err(error)) => return Err(self.with_usage(error, word, depth)),
+                None => {
+                    let error = Diagnostic::error(
+                        self.span_of(start),
+                        format!("`{word}` is not built yet"),
+                    );
+                    return Err(self.with_trace(error.with_code(Code::NotBuilt)));
+                }
+            },
+        };
+        self.modifiers(&mut object, word.spelling())?;
+        Ok(object)
+    }
+
+    /// The error with how the object is written, if its parameters are what is wrong.
+    pub(crate) fn with_usage(
+        &mut self,
+        error: Box<Diagnostic>,
+        word: Word,
+        depth: usize,
+    ) -> Box<Diagnostic> {
+        let is_ours = self.blocks.len() == depth
+            && error.message.starts_with("expected")
+            && error.hints.is_empty()
+            && (matches!(self.raw().kind, Tok::Word | Tok::String) || self.raw().is_mark('}'));
+        if !is_ours {
+            return error;
+        }
+        if let Some(sign) = self.subtracting_sign(depth) {
+            let text = "this sign adds or subtracts, and makes one value of two";
+            return Box::new(
+                error
+                    .with_label(sign, text)
+                    .with_hint("Write `,` before the sign, to begin a value of its own."),
+            );
+        }
+        match Self::usage(word) {
+            Some(usage) => Box::new(error.with_hint(format!("Write {usage}."))),
+            None => error,
+        }
+    }
+
+    /// Everything behind the parameters of an object, up to its `}`.
+    pub(crate) fn modifiers(&mut self, object: &mut Object, of: &str) -> Parse<()> {
+        loop {
+            if self.take_close()? {
+                object.find_boxes();
+                return self.check_sides(object);
+            }
+            if let Some(step) = transform_step(self)? {
+                object.steps.push(step);
+                fold_steps(object);
+                continue;
+            }
+            let word = self.peek()?.word();
+            let is_known = match word {
+                Some(word) => self.modifier(object, word)?,
+                None => false,
+            };
+            if !is_known {
+                return Err(self.unknown_modifier(of));
+            }
+        }
+    }
+
+    /// The inner side has no texture of its own where the outer one has none.
+    fn check_sides(&self, object: &Object) -> Parse<()> {
+        if object.texture.is_some() || object.interior_texture().is_none() {
+            return Ok(());
+        }
+        let text = "an object with an `interior_texture` needs a `texture` for its outer side too";
+        let hint = "Give it a texture or a pigment: `texture { pigment { rgb 1 } }`.";
+        Err(Box::new(
+            Diagnostic::error(self.taken_span(), text).with_hint(hint),
+        ))
+    }
+
+    fn unknown_modifier(&mut self, of: &str) -> Box<Diagnostic> {
+        let token = self.raw();
+        if token
+            .word()
+            .is_some_and(|word| matches!(word.class(), Class::Shape | Class::Csg))
+        {
+            return self.expected_here(&format!("a modifier of `{of}` or its `}}`"));
+        }
+        self.expected_here(&format!(
+            "a modifier (texture, pigment, finish, transform, ...) or `}}` in `{of}`"
+        ))
+    }
+
+    /// One modifier; false if the word is none.
+    fn modifier(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
+        match word {
+            Word::Texture => {
+                let texture = self.texture_layers()?;
+                self.lay_over(object, texture)?;
+            }
+            Word::Pigment | Word::Normal | Word::Finish => self.texture_part(object, word)?,
+            Word::InteriorTexture => {
+                self.pass();
+                let default = self.default_layer.clone();
+                let texture = Texture::read(self, &default)?;
+                object.set_interior_texture(Arc::new(texture));
+            }
+            Word::Interior => {
+                self.pass();
+                let interior = Interior::read(self)?;
+                object.interior = Some(Arc::new(interior.after(&object.steps)));
+            }
+            Word::Material => self.material(object)?,
+            Word::Radiosity => {
+                object.flags.importance = self.importance()?.or(object.flags.importance)
+            }
+            Word::ClippedBy | Word::BoundedBy => self.clip_or_bound(object, word)?,
+            _ => return self.switch(object, word),
+        }
+        Ok(true)
+    }
+
+    fn switch(&mut self, object: &mut Object, word: Word) -> Parse<bool> {
+        match word {
+            Word::NoShadow => object.flags.no_shadow = true,
+            Word::UvMapping if object.texture.is_some() => {
+                let text =
+                    "expected `uv_mapping` before the texture of the object, found it behind";
+                let hint = "Move `uv_mapping` in front of the texture, or into it: `texture { uv_mapping ... }`.";
+                return Err(Box::new(self.error_here(text).with_hint(hint)));
+            }
+            Word::UvMapping => object.flags.uv_mapping = true,
+            Word::Inverse => object.invert(),
+            Word::CutawayTextures => {
+                if !object.cut_away() {
+                    let text = "`cutaway_textures` stands only in `intersection` and `difference`";
+                    return Err(self.error_here(text));
+                }
+            }
+            Word::NoImage
+            | Word::NoReflection
+            | Word::NoRadiosity
+            | Word::DoubleIlluminate
+            | Word::Hollow
+            | Word::Hierarchy
+            | Word::SplitUnion
+            | Word::Sturm => {
+                self.pass();
+                let is_on = self.float_or(1.0)? != 0.0;
+                match word {
+                    Word::NoImage => object.flags.no_image = is_on,
+                    Word::NoReflection => object.flags.no_reflection = is_on,
+                    Word::NoRadiosity => object.flags.no_radiosity = is_on,
+                    Word::DoubleIlluminate => object.flags.double_illuminate = is_on,
+                    Word::Hollow => object.flags.hollow = Some(is_on),
+                    // The others change no picture of what is built.
+                    _ => {}
+                }
+                return Ok(true);
+            }
+            Word::Photons => {
+                self.pass();
+                object.photons_mut().read(self)?;
+                return Ok(true);
+            }
+            _ if word.class() == Class::Color => {
+                let at = self.here_span();
+                self.color_value()?;
+                self.warning(
+                    Diagnostic::warning(at, "a colour of an object itself has no effect here")
+                        .with_hint("Put it into `pigment { }`."),
+                );
+                return Ok(true);
+            }
+            _ => return Ok(false),
+        }
+        self.pass();
+        Ok(true)
+    }
+
+    /// `pigment`, `normal` or `finish` straight in an object: they change the top layer of its texture.
+    fn texture_part(&mut self, object: &mut Object, word: Word) -> Parse<()> {
+        if let Some(known) = &object.texture
+            && known.what.is_patterned()
+        {
+            let message = format!("`{word}` cannot change a texture that a pattern chooses");
+            return Err(self.error_here(message));
+        }
+        own_texture(object, &self.default_layer);
+        baked(object).top_mut().read_part(word, self)?;
+        Ok(())
+    }
+
+    /// Gives an object a texture, or a further layer over the one it has.
+    fn lay_over(&mut self, object: &mut Object, texture: Texture) -> Parse<()> {
+        match &object.texture {
+            Some(lower) => {
+                self.check_layers(&lower.what, &texture)?;
+                baked(object).lay_over(texture, self.version);
+            }
+            None => object.texture = Some(object.attach(Arc::new(texture))),
+        }
+        Ok(())
+    }
+
+    fn material(&mut self, object: &mut Object) -> Parse<()> {
+        self.pass();
+        let default = self.default_layer.clone();
+        let material = Material::read(self, &default)?;
+        if let Some(texture) = material.texture {
+            self.lay_over(object, texture)?;
+        }
+        if let Some(texture) = material.interior_texture {
+            object.set_interior_texture(Arc::new(texture));
+        }
+        if let Some(interior) = material.interior {
+            object.interior = Some(Arc::new(interior.after(&object.steps)));
+        }
+        Ok(())
+    }
+
+    /// "`word` is not built yet" at the token at hand.
+    pub(crate) fn not_built(&mut self, word: Word) -> Box<Diagnostic> {
+        let message = format!("`{word}` is not built yet");
+        let error = Diagnostic::error(self.here_span(), message);
+        self.with_trace(error.with_code(Code::NotBuilt))
+    }
+}
+
+/// Makes one step of very many, from the last one on before which the object was given something.
+pub(crate) fn fold_steps(object: &mut Object) {
+    let textures = object.textures().map(|texture| texture.after);
+    let start = textures
+        .chain(object.around().map(|attached| attached.after))
+        .chain(object.seen_in().map(|boxes| boxes.after))
+        .max()
+        .unwrap_or(0);
+    shorten(&mut object.steps, start);
+}
+
+/// Sees to it that an object has a texture of its own.
+fn own_texture(object: &mut Object, default: &Layer) {
+    if object.texture.is_none() {
+        let texture = Texture::from(default.clone());
+        object.texture = Some(object.attach(Arc::new(texture)));
+    }
+}
+
+/// The texture of an object that has one, to be changed: the object's steps so far are taken into it first.
+pub(crate) fn baked(object: &mut Object) -> &mut Texture {
+    let steps = std::mem::take(&mut object.steps);
+    let plain = || Attached {
+        what: Arc::new(Texture::from(Layer::default())),
+        after: 0,
+    };
+    let attached = object.texture.get_or_insert_with(plain);
+    let texture = Arc::make_mut(&mut attached.what);
+    if !object.flags.uv_mapping {
+        let moved = steps[attached.after..].iter();
+        moved.for_each(|step| texture.transform(step));
+    }
+    attached.after = steps.len();
+    object.steps = steps;
+    texture
+}

@@ -1,0 +1,301 @@
+//! The statements of a scene file, and going on after a faulty one.
+
+use super::settings::is_old_setting;
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::Color;
+use crate::base::source::{Code, Diagnostic};
+use crate::lang::cursor::Entered;
+use crate::lang::diagnose::recover::is_part;
+use crate::lang::fast_path::parallel::{Defaults, Taker};
+use crate::lang::fast_path::plain::Read;
+use crate::lang::limits;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind};
+use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::scene::camera::Camera;
+use crate::scene::interior::Media;
+use crate::scene::texture::{Finish, Layer, Texture};
+use crate::scene::{Entry, Look, Object, Plain};
+use std::sync::Arc;
+
+/// The objects of the scene itself.
+struct Whole;
+
+impl Taker for Whole {
+    type Kept = Entry;
+
+    fn kept(read: Read, defaults: &Defaults<'_>) -> Entry {
+        match read {
+            Read::Object(object) => {
+                Entry::from(Arc::new(object).with_default_texture(defaults.texture))
+            }
+            Read::Shape { shape, color } => {
+                let look = look(color, &defaults.finish, defaults.texture);
+                Entry::from(Plain { shape, look })
+            }
+        }
+    }
+
+    fn take(&mut self, reader: &mut Reader<'_>, piece: Vec<Entry>) -> Parse<()> {
+        let mut plain = 0;
+        for entry in &piece {
+            match entry.whole() {
+                Some(object) => reader.count_leaves(object)?,
+                None => plain += 1,
+            }
+        }
+        reader.objects.append(piece);
+        reader.count_leaves_alone(plain)
+    }
+}
+
+/// How a shape looks that says a colour, or nothing.
+fn look(color: Option<Color>, finish: &Arc<Finish>, texture: &Arc<Texture>) -> Look {
+    match color {
+        Some(color) => Look::Color(color, Arc::clone(finish)),
+        None => Look::Texture(Arc::clone(texture)),
+    }
+}
+
+impl Reader<'_> {
+    /// Reads the whole scene; findings are recorded.
+    pub(crate) fn statements(&mut self) {
+        loop {
+            match self.statement() {
+                Ok(true) => {}
+                Ok(false) => return,
+                Err(error) => {
+                    let mut is_unbuilt =
+                        error.code == Some(Code::NotBuilt) && !self.has_faulty_directive;
+                    self.tell(*error);
+                    if is_unbuilt && let Err(error) = self.skip_blocks(0) {
+                        is_unbuilt = false;
+                        self.tell(*error);
+                    }
+                    if self.is_over {
+                        return;
+                    }
+                    if self.errors >= limits::ERRORS {
+                        let message = format!("nothing is read behind {} errors", limits::ERRORS);
+                        self.warning(Diagnostic::warning(None, message));
+                        return;
+                    }
+                    if !is_unbuilt {
+                        self.recover();
+                    }
+                }
+            }
+        }
+    }
+
+    fn tell(&mut self, error: Diagnostic) {
+        let unended = self.without_semicolon.take();
+        if let Some((last, ..)) = unended.filter(|_| error.message.is_empty()) {
+            // What was asked for would be there if the declaration had ended.
+            self.miss_semicolon(last);
+        }
+        let error = self.with_trace(error);
+        self.record(*error);
+    }
+
+    /// One statement; false at the end of the scene.
+    fn statement(&mut self) -> Parse<bool> {
+        self.blocks.clear();
+        self.depth = 0;
+        self.has_faulty_directive = false;
+        self.take_literal_objects(&mut Whole)?;
+        let token = self.peek()?;
+        self.statement_start = self.start_here();
+        if token.kind == Kind::End {
+            return self.end_of_scene().map(|()| false);
+        }
+        match token.word() {
+            Some(Word::Camera) => {
+                self.pass();
+                let at = self.taken_span();
+                let base = self.default_camera.clone();
+                let camera = Camera::read(self, &base)?;
+                if let Some((_, first)) = self.camera.replace((camera, at)) {
+                    self.warning(
+                        Diagnostic::warning(at, "more than one camera; the last one counts")
+                            .with_label(first, "this one does not count"),
+                    );
+                }
+            }
+            Some(Word::Background) => {
+                self.pass();
+                self.open_block()?;
+                self.background = Some(self.color_value()?);
+                Args::close(self)?;
+            }
+            Some(Word::Fog) => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                self.atmosphere.fogs.push(fog);
+            }
+            Some(Word::Rainbow) => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                self.atmosphere.rainbows.push(rainbow);
+            }
+            Some(Word::Media) => {
+                self.pass();
+                let media = Media::read(self)?;
+                self.atmosphere.media.push(media);
+            }
+            Some(Word::SkySphere) => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                if self.atmosphere.sky_sphere.replace(Arc::new(sky)).is_some() {
+                    self.warning(Diagnostic::warning(
+                        self.taken_span(),
+                        "more than one `sky_sphere`; the last one counts",
+                    ));
+                }
+            }
+            Some(Word::GlobalSettings) => self.global_settings()?,
+            Some(word) if is_old_setting(word) => {
+                let message = format!("`{word}` should stand in `global_settings`");
+                self.warning(Diagnostic::warning(self.here_span(), message));
+                self.global_setting(word)?;
+            }
+            Some(Word::Default) => {
+                self.pass();
+                self.run_default()?;
+            }
+            _ => self.object_statement()?,
+        }
+        Ok(true)
+    }
+
+    fn object_statement(&mut self) -> Parse<()> {
+        if let Some((sphere, color)) = self.replay_sphere()? {
+            let look = self.look_of(color);
+            self.count_leaf()?;
+            self.objects.push_ball(sphere, look);
+            return Ok(());
+        }
+        if let Some(read) = self.replay_object()? {
+            return self.add_read(read);
+        }
+        let object = match self.raw().word() {
+            Some(word) => self.object_of_tokens(word)?,
+            None => self.object_of_name()?,
+        };
+        if let Some(object) = object {
+            return self.add_object(object);
+        }
+        let token = self.raw();
+        match token.word() {
+            Some(word) if is_part(word) => {
+                let error = self.expected_here("an object or a statement");
+                let hint = format!("`{word}` stands in the `{{` and `}}` of an object.");
+                Err(Box::new(error.with_hint(hint)))
+            }
+            Some(word) if word.class() == Class::Statement => Err(self.not_built(word)),
+            _ if token.is_mark('}') => Err(self.with_trace(
+                Diagnostic::error(self.here_span(), "this `}` closes nothing")
+                    .with_hint("Remove it, or look for a missing `{` above."),
+            )),
+            _ => Err(self.expected_here("an object or a statement")),
+        }
+    }
+
+    fn add_read(&mut self, read: Read) -> Parse<()> {
+        let (shape, color) = match read {
+            Read::Object(object) => return self.add_object(Arc::new(object)),
+            Read::Shape { shape, color } => (shape, color),
+        };
+        let look = self.look_of(color);
+        self.count_leaf()?;
+        self.objects.push_plain(Plain { shape, look });
+        Ok(())
+    }
+
+    /// How a shape looks that says a colour, or nothing.
+    fn look_of(&self, color: Option<Color>) -> Look {
+        look(color, &self.default_layer.finish, &self.default_texture)
+    }
+
+    fn add_object(&mut self, object: Arc<Object>) -> Parse<()> {
+        let object = self.with_default_texture(object);
+        self.count_leaves(&object)?;
+        self.objects.push(object);
+        Ok(())
+    }
+
+    /// An object without a texture takes the default one as it is at the object's end.
+    pub(crate) fn with_default_texture(&self, object: Arc<Object>) -> Arc<Object> {
+        object.with_default_texture(&self.default_texture)
+    }
+
+    /// Changes the defaults for the objects that follow.
+    fn set_default(&mut self, layer: Layer) {
+        let layer = layer.into_default();
+        self.default_texture = Arc::new(Texture::from(layer.clone()));
+        self.default_layer = layer;
+    }
+
+    fn end_of_scene(&mut self) -> Parse<()> {
+        let Some(open) = self
+            .frames
+            .iter()
+            .rev()
+            .find(|frame| !matches!(frame.kind, Entered::Include { .. }))
+        else {
+            return Ok(());
+        };
+        let name = match open.kind {
+            Entered::Macro { .. } => "a macro",
+            Entered::While { .. } => "`#while`",
+            Entered::For(_) => "`#for`",
+            Entered::Switch { .. } => "`#switch`",
+            _ => "`#if`",
+        };
+        let start = Self::unclosed_directive(&open.home);
+        self.frames.clear();
+        let message = format!("the scene ends inside {name}: its `#end` is missing");
+        let error = match start {
+            Some(start) => Diagnostic::error(start, message),
+            None => *self.error_here(message),
+        };
+        Err(self.with_trace(error.with_hint("Write `#end` where it is to end.")))
+    }
+
+    /// `default { texture | pigment | normal | finish | camera ... }`, also as `#default`.
+    pub(crate) fn run_default(&mut self) -> Parse<()> {
+        self.open_block()?;
+        loop {
+            if self.take_close()? {
+                return Ok(());
+            }
+            match self.peek()?.word() {
+                Some(Word::Texture) => {
+                    let texture = self.texture_layers()?;
+                    if let Some(layer) = texture.layers().last() {
+                        self.set_default(layer.clone());
+                    }
+                }
+                Some(Word::Camera) => {
+                    self.pass();
+                    let base = self.default_camera.clone();
+                    self.default_camera = Camera::read(self, &base)?;
+                }
+                Some(word @ (Word::Pigment | Word::Normal | Word::Finish)) => {
+                    let mut layer = self.default_layer.clone();
+                    layer.read_part(word, self)?;
+                    self.set_default(layer);
+                }
+                Some(Word::Radiosity) => {
+                    let usual = self.globals.importance;
+                    self.globals.importance = self.importance()?.unwrap_or(usual);
+                }
+                _ => {
+                    return Err(self.expected_here(
+                        "`texture`, `pigment`, `finish`, `camera` or `}` in `default`",
+                    ));
+                }
+            }
+        }
+    }
+}

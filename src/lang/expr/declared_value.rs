@@ -1,0 +1,281 @@
+//! The values that identifiers are given: whatever may stand behind `#declare X =`.
+
+use super::function::is_callable;
+use super::value::{Element, Number, Value};
+use crate::base::args::{Parse, Word, transform_step};
+use crate::base::color::Color;
+use crate::lang::fast_path::replay::Level;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Class, Kind, Symbol};
+use crate::scene::atmosphere::{Fog, Rainbow, SkySphere};
+use crate::scene::camera::Camera;
+use crate::scene::interior::{Density, Interior, Media};
+use crate::scene::pattern::{Keys, Map};
+use crate::scene::texture::{Finish, Material, Normal, Pigment, Texture};
+
+impl Reader<'_> {
+    /// A value of any kind, if one begins at hand: what may stand behind `#declare X =`.
+    pub(crate) fn value(&mut self, what: &str) -> Parse<Option<Value>> {
+        self.replayed(Level::Value, |reader| reader.read_value(what))
+    }
+
+    pub(crate) fn read_value(&mut self, what: &str) -> Parse<Option<Value>> {
+        let token = self.peek()?;
+        if !self.begins_number()? {
+            self.spoil();
+        }
+        match token.kind {
+            Kind::Number => Ok(Some(Value::Number(self.sum()?))),
+            Kind::String => Ok(Some(Value::Text(self.string()?.into()))),
+            Kind::Mark if "<(-+!".contains(char::from_u32(token.value).unwrap_or(' ')) => {
+                Ok(Some(Value::Number(self.sum()?)))
+            }
+            Kind::Name => self.value_of_name(Symbol(token.value), what),
+            Kind::Word => token
+                .word()
+                .map_or(Ok(None), |word| self.value_of_word(word)),
+            _ => Ok(None),
+        }
+    }
+
+    fn value_of_name(&mut self, symbol: Symbol, what: &str) -> Parse<Option<Value>> {
+        match self.scopes.get(symbol) {
+            None => Err(self.expected_here(what)),
+            Some(Value::Number(_)) => self.number_or_color().map(Some),
+            Some(Value::Array(array)) => {
+                let is_copied = array.items.iter().flatten().next().is_some_and(is_callable)
+                    && self.is_item_alone();
+                if self.raw_ahead(1).is_mark('[') && !is_copied && self.begins_number()? {
+                    return self.number_or_color().map(Some);
+                }
+                self.spoil();
+                let before = self.here.clone();
+                let item = self.array_or_item()?;
+                let is_called = is_callable(&item) && self.is_raw_mark('(');
+                match item {
+                    _ if is_called || matches!(item, Value::Number(_)) => {
+                        // An item that is a number may begin an expression: read it again as one.
+                        self.here = before;
+                        self.number_or_color().map(Some)
+                    }
+                    other => Ok(Some(other)),
+                }
+            }
+            Some(Value::Poison(why)) => Err(self.consequence_of(why.as_deref())),
+            Some(Value::File(_)) => Err(self.expected_here(what)),
+            Some(_) if self.at_call() => self.number_or_color().map(Some),
+            Some(Value::Element(element)) if element.name == "texture" => Ok(Some(Value::Element(
+                Element::new("texture", self.texture_layers()?),
+            ))),
+            Some(other) => {
+                let value = other.clone();
+                self.pass();
+                Ok(Some(value))
+            }
+        }
+    }
+
+    /// Tells if the next item of an array is all there is: behind its indices stands neither a call nor an operator, but
+    /// what may stand behind a value.
+    fn is_item_alone(&self) -> bool {
+        let tokens = &self.here.tokens.tokens;
+        let mut at = self.here.at + 1;
+        let mut open = 0_usize;
+        while open > 0 || tokens[at].is_mark('[') {
+            match tokens[at].kind {
+                Kind::More | Kind::End => return false,
+                _ if tokens[at].is_mark('[') => open += 1,
+                _ if tokens[at].is_mark(']') => open -= 1,
+                _ => {}
+            }
+            at += 1;
+        }
+        let (_, behind) = self.behind_ends(at);
+        match behind.kind {
+            Kind::Mark => [';', ',', '}', ')']
+                .into_iter()
+                .any(|mark| behind.is_mark(mark)),
+            Kind::Word | Kind::Name | Kind::Number | Kind::String => true,
+            _ => false,
+        }
+    }
+
+    fn value_of_word(&mut self, word: Word) -> Parse<Option<Value>> {
+        let element =
+            |name: &'static str| move |value: Element| Value::Element(Element { name, ..value });
+        match word {
+            Word::Texture => {
+                let texture = self.texture_layers()?;
+                Ok(Some(Value::Element(Element::new("texture", texture))))
+            }
+            Word::Pigment => {
+                self.pass();
+                let default = self.default_layer.pigment.clone();
+                let pigment = Pigment::read(self, &default)?;
+                Ok(Some(Value::Element(Element::new("pigment", pigment))))
+            }
+            Word::ColorMap | Word::ColourMap => {
+                self.pass();
+                let map = Map::read_colors(self)?;
+                Ok(Some(Value::Element(Element::new("color_map", map))))
+            }
+            Word::PigmentMap => {
+                self.pass();
+                let map = Pigment::read_map(Keys::Positions, self)?;
+                Ok(Some(Value::Element(Element::new("pigment_map", map))))
+            }
+            Word::Normal => {
+                self.pass();
+                let default = self.default_layer.normal.clone();
+                let normal = Normal::read(self, default.as_ref())?;
+                Ok(Some(Value::Element(Element::new("normal", normal))))
+            }
+            Word::NormalMap => {
+                self.pass();
+                let map = Normal::read_map(Keys::Positions, self)?;
+                Ok(Some(Value::Element(Element::new("normal_map", map))))
+            }
+            Word::SlopeMap => {
+                self.pass();
+                let map = Normal::read_slopes(self)?;
+                Ok(Some(Value::Element(Element::new("slope_map", map))))
+            }
+            Word::TextureMap => {
+                self.pass();
+                let default = self.default_layer.clone();
+                let map = Texture::read_map(Keys::Positions, self, &default)?;
+                Ok(Some(Value::Element(Element::new("texture_map", map))))
+            }
+            Word::DensityMap => {
+                self.pass();
+                let map = Density::read_map(Keys::Positions, self)?;
+                Ok(Some(Value::Element(Element::new("density_map", map))))
+            }
+            Word::Finish => {
+                self.pass();
+                let default = self.default_layer.finish.clone();
+                let finish = Finish::read(self, &default)?;
+                Ok(Some(Value::Element(Element::new("finish", finish))))
+            }
+            Word::Interior => {
+                self.pass();
+                let interior = Interior::read(self)?;
+                Ok(Some(element("interior")(Element::new(
+                    "interior", interior,
+                ))))
+            }
+            Word::Material => {
+                self.pass();
+                let default = self.default_layer.clone();
+                let material = Material::read(self, &default)?;
+                Ok(Some(Value::Element(Element::new("material", material))))
+            }
+            Word::Fog => {
+                self.pass();
+                let fog = Fog::read(self)?;
+                Ok(Some(Value::Element(Element::new("fog", fog))))
+            }
+            Word::Rainbow => {
+                self.pass();
+                let rainbow = Rainbow::read(self)?;
+                Ok(Some(Value::Element(Element::new("rainbow", rainbow))))
+            }
+            Word::Media => {
+                self.pass();
+                let media = Media::read(self)?;
+                Ok(Some(Value::Element(Element::new("media", media))))
+            }
+            Word::Density => {
+                self.pass();
+                let density = Density::read(self)?;
+                Ok(Some(Value::Element(Element::new("density", density))))
+            }
+            Word::SkySphere => {
+                self.pass();
+                let sky = SkySphere::read(self)?;
+                Ok(Some(Value::Element(Element::new("sky_sphere", sky))))
+            }
+            Word::Camera => {
+                self.pass();
+                let camera = Camera::read(self, &Camera::default())?;
+                Ok(Some(Value::Element(Element::new("camera", camera))))
+            }
+            Word::Transform | Word::Translate | Word::Rotate | Word::Scale | Word::Matrix => {
+                let step = transform_step(self)?;
+                Ok(step.map(|step| Value::Element(Element::new("transform", step.transform()))))
+            }
+            Word::Array => self.array_value().map(Some),
+            Word::Function => self.function_value().map(Some),
+            Word::Spline => self.spline_value().map(Some),
+            Word::LightSource => Ok(self.object()?.map(Value::Object)),
+            _ if self.begins_string(word) => Ok(Some(Value::Text(self.string()?.into()))),
+            _ => match word.class() {
+                Class::Shape | Class::Csg => Ok(self.object()?.map(Value::Object)),
+                Class::Color | Class::Value | Class::Function => self.number_or_color().map(Some),
+                _ if self.begins_expression(word) => self.number_or_color().map(Some),
+                _ => Ok(None),
+            },
+        }
+    }
+
+    /// An expression at the additive level, or a colour in words.
+    fn number_or_color(&mut self) -> Parse<Value> {
+        let token = self.peek()?;
+        let is_color_word = token
+            .word()
+            .is_some_and(|word| word.class() == Class::Color);
+        let number = if is_color_word {
+            color_number(self.color_value()?)
+        } else {
+            self.sum()?
+        };
+        Ok(Value::Number(number))
+    }
+
+    /// All layers of `texture { } texture { }`, or the texture of an identifier and further layers.
+    pub(crate) fn texture_layers(&mut self) -> Parse<Texture> {
+        let mut sum: Option<Texture> = None;
+        loop {
+            let next = if self.take_word(Word::Texture)? {
+                let default = self.default_layer.clone();
+                Texture::read(self, &default)?
+            } else if let Some(known) = crate::base::args::declared::<Texture>(self)? {
+                (*known).clone()
+            } else {
+                break;
+            };
+            match &mut sum {
+                None => sum = Some(next),
+                Some(sum) => {
+                    self.check_layers(sum, &next)?;
+                    sum.lay_over(next, self.version);
+                }
+            }
+            if let Some(sum) = &sum {
+                self.peek_behind(|| Value::Element(Element::new("texture", sum.clone())))?;
+            }
+        }
+        sum.ok_or_else(|| self.expected_here("`texture`"))
+    }
+
+    /// Textures that are chosen by a pattern have no layers, and textures that hold themselves twice double theirs.
+    pub(crate) fn check_layers(&self, lower: &Texture, upper: &Texture) -> Parse<()> {
+        match lower.fault_below(upper) {
+            Some(fault) => Err(self.error_taken(fault)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A colour as the five numbers it is in expressions.
+pub(crate) fn color_number(color: Color) -> Number {
+    let Color {
+        rgb,
+        filter,
+        transmit,
+    } = color;
+    Number {
+        v: [rgb.r, rgb.g, rgb.b, filter, transmit].map(f64::from),
+        len: 5,
+    }
+}

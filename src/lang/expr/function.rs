@@ -1,0 +1,367 @@
+//! `function { ... }`, and calls of functions and splines in expressions.
+
+use super::body::{Body, Name};
+use super::value::{Element, Number, Value};
+use crate::base::args::{Args, Parse, Word, transform_step};
+use crate::base::math::{Spline, SplineKind, Step, Transform};
+use crate::base::source::{Diagnostic, Span};
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, Symbol};
+use crate::scene::function::{
+    Function, Internal, Kind as Computes, MOST_PARAMETERS, Refusal, internal,
+};
+use crate::scene::pattern::{Settings, read_field};
+use crate::scene::texture::{Pigment, PreparedPigment, read_pattern};
+use std::sync::Arc;
+
+/// The word under which functions are kept.
+pub(crate) const FUNCTION: &str = "function";
+/// The word under which splines are kept.
+const SPLINE: &str = "spline";
+
+/// What an identifier followed by `(` calls.
+pub(crate) enum Callee {
+    Function(Arc<Function>),
+    Spline(Arc<Spline>),
+}
+
+impl Callee {
+    /// What this value calls, if it can be called.
+    pub(crate) fn of(value: &Value) -> Option<Self> {
+        let Value::Element(element) = value else {
+            return None;
+        };
+        let any = Arc::clone(&element.value);
+        match element.name {
+            FUNCTION => any.downcast().ok().map(Callee::Function),
+            SPLINE => any.downcast().ok().map(Callee::Spline),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a value can be called.
+pub(crate) fn is_callable(value: &Value) -> bool {
+    matches!(value, Value::Element(Element { name, .. }) if [FUNCTION, SPLINE].contains(name))
+}
+
+impl Reader<'_> {
+    /// Whether the identifier at hand calls a function or spline: it holds one, and `(` follows.
+    pub(crate) fn at_call(&self) -> bool {
+        let token = self.raw();
+        token.kind == Kind::Name
+            && self.raw_ahead(1).is_mark('(')
+            && self
+                .scopes
+                .get(Symbol(token.value))
+                .is_some_and(is_callable)
+    }
+
+    /// The value of the call at hand, behind the name of what it calls.
+    pub(crate) fn call(&mut self, callee: &Callee) -> Parse<Number> {
+        let name = self.taken_span();
+        match callee {
+            Callee::Function(function) => {
+                let function = self.as_called(Arc::clone(function));
+                self.call_user_function(&function, name)
+            }
+            Callee::Spline(spline) => self.call_spline(spline),
+        }
+    }
+
+    fn call_user_function(&mut self, function: &Function, name: Span) -> Parse<Number> {
+        self.expect_mark('(', "`(` and the arguments of the function")?;
+        let open = self.start_taken();
+        let wanted = function.parameters();
+        let mut arguments: smallvec::SmallVec<[f64; 8]> = smallvec::SmallVec::new();
+        while arguments.len() < wanted && !self.peek()?.is_mark(')') {
+            arguments.push(self.number_at_sum()?);
+            if arguments.len() < wanted {
+                self.take_mark(',')?;
+            }
+        }
+        if arguments.len() < wanted || !self.peek()?.is_mark(')') && self.begins_argument()? {
+            return Err(self.wrong_count(name, wanted, arguments.len()));
+        }
+        self.expect_end(')', "an operator or `)` at the end of the call", open)?;
+        Ok(if function.is_scalar() {
+            Number::float(function.eval(&arguments))
+        } else {
+            Number {
+                v: function.eval_vector(&arguments),
+                len: function.components(),
+            }
+        })
+    }
+
+    /// Whether a further argument begins at hand.
+    pub(crate) fn begins_argument(&mut self) -> Parse<bool> {
+        Ok(self.peek()?.is_mark(',') || self.begins_number()?)
+    }
+
+    /// The error for a call that has `found` arguments and perhaps more.
+    pub(crate) fn wrong_count(
+        &mut self,
+        name: Span,
+        wanted: usize,
+        found: usize,
+    ) -> Box<Diagnostic> {
+        let called = self.source_text(name).to_owned();
+        let found = if found < wanted {
+            format!("found {found}")
+        } else {
+            "found a further one".to_owned()
+        };
+        let plural = if wanted == 1 { "" } else { "s" };
+        let place = name.to(self.here_span());
+        self.with_trace(Diagnostic::error(
+            place,
+            format!("`{called}` takes {wanted} argument{plural}, {found}"),
+        ))
+    }
+
+    fn call_spline(&mut self, spline: &Spline) -> Parse<Number> {
+        self.expect_mark('(', "`(` and the place on the spline")?;
+        let open = self.start_taken();
+        let t = self.number_at_sum()?;
+        let kind = if self.take_mark(',')? {
+            let Some(kind) = self.spline_kind()? else {
+                return Err(self.expected_here(
+                    "`linear_spline`, `quadratic_spline`, `cubic_spline` or `natural_spline`",
+                ));
+            };
+            kind
+        } else {
+            spline.kind()
+        };
+        self.expect_end(')', "an operator, `,` and a kind of spline, or `)`", open)?;
+        Ok(Number {
+            v: spline.at_as(kind, t),
+            len: spline.components(),
+        })
+    }
+
+    /// The kind of spline at hand, if a word names one.
+    fn spline_kind(&mut self) -> Parse<Option<SplineKind>> {
+        let kind = match self.peek()?.word() {
+            Some(Word::LinearSpline) => SplineKind::Linear,
+            Some(Word::QuadraticSpline) => SplineKind::Quadratic,
+            Some(Word::CubicSpline) => SplineKind::Cubic,
+            Some(Word::NaturalSpline) => SplineKind::Natural,
+            _ => return Ok(None),
+        };
+        self.pass();
+        Ok(Some(kind))
+    }
+
+    /// `{ declared_spline kind  t, value, ... }`, behind `spline`.
+    pub(crate) fn spline_block(&mut self) -> Parse<Arc<Spline>> {
+        self.open_block()?;
+        let known = crate::base::args::declared::<Spline>(self)?;
+        let kind = self.spline_kind()?;
+        let mut points = Vec::new();
+        while !self.take_close()? {
+            if !self.begins_number()? {
+                return Err(self.expected_here("a number and its point, or `}` in `spline`"));
+            }
+            let key = Args::float(self)?;
+            self.take_mark(',')?;
+            let start = self.start()?;
+            let point = self.sum()?.promoted(2);
+            self.finite(&point.v, start)?;
+            self.take_mark(',')?;
+            points.push((key, point.v, point.len));
+        }
+        let known = known.unwrap_or_default();
+        if known.is_empty() && points.is_empty() {
+            return Err(self.error_taken("a spline has at least one point"));
+        }
+        let kind = kind.unwrap_or(known.kind());
+        Ok(Arc::new(Spline::new(&known, kind, &points)))
+    }
+
+    /// The value of `spline { ... }`.
+    pub(crate) fn spline_value(&mut self) -> Parse<Value> {
+        self.pass();
+        let value = self.spline_block()?;
+        Ok(Value::Element(Element {
+            name: SPLINE,
+            value,
+        }))
+    }
+
+    /// The value of `function { ... }`.
+    pub(crate) fn function_value(&mut self) -> Parse<Value> {
+        self.pass();
+        let value = self.function_block()?;
+        Ok(Value::Element(Element {
+            name: FUNCTION,
+            value,
+        }))
+    }
+
+    /// `(a, b, ...) { ... }`, behind `function`.
+    pub(crate) fn function_block(&mut self) -> Parse<Arc<Function>> {
+        let start = self.taken_span();
+        let named = if self.take_mark('(')? {
+            Some((self.parameters()?, self.taken_span()))
+        } else {
+            None
+        };
+        self.open_block()?;
+        self.pass_hash_of_new_name();
+        if self.peek()?.kind == Kind::String {
+            // A name for messages, which POV-Ray takes as well.
+            self.string()?;
+        }
+        if let Some(computes) = self.function_without_formula()? {
+            let is_internal = matches!(computes, Computes::Internal(_) | Computes::Noise(_));
+            if let (Some((_, place)), false) = (&named, is_internal) {
+                return Err(self.with_trace(
+                    Diagnostic::error(
+                        start.to(*place),
+                        "the parameters of this kind of function cannot be named",
+                    )
+                    .with_hint("Remove the names and their parentheses."),
+                ));
+            }
+            Args::close(self)?;
+            return Ok(Arc::new(Function::of(computes)));
+        }
+        let parameters = named.map_or_else(
+            || {
+                vec![
+                    Name::Word(Word::X),
+                    Name::Word(Word::Y),
+                    Name::Word(Word::Z),
+                ]
+            },
+            |named| named.0,
+        );
+        let count = parameters.len();
+        let mut body = Body::new(parameters);
+        let result = self.body_expression(&mut body)?;
+        if !self.take_close()? {
+            return Err(self.expected_here("an operator or `}` at the end of the function"));
+        }
+        let graph = body.finish(result);
+        let place = start.to(self.taken_span());
+        match Function::formula(graph, count) {
+            Ok(function) => Ok(Arc::new(function)),
+            Err(refusal) => Err(self.refused(refusal, place)),
+        }
+    }
+
+    fn refused(&self, refusal: Refusal, place: Span) -> Box<Diagnostic> {
+        let (message, hint) = match refusal {
+            Refusal::TooLarge => (
+                "this function is too large to be computed",
+                "Split it into several, and let fewer functions call each other.",
+            ),
+            Refusal::TooLong => (
+                "one value of this function would take more than ten thousand million steps",
+                "Let `sum` and `prod` run over fewer numbers, or call fewer functions.",
+            ),
+        };
+        self.with_trace(Diagnostic::error(place, message).with_hint(hint))
+    }
+
+    /// `a, b, ...)`, behind `(`.
+    fn parameters(&mut self) -> Parse<Vec<Name>> {
+        const WHAT: &str = "a parameter of the function";
+        let mut names = Vec::new();
+        loop {
+            self.pass_hash_of_new_name();
+            let token = self.peek()?;
+            names.push(match (token.kind, token.word()) {
+                (Kind::Name, _) => Name::Symbol(Symbol(token.value)),
+                (_, Some(word @ (Word::X | Word::Y | Word::Z | Word::U | Word::V))) => {
+                    Name::Word(word)
+                }
+                _ => return Err(self.expected_here(WHAT)),
+            });
+            self.pass();
+            if names.len() > MOST_PARAMETERS {
+                return Err(self.error_taken(format!(
+                    "a function has at most {MOST_PARAMETERS} parameters"
+                )));
+            }
+            if self.take_mark(')')? {
+                return Ok(names);
+            }
+            self.take_mark(',')?;
+        }
+    }
+
+    fn pattern_settings(&self) -> Settings {
+        Settings {
+            solid_of: self.probe.solid_of(),
+            ..self.globals.pattern_settings(self.version)
+        }
+    }
+
+    /// The function as a caller at this place means it: `f_noise3d` has the noise that the scene has by now.
+    pub(crate) fn as_called(&self, function: Arc<Function>) -> Arc<Function> {
+        let noise = self.pattern_settings().noise_generator;
+        match function.kind() {
+            Computes::Noise(known) if *known != noise => {
+                Arc::new(Function::of(Computes::Noise(noise)))
+            }
+            _ => function,
+        }
+    }
+
+    /// What the function is if its block holds something other than a formula.
+    fn function_without_formula(&mut self) -> Parse<Option<Computes>> {
+        let computes = match self.peek()?.word() {
+            Some(Word::Internal) => {
+                self.pass();
+                let internal = self.internal_function()?;
+                if internal.number == internal::NOISE_3D {
+                    Computes::Noise(self.pattern_settings().noise_generator)
+                } else {
+                    Computes::Internal(internal)
+                }
+            }
+            Some(Word::Spline) => {
+                self.pass();
+                Computes::Spline(self.spline_block()?)
+            }
+            Some(Word::Transform) => {
+                let step = transform_step(self)?;
+                Computes::Transform(step.map_or(Transform::IDENTITY, |step: Step| step.transform()))
+            }
+            Some(Word::Pattern) => {
+                self.pass();
+                let settings = self.pattern_settings();
+                Computes::Field(Arc::new(read_field(self, &settings, read_pattern)?))
+            }
+            Some(Word::Pigment) => {
+                self.pass();
+                let default = self.default_layer.pigment.clone();
+                let pigment = Pigment::read(self, &default)?;
+                let settings = self.pattern_settings();
+                Computes::Color(Arc::new(PreparedPigment::new(&pigment, &[], &settings)))
+            }
+            _ => return Ok(None),
+        };
+        Ok(Some(computes))
+    }
+
+    /// `(n)`, behind `internal`.
+    fn internal_function(&mut self) -> Parse<&'static Internal> {
+        let start = self.taken_span();
+        self.expect_mark('(', "`(` after `internal`")?;
+        let number = self.number_at_sum()?;
+        self.expect_mark(')', "`)` after the number of the function")?;
+        internal::of_number(number).ok_or_else(|| {
+            self.with_trace(
+                Diagnostic::error(
+                    start.to(self.taken_span()),
+                    format!("there is no internal function {number}"),
+                )
+                .with_hint("functions.inc gives the internal functions names: `f_torus`, ..."),
+            )
+        })
+    }
+}

@@ -1,0 +1,262 @@
+//! What identifiers hold and expressions give.
+
+use crate::base::source::Diagnostic;
+use crate::lang::directive::macros::Macro;
+use crate::scene::Object;
+use std::any::{Any, TypeId};
+use std::fmt;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A number, or a vector or colour of up to five components.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Number {
+    /// The components; those from `len` on are zero.
+    pub(crate) v: [f64; 5],
+    /// How many there are: 1 for a float, 2 to 4 for a vector, 5 for a colour.
+    pub(crate) len: u8,
+}
+
+impl Number {
+    /// A float.
+    pub(crate) fn float(v: f64) -> Self {
+        Number {
+            v: [v, 0.0, 0.0, 0.0, 0.0],
+            len: 1,
+        }
+    }
+
+    /// 1 or 0.
+    pub(crate) fn truth(v: bool) -> Self {
+        Number::float(f64::from(u8::from(v)))
+    }
+
+    /// A vector of three.
+    pub(crate) fn vector(v: glam::DVec3) -> Self {
+        Number {
+            v: [v.x, v.y, v.z, 0.0, 0.0],
+            len: 3,
+        }
+    }
+
+    /// The first three components.
+    pub(crate) fn xyz(&self) -> glam::DVec3 {
+        glam::DVec3::new(self.v[0], self.v[1], self.v[2])
+    }
+
+    /// The brightness of a colour.
+    pub(crate) fn grey(&self) -> f64 {
+        0.297 * self.v[0] + 0.589 * self.v[1] + 0.114 * self.v[2]
+    }
+
+    /// The same value with `len` components: a float is repeated, a shorter vector is filled with zeros.
+    pub(crate) fn promoted(mut self, len: u8) -> Self {
+        if self.len == 1 && len > 1 {
+            let v = self.v[0];
+            self.v[..usize::from(len)].fill(v);
+        }
+        self.len = self.len.max(len);
+        self
+    }
+
+    /// What a person calls it.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self.len {
+            1 => "a number",
+            2 => "a vector of 2",
+            3 => "a vector",
+            4 => "a vector of 4",
+            _ => "a colour",
+        }
+    }
+}
+
+/// As a scene writes it.
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self.v[..usize::from(self.len)]
+            .iter()
+            .map(|v| ((v * ROUNDED).round() / ROUNDED).to_string())
+            .collect();
+        match parts.as_slice() {
+            [only] => f.write_str(only),
+            parts => write!(f, "<{}>", parts.join(", ")),
+        }
+    }
+}
+
+/// Numbers are told with six digits behind the point.
+const ROUNDED: f64 = 1e6;
+
+/// What an identifier can hold.
+#[derive(Clone, Debug)]
+pub(crate) enum Value {
+    /// A float, vector or colour.
+    Number(Number),
+    /// A text.
+    Text(Rc<str>),
+    /// A macro.
+    Macro(Rc<Macro>),
+    /// An array.
+    Array(Rc<Array>),
+    /// An object or CSG.
+    Object(Arc<Object>),
+    /// An open file, by its place among those of the run.
+    File(usize),
+    /// A texture, finish, camera, ...: anything that elements read by `args::declared`.
+    Element(Element),
+    /// The result of something that failed: using it fails without a further message, or where something is not built
+    /// yet, with the message that declaring it did not bring.
+    Poison(Option<Rc<Diagnostic>>),
+}
+
+/// A scene element behind an identifier.
+#[derive(Clone, Debug)]
+pub(crate) struct Element {
+    /// Its word: "texture", "finish".
+    pub(crate) name: &'static str,
+    /// The element itself.
+    pub(crate) value: Arc<dyn Any + Send + Sync>,
+}
+
+impl Element {
+    /// An element with its word.
+    pub(crate) fn new<T: Any + Send + Sync>(name: &'static str, value: T) -> Self {
+        Element {
+            name,
+            value: Arc::new(value),
+        }
+    }
+
+    /// The Rust type of the element.
+    pub(crate) fn kind(&self) -> TypeId {
+        (*self.value).type_id()
+    }
+}
+
+/// An array of one to five dimensions, row-major.
+#[derive(Clone, Debug)]
+pub(crate) struct Array {
+    /// The sizes by dimension.
+    pub(crate) sizes: Vec<usize>,
+    /// The elements; `None` is not initialised.
+    pub(crate) items: Vec<Option<Value>>,
+    /// What all the elements are, once one has been given.
+    pub(crate) holds: Option<&'static str>,
+}
+
+impl Array {
+    /// An array without any values.
+    pub(crate) fn new(sizes: Vec<usize>) -> Self {
+        Array {
+            items: vec![None; sizes.iter().product()],
+            sizes,
+            holds: None,
+        }
+    }
+}
+
+/// Arrays may hold arrays as deep as a loop likes, and the stack of the dropping thread may be small.
+impl Drop for Array {
+    fn drop(&mut self) {
+        let mut open = std::mem::take(&mut self.items);
+        while let Some(item) = open.pop() {
+            if let Some(Value::Array(array)) = item
+                && let Ok(mut last) = Rc::try_unwrap(array)
+            {
+                open.append(&mut last.items);
+            }
+        }
+    }
+}
+
+impl Value {
+    /// The item of an array, or of arrays in arrays, by the indices from the outermost on.
+    pub(crate) fn item(&self, path: &[usize]) -> Option<&Value> {
+        path.iter().try_fold(self, |value, &at| match value {
+            Value::Array(array) => array.items.get(at)?.as_ref(),
+            _ => None,
+        })
+    }
+
+    /// The place of an item, to be changed; arrays on the way that have other names as well are copied.
+    pub(crate) fn item_mut(&mut self, path: &[usize]) -> Option<&mut Option<Value>> {
+        let (&first, rest) = path.split_first()?;
+        let Value::Array(array) = self else {
+            return None;
+        };
+        let item = Rc::make_mut(array).items.get_mut(first)?;
+        if rest.is_empty() {
+            return Some(item);
+        }
+        item.as_mut()?.item_mut(rest)
+    }
+
+    /// Gives an item of an array a value; if the items are of another kind, that is given back and nothing changes.
+    pub(crate) fn put(&mut self, path: &[usize], value: Value) -> Option<&'static str> {
+        let (&first, rest) = path.split_first()?;
+        let Value::Array(array) = self else {
+            return None;
+        };
+        let array = Rc::make_mut(array);
+        if !rest.is_empty() {
+            return array.items.get_mut(first)?.as_mut()?.put(rest, value);
+        }
+        let sort = value.sort();
+        if let (Some(sort), Some(holds)) = (sort, array.holds)
+            && sort != holds
+        {
+            return Some(holds);
+        }
+        array.holds = array.holds.or(sort);
+        *array.items.get_mut(first)? = Some(value);
+        None
+    }
+
+    /// How many items [`Value::item_mut`] copies on the way.
+    pub(crate) fn copied_by(&self, path: &[usize]) -> usize {
+        let Value::Array(array) = self else {
+            return 0;
+        };
+        let own = if Rc::strong_count(array) > 1 {
+            array.items.len()
+        } else {
+            0
+        };
+        let item = path.first().and_then(|&at| array.items.get(at)?.as_ref());
+        own + item.map_or(0, |item| item.copied_by(&path[1..]))
+    }
+
+    /// What it is to arrays, whose items are all the same. Nothing is known of what could not be read.
+    pub(crate) fn sort(&self) -> Option<&'static str> {
+        Some(match self {
+            Value::Number(n) => n.kind(),
+            Value::Text(_) => "a string",
+            Value::Macro(_) => "a macro",
+            Value::Array(_) => "an array",
+            Value::Object(_) => "an object",
+            Value::Element(e) => e.name,
+            Value::File(_) => "an open file",
+            Value::Poison(_) => return None,
+        })
+    }
+
+    /// Whether it is an element of this Rust type.
+    pub(crate) fn is_element(&self, kind: TypeId) -> bool {
+        matches!(self, Value::Element(element) if element.kind() == kind)
+    }
+
+    /// What a person calls it, with an article.
+    pub(crate) fn kind(&self) -> String {
+        match self {
+            Value::Number(n) => n.kind().to_owned(),
+            Value::Text(_) => "a string".to_owned(),
+            Value::Macro(_) => "a macro".to_owned(),
+            Value::Array(_) => "an array".to_owned(),
+            Value::Object(_) => "an object".to_owned(),
+            Value::Element(e) => format!("a {}", e.name),
+            Value::File(_) => "an open file".to_owned(),
+            Value::Poison(_) => "a value that could not be read".to_owned(),
+        }
+    }
+}

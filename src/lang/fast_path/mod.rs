@@ -1,0 +1,10 @@
+//! Long literal data, repeated statements and plain objects, read without an evaluation of tokens.
+
+pub(super) mod known;
+pub(super) mod literal;
+pub(super) mod numbers;
+pub(super) mod parallel;
+pub(super) mod part_cache;
+pub(super) mod plain;
+pub(super) mod replay;
+pub(super) mod stretch;

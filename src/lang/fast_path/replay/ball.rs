@@ -1,0 +1,167 @@
+//! Spheres of one colour, of which loops and macros make the most: where their numbers stand is found out once.
+//!
+//! What has been replayed as `sphere { centre, radius pigment { rgb colour } }`, with literals and recorded expressions
+//! for the three, is kept as these three, and then no token of it is looked at. Words and marks stay what they are, and
+//! expressions notice what has changed.
+
+use super::reader::color_of;
+use super::{Known, Level, ReplayCache};
+use crate::base::args::{Parse, Word};
+use crate::base::color::Color;
+use crate::lang::expr::streams::Streams;
+use crate::lang::expr::value::Number;
+use crate::lang::fast_path::numbers::literal_at;
+use crate::lang::reader::Reader;
+use crate::lang::scope::Scopes;
+use crate::lang::syntax::Tokens;
+use crate::scene::shape::Sphere;
+use crate::scene::texture::Layer;
+use std::rc::Rc;
+
+/// A sphere, of one colour or with the default texture.
+#[derive(Debug)]
+pub(super) struct Ball {
+    centre: Part,
+    radius: Part,
+    /// `rgb` or one of its kin, and the colour behind it.
+    color: Option<(Word, Part)>,
+    /// The token behind the last `}`.
+    pub(super) after: usize,
+}
+
+/// One of its numbers.
+#[derive(Debug)]
+enum Part {
+    Literal(Number),
+    /// A recorded expression, and the token behind it.
+    Program(u32, usize),
+}
+
+impl Part {
+    /// The expression at a token, if it is literal or recorded, and the token behind it.
+    fn at(tokens: &Tokens, at: usize, replays: &ReplayCache) -> Option<(Part, usize)> {
+        if let Some((number, after)) = literal_at(tokens, at) {
+            return Some((Part::Literal(number), after));
+        }
+        match replays.known(tokens.file, at, Level::Sum) {
+            Known::Program(index) => {
+                let after = replays.programs[index as usize].after;
+                Some((Part::Program(index, after), after))
+            }
+            _ => None,
+        }
+    }
+
+    #[inline]
+    fn number(
+        &self,
+        replays: &mut ReplayCache,
+        scopes: &Scopes,
+        streams: &mut Streams,
+    ) -> Option<Number> {
+        match *self {
+            Part::Literal(number) => Some(number),
+            Part::Program(index, after) if replays.programs[index as usize].after == after => {
+                replays.value(index, scopes, streams)
+            }
+            Part::Program(..) => None,
+        }
+    }
+}
+
+impl Ball {
+    /// The sphere at a token, if it is written so.
+    pub(super) fn at(tokens: &Tokens, start: usize, replays: &ReplayCache) -> Option<Ball> {
+        let all = &tokens.tokens;
+        let word = |at: usize| all.get(at).and_then(|token| token.word());
+        let mark = |at: usize, mark: char| all.get(at).is_some_and(|token| token.is_mark(mark));
+        let behind_comma = |at: usize| at + usize::from(mark(at, ','));
+        if word(start) != Some(Word::Sphere) || !mark(start + 1, '{') {
+            return None;
+        }
+        let (centre, at) = Part::at(tokens, behind_comma(start + 2), replays)?;
+        let (radius, mut at) = Part::at(tokens, behind_comma(at), replays)?;
+        let mut color = None;
+        if word(at) == Some(Word::Pigment) && mark(at + 1, '{') {
+            at += 2;
+            at += usize::from(matches!(word(at), Some(Word::Color | Word::Colour)));
+            let kin = word(at)
+                .filter(|word| matches!(word, Word::Rgb | Word::Rgbf | Word::Rgbt | Word::Rgbft))?;
+            let (part, behind) = Part::at(tokens, at + 1, replays)?;
+            if !mark(behind, '}') {
+                return None;
+            }
+            color = Some((kin, part));
+            at = behind + 1;
+        }
+        mark(at, '}').then_some(Ball {
+            centre,
+            radius,
+            color,
+            after: at + 1,
+        })
+    }
+
+    /// The sphere as it is now; `None` if it is to be read.
+    pub(super) fn read(
+        &self,
+        replays: &mut ReplayCache,
+        default: &Layer,
+        scopes: &Scopes,
+        streams: &mut Streams,
+    ) -> Option<(Sphere, Option<Color>)> {
+        let centre = self.centre.number(replays, scopes, streams)?.promoted(3);
+        let radius = self.radius.number(replays, scopes, streams)?;
+        let is_sound = centre.len == 3
+            && radius.len == 1
+            && centre.xyz().is_finite()
+            && radius.v[0].is_finite();
+        if !is_sound {
+            return None;
+        }
+        let mut color: Option<Color> = None;
+        if let Some((word, part)) = &self.color {
+            if !default.is_bare() {
+                return None;
+            }
+            let number = part.number(replays, scopes, streams)?;
+            color = Some(color_of(*word, number)?);
+        }
+        let sphere = Sphere {
+            centre: centre.xyz(),
+            radius: radius.v[0].abs(),
+        };
+        Some((sphere, color))
+    }
+}
+
+impl Reader<'_> {
+    /// A sphere whose numbers are all known; `None`, and nothing changed, if it is to be read.
+    pub(super) fn replay_ball(&mut self, index: u32) -> Parse<Option<(Sphere, Option<Color>)>> {
+        let ball = Rc::clone(&self.replays.balls[index as usize]);
+        self.replays.begin();
+        let (scopes, streams) = (&self.scopes, &mut self.streams);
+        let read = ball.read(&mut self.replays, &self.default_layer, scopes, streams);
+        if read.is_none() {
+            self.replays.give_up(&mut self.streams);
+            return Ok(None);
+        }
+        self.count_replayed()?;
+        self.here.at = ball.after - 1;
+        self.pass();
+        Ok(read)
+    }
+
+    /// The sphere at hand if its numbers are all known.
+    #[inline]
+    pub(in crate::lang) fn replay_sphere(&mut self) -> Parse<Option<(Sphere, Option<Color>)>> {
+        if !self.is_repeated() || !self.may_replay() {
+            return Ok(None);
+        }
+        let (file, start) = (self.here.tokens.file, self.here.at);
+        match self.replays.known(file, start, Level::Object) {
+            Known::Ball(index) => self.replay_ball(index),
+            _ => Ok(None),
+        }
+    }
+}

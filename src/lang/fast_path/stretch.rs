@@ -1,0 +1,372 @@
+//! Reading through long stretches of data, of which tokens are made only where they are needed.
+//!
+//! Objects and lists that are written as plain literals are read straight from the text ([`Literal`]); of what is not,
+//! tokens are made for the piece at hand.
+
+use super::known::{Known, Told};
+use super::literal::Literal;
+use super::parallel::{self, Around, OfAll, Piece, Taker};
+use crate::base::args::Parse;
+use crate::lang::cursor::Place;
+use crate::lang::reader::Reader;
+use crate::lang::syntax::{Kind, behind_more, more_from, tokenize_more};
+use std::cell::RefCell;
+use std::sync::Arc;
+
+/// Tokens are made of pieces of about so many bytes: few where literals are interrupted, more where they end.
+pub(crate) const SHORTEST_PIECE: usize = 1 << 10;
+const LONGEST_PIECE: usize = 1 << 15;
+
+impl Reader<'_> {
+    /// At a [`Kind::More`]: goes on to the tokens of the next piece, or behind the stretch.
+    pub(crate) fn read_on(&mut self) {
+        let (tokens, at, faults) =
+            tokenize_more(&self.here.tokens, self.here.at, self.piece, &mut self.names);
+        self.piece = LONGEST_PIECE.min(2 * self.piece);
+        self.here = Place { tokens, at };
+        for fault in faults {
+            let fault = self.with_trace(fault);
+            self.record(*fault);
+        }
+    }
+
+    /// Goes behind the stretch at hand.
+    pub(crate) fn leave_stretch(&mut self) {
+        let (tokens, at) = behind_more(&self.here.tokens, self.here.at);
+        self.here = Place { tokens, at };
+    }
+
+    /// Whether objects and lists may be read from the text here.
+    fn is_at_data(&self) -> bool {
+        self.raw().kind == Kind::More && self.deprecated.is_empty()
+    }
+
+    /// Where in which text the data at hand lies.
+    fn data(&self) -> Option<(Arc<String>, std::ops::Range<usize>)> {
+        let tokens = &self.here.tokens;
+        let rest = tokens.more(self.here.at)?;
+        let range = rest.start as usize..rest.end as usize;
+        Some((Arc::clone(tokens.text()), range))
+    }
+
+    /// Goes to a byte of the stretch at hand.
+    fn go_to(&mut self, from: usize) {
+        let tokens = more_from(&self.here.tokens, self.here.at, from);
+        self.last = Place { tokens, at: 0 };
+        self.here = self.last.clone();
+        self.here.at = 1;
+    }
+
+    /// Gives `taker` the objects at hand, as long as they are written as plain literals.
+    pub(crate) fn take_literal_objects(&mut self, taker: &mut impl Taker) -> Parse<()> {
+        if !self.is_at_data() {
+            return Ok(());
+        }
+        let Some((text, range)) = self.data() else {
+            return Ok(());
+        };
+        let mut at = range.start;
+        let result = self.take_objects_of(&text[..range.end], &mut at, taker);
+        if at > range.start {
+            self.go_to(at);
+            self.piece = SHORTEST_PIECE;
+        }
+        result
+    }
+
+    /// Gives `taker` the objects of a text from a byte on, which moves behind what has been taken.
+    fn take_objects_of<T: Taker>(
+        &mut self,
+        text: &str,
+        at: &mut usize,
+        taker: &mut T,
+    ) -> Parse<()> {
+        let told = RefCell::default();
+        let mut take = |reader: &mut Self, piece: Piece<T::Kept>, at: &mut usize| {
+            *at = piece.range.end;
+            reader.count_objects(piece.parts)?;
+            taker.take(reader, piece.read)
+        };
+        loop {
+            let first = *at..*at + parallel::FIRST;
+            let around = self.around(&told);
+            let piece = parallel::piece_of_objects::<T>(text, first.clone(), &around, &self.memory);
+            if !piece.range.is_empty() {
+                take(self, piece, at)?;
+            }
+            if *at < first.end {
+                return Ok(());
+            }
+            if !parallel::is_worth_while() {
+                continue;
+            }
+            let (layer, texture) = (
+                self.default_layer.clone(),
+                Arc::clone(&self.default_texture),
+            );
+            let of_all = OfAll {
+                layer: &layer,
+                texture: &texture,
+                ..self.of_all()
+            };
+            let mut result = Ok(());
+            parallel::objects::<T>(text, *at, &told.borrow(), of_all, |piece| {
+                let follows = piece.range.start == *at;
+                if follows {
+                    result = take(self, piece, at);
+                }
+                follows && result.is_ok()
+            });
+            result?;
+        }
+    }
+
+    fn around<'a>(&'a self, told: &'a RefCell<Told>) -> Around<'a> {
+        Around {
+            of_all: self.of_all(),
+            known: Known::Scopes(&self.names, &self.scopes, told),
+        }
+    }
+
+    fn of_all(&self) -> OfAll<'_> {
+        OfAll {
+            file: self.here.tokens.file,
+            version: self.version,
+            layer: &self.default_layer,
+            texture: &self.default_texture,
+        }
+    }
+
+    /// Takes the literal vectors that come next as [`crate::base::args::Args::literal_vectors`] does, if the data go on
+    /// here, or behind the next comma.
+    pub(crate) fn take_vectors_of_data(
+        &mut self,
+        len: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) {
+        let has_comma = self.raw().is_mark(',') && self.raw_ahead(1).kind == Kind::More;
+        self.here.at += usize::from(has_comma);
+        let begins = if has_comma { "<" } else { "" };
+        if !self.take_vectors_here(len, begins, take) {
+            self.here.at -= usize::from(has_comma);
+        }
+    }
+
+    /// Takes the vectors of the data at hand, if these begin so; says whether there were any.
+    fn take_vectors_here(
+        &mut self,
+        len: usize,
+        begins: &str,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> bool {
+        if !self.is_at_data() {
+            return false;
+        }
+        let Some((text, range)) = self.data() else {
+            return false;
+        };
+        if !text[range.clone()].trim_ascii_start().starts_with(begins) {
+            return false;
+        }
+        let mut at = range.start;
+        self.take_vectors_of(&text[..range.end], &mut at, len, take);
+        if at > range.start {
+            self.go_to(at);
+        }
+        at > range.start
+    }
+
+    /// Gives `take` the vectors of a text from a byte on, which moves behind what has been taken.
+    fn take_vectors_of(
+        &self,
+        text: &str,
+        at: &mut usize,
+        len: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) {
+        let told = RefCell::default();
+        let around = self.around(&told);
+        let ground = around.ground(&self.memory);
+        loop {
+            let mut args = Literal::new(text, *at, &ground);
+            let first = *at;
+            while *at < first + parallel::FIRST {
+                if !args.item(len).is_some_and(|vector| take(&vector[..len])) {
+                    return;
+                }
+                *at = args.at();
+            }
+            if !parallel::is_worth_while() {
+                continue;
+            }
+            let mut is_wanted = true;
+            parallel::vectors(text, *at, (len, around.of_all.file), |piece| {
+                if piece.range.start != *at {
+                    return false;
+                }
+                let vectors = piece.read.chunks_exact(len);
+                let taken = vectors.take_while(|vector| take(vector)).count();
+                is_wanted = taken == piece.read.len() / len;
+                if is_wanted {
+                    *at = piece.range.end;
+                    return true;
+                }
+                let mut args = Literal::new(text, *at, &ground);
+                for _ in 0..taken {
+                    args.item(len);
+                }
+                *at = args.at();
+                false
+            });
+            if !is_wanted {
+                return;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::options::ReadOptions;
+    use crate::base::source::{FileId, Sources};
+    use crate::lang::evaluate;
+    use crate::lang::fast_path::literal::{Ground, Memory};
+    use crate::lang::fast_path::part_cache::Parts;
+    use crate::lang::fast_path::plain::literal_object;
+    use crate::scene::Kind;
+    use crate::scene::texture::Layer;
+
+    /// How much of a text is read as one object of literals.
+    fn reached(text: &str) -> Option<usize> {
+        let ground = Ground {
+            file: FileId(0),
+            known: Known::Told(&Told::default()),
+            version: 3.7,
+            memory: &Memory::default(),
+        };
+        let mut parts = Parts::default();
+        literal_object(text, 0, &ground, (&Layer::default(), &mut parts)).map(|object| object.end)
+    }
+
+    #[test]
+    fn objects_in_literals_need_no_tokens() {
+        for text in [
+            "sphere { <-1.5, 2, 3>, 0.5 }",
+            "\nsphere { <1,2,3>, 0.5 pigment { rgb <0.1, 0.2, 0.3> } }",
+            "sphere {<1,2,3>,0.5 pigment{color rgbt <0.1, 0.2, 0.3, 0.4>}finish{phong 1 ambient 0.2}}",
+            "box { -1, 1 rotate <0, 30, 0> scale 2 translate <1, 2, 3> texture { pigment { rgb 1 } } }",
+            "cylinder { <0,0,0>, <0,1,0>, 0.25 open }",
+            "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }",
+            "cylinder { -2*x, 2 * y, 0.6 }",
+            "sphere { -z, 1 }",
+            "union { sphere { 0, 1 } difference { box { -1, 1 } sphere { y, 1 } } no_shadow scale 2 }",
+        ] {
+            assert_eq!(reached(text), Some(text.len()), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_more_than_literals_is_left_to_the_tokens() {
+        for text in [
+            "sphere { x + y, 0.5 }",
+            "sphere { 2*x*3, 0.5 }",
+            "sphere { 2*xx, 0.5 }",
+            "sphere { <1, 2, 3>*2, 0.5 }",
+            "sphere { <1, 2, 3>, R }",
+            "sphere { <1, 2, 3>, 0.5 hollow }",
+            "union { sphere { 0, 1 } }",
+            "union { sphere { 0, 1 } sphere { R, 1 } }",
+            "light_group { sphere { 0, 1 } sphere { 1, 1 } }",
+        ] {
+            assert_eq!(reached(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_that_are_written_alike_are_read_once() {
+        let text = "difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 2 } } scale 2 }
+            difference { box { -1, 1 } intersection { sphere { 0, 1 } box { 0, 3 } } sphere { y, 1 } }
+            difference { box { -1, 1 pigment { rgb 1 } } intersection { sphere { 0, 1 } box { 0, 2 } } }";
+        let ground = Ground {
+            file: FileId(0),
+            known: Known::Told(&Told::default()),
+            version: 3.7,
+            memory: &Memory::default(),
+        };
+        let (mut known, mut at) = (Parts::default(), 0);
+        let mut objects = Vec::new();
+        while at < text.len() {
+            let around = (&Layer::default(), &mut known);
+            let object = literal_object(text, at, &ground, around).unwrap();
+            at = object.end;
+            objects.push((object.parts, object.read.into_object(&Layer::default())));
+        }
+        let parts = |number: usize| match &objects[number].1.kind {
+            Kind::Csg { children, .. } => &**children,
+            _ => panic!("a combination"),
+        };
+        let is_shared =
+            |one: usize, other: usize, at: usize| Arc::ptr_eq(&parts(one)[at], &parts(other)[at]);
+        assert!(is_shared(0, 1, 0) && !is_shared(0, 1, 1));
+        assert!(!is_shared(0, 2, 0) && is_shared(0, 2, 1));
+        assert_eq!([0, 1, 2].map(|number| objects[number].0), [4, 5, 4]);
+    }
+
+    /// What a text says, told whole.
+    fn told(text: &str) -> String {
+        let mut sources = Sources::new(Vec::new());
+        let file = sources.add_text("test.pov".to_owned(), text);
+        let reading = evaluate(file, &mut sources, &ReadOptions::default());
+        let scene = reading
+            .scene
+            .unwrap_or_else(|| panic!("{:?}", reading.findings));
+        let objects = scene.objects.iter();
+        objects.map(|object| format!("{object:?}\n")).collect()
+    }
+
+    #[test]
+    fn long_data_mean_what_they_mean_token_by_token() {
+        let head = "#version 3.7; #declare T = texture { pigment { rgb 0.5 } }
+            #declare S = sphere { 0, 1 } #declare R = 3;";
+        let number = |at: usize| at % 17;
+        let data = |behind: &str| -> String {
+            let object = |at: usize| match at % 7 {
+                0 => format!(
+                    "sphere {{ <{}, 2, -3>, 0.5 texture {{ T }} }}{behind}\n",
+                    number(at)
+                ),
+                1 => format!("object {{ S scale {} }}{behind}\n", 1 + number(at)),
+                2 => format!(
+                    "difference {{ sphere {{ 0, {} }} cylinder {{ -2*x, 2*x, 1 }} pigment {{ rgb 1 }} }}{behind}\n",
+                    1 + number(at)
+                ),
+                3 if at % 1000 == 3 => format!("sphere {{ R*y, {} }}{behind}\n", number(at)),
+                _ => format!("box {{ -1, <1, 2, {}> rotate 3*y }}{behind}\n", number(at)),
+            };
+            (0..6000).map(object).collect()
+        };
+        let (plain, commented) = (data(""), data(" /**/"));
+        assert!(plain.len() > 2 * crate::lang::fast_path::parallel::LONG);
+        let (one, other) = (
+            told(&(head.to_owned() + &plain)),
+            told(&(head.to_owned() + &commented)),
+        );
+        assert!(one == other);
+    }
+
+    #[test]
+    fn long_lists_mean_what_they_mean_token_by_token() {
+        let mesh = |behind: &str| -> String {
+            let vector = |at: usize| format!("<{}, {}, -0.5>,{behind}\n", at % 19, at % 23);
+            let vectors: String = (0..12_000).map(vector).collect();
+            let face = |at: usize| format!("<{at}, {}, {}>,{behind}\n", at + 1, at + 2);
+            let faces: String = (0..9_000).map(face).collect();
+            format!(
+                "mesh2 {{ vertex_vectors {{ 12000, {vectors} }} face_indices {{ 9000, {faces} }} }}"
+            )
+        };
+        assert!(mesh("").len() > 2 * crate::lang::fast_path::parallel::LONG);
+        assert!(told(&mesh("")) == told(&mesh(" /**/")));
+    }
+}

@@ -1,0 +1,9 @@
+//! Direct light: light samples, shadows and the fast path of opaque surfaces.
+
+pub(super) mod area;
+pub(super) mod block;
+pub(super) mod light;
+pub(super) mod opaque;
+pub(super) mod packet;
+pub(super) mod shadow_cache;
+pub(super) mod transmittance;

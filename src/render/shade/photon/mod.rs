@@ -1,0 +1,5 @@
+//! Photon tracing: emission, paths and photons in media.
+
+pub(super) mod emission;
+pub(super) mod path;
+pub(super) mod volume;

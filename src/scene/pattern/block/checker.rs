@@ -1,0 +1,43 @@
+//! `checker`: unit cubes of two colours by turns.
+
+use crate::base::args::{Args, Parse};
+use crate::base::color::{Color, Rgb};
+use crate::base::math::rounding::{floor, remainder};
+use crate::scene::pattern::geometric::formula::Formula;
+use crate::scene::pattern::{NUDGE, Pattern, Stop};
+use glam::DVec3;
+
+/// The colours that POV-Ray gives where the scene does not.
+const COLORS: [Stop; 2] = [
+    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
+];
+
+pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Formula::list(value, &COLORS).boxed()
+}
+
+/// 0 where the sum of the whole parts of the coordinates is even, otherwise 1.
+fn value(point: DVec3) -> f64 {
+    let [x, y, z] = (point + NUDGE).to_array().map(floor);
+    remainder(x + y + z, 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbouring_cubes_differ() {
+        assert_eq!(value(DVec3::new(0.5, 0.5, 0.5)), 0.0);
+        assert_eq!(value(DVec3::new(1.5, 0.5, 0.5)), 1.0);
+        assert_eq!(value(DVec3::new(-0.5, 0.5, 0.5)), 1.0);
+        assert_eq!(value(DVec3::new(-0.5, -0.5, 0.5)), 0.0);
+    }
+
+    #[test]
+    fn a_face_in_a_boundary_belongs_to_the_cube_above() {
+        assert_eq!(value(DVec3::new(0.5, -1e-12, 0.5)), 0.0);
+        assert_eq!(value(DVec3::new(0.5, -1e-9, 0.5)), 1.0);
+    }
+}

@@ -1,0 +1,109 @@
+//! `magnet`: the fractals of two models of magnetic phase transitions (Peitgen and Richter 1986, "The Beauty of
+//! Fractals"), as Mandelbrot or Julia sets in the xy plane.
+
+use super::{Complex, Fate, Telling, read_iterations};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::source::Diagnostic;
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use glam::DVec3;
+
+/// Farther than this, squared, a point has escaped to infinity.
+const FAR_SQ: f64 = 1e4;
+/// Nearer than this to 1, squared, a point has escaped to 1.
+const NEAR_SQ: f64 = 1e-4;
+/// What POV-Ray takes for the least distance before the first iteration of a Mandelbrot set, squared.
+const LEAST_SQ: f64 = 1e4;
+
+#[derive(Clone, Copy, Debug)]
+enum Model {
+    First,
+    Second,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Magnet {
+    model: Model,
+    /// The parameter of a Julia set; a Mandelbrot set has none.
+    c: Option<Complex>,
+    iterations: u32,
+    telling: Telling,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let start = args.span();
+    let model = match args.float()?.trunc() {
+        1.0 => Model::First,
+        2.0 => Model::Second,
+        other => {
+            let place = start.to(args.last_span());
+            let message = format!("the types of `magnet` are 1 and 2, found {other}");
+            return Err(Box::new(Diagnostic::error(place, message)));
+        }
+    };
+    let c = if args.accept(Word::Julia)? {
+        let c = args.vector2()?;
+        args.comma()?;
+        Some(Complex::new(c.x, c.y))
+    } else if args.accept(Word::Mandel)? {
+        None
+    } else {
+        return Err(args.expected("`mandel` or `julia` after the type of `magnet`"));
+    };
+    let iterations = read_iterations(args)?;
+    Ok(Box::new(Magnet {
+        model,
+        c,
+        iterations,
+        telling: Telling::new(iterations),
+    }))
+}
+
+impl Pattern for Magnet {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        self.telling.read(word, args)
+    }
+}
+
+impl PatternEval for Magnet {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let point = Complex::new(point.x, point.y);
+        let (mut z, c) = match self.c {
+            Some(c) => (point, c),
+            None => (Complex::ZERO, point),
+        };
+        let mut least_sq = match self.c {
+            Some(_) => z.length_sq(),
+            None => LEAST_SQ,
+        };
+        for number in 0..self.iterations {
+            z = self.model.next(z, c);
+            let size_sq = z.length_sq();
+            least_sq = least_sq.min(size_sq);
+            if size_sq > FAR_SQ || (z - Complex::ONE).length_sq() < NEAR_SQ {
+                return self.telling.value(Fate::Escaped(number, z));
+            }
+        }
+        self.telling.value(Fate::Stayed(z, least_sq))
+    }
+}
+
+impl Model {
+    fn next(self, z: Complex, c: Complex) -> Complex {
+        let c1 = c - Complex::ONE;
+        let c2 = c1 - Complex::ONE;
+        let quotient = match self {
+            Model::First => (z.square() + c1) / (z * 2.0 + c2),
+            Model::Second => {
+                let product = c1 * c2;
+                let above = z * z.square() + c1 * z * 3.0 + product;
+                let below = z.square() * 3.0 + c2 * z * 3.0 + product + Complex::ONE;
+                above / below
+            }
+        };
+        quotient.square()
+    }
+}

@@ -1,0 +1,59 @@
+//! `mandel`: the Mandelbrot set in the xy plane, and its kin of higher powers.
+
+use super::{Complex, Telling, iterate_power, read_exponent, read_iterations};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::{Color, Rgb};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
+use glam::DVec3;
+
+/// The colours that POV-Ray gives where the scene does not (measured).
+const COLORS: [Stop; 6] = [
+    (0.0, Color::opaque(Rgb::BLACK)),
+    (0.001, Color::opaque(Rgb::BLACK)),
+    (0.001, Color::opaque(Rgb::new(0.0, 1.0, 1.0))),
+    (0.012, Color::opaque(Rgb::new(1.0, 1.0, 0.0))),
+    (0.015, Color::opaque(Rgb::new(1.0, 0.0, 1.0))),
+    (0.1, Color::opaque(Rgb::new(0.0, 1.0, 1.0))),
+];
+
+#[derive(Clone, Copy, Debug)]
+struct Mandel {
+    iterations: u32,
+    exponent: i32,
+    telling: Telling,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let iterations = read_iterations(args)?;
+    Ok(Box::new(Mandel {
+        iterations,
+        exponent: 2,
+        telling: Telling::new(iterations),
+    }))
+}
+
+impl Pattern for Mandel {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        &COLORS
+    }
+
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        if word == Word::Exponent {
+            self.exponent = read_exponent(args)?;
+            return Ok(true);
+        }
+        self.telling.read(word, args)
+    }
+}
+
+impl PatternEval for Mandel {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let c = Complex::new(point.x, point.y);
+        self.telling
+            .value(iterate_power(c, c, self.exponent, self.iterations))
+    }
+}

@@ -1,0 +1,145 @@
+//! Patterns that are nothing but a formula of the point, or of the point and the noise.
+
+use crate::base::args::Parse;
+use crate::base::math::noise::NoiseGenerator;
+use crate::scene::pattern::{GREY, Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
+use glam::DVec3;
+
+/// A pattern whose value is a formula of the point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Formula {
+    value: fn(DVec3) -> f64,
+    wave: Wave,
+    map: &'static [Stop],
+    has_list: bool,
+}
+
+/// A pattern whose value is a formula of the point and the noise.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NoiseFormula {
+    value: fn(NoiseGenerator, DVec3) -> f64,
+    map: &'static [Stop],
+    tilt: Option<Tilt>,
+}
+
+/// How a formula of noise tilts a normal.
+type Tilt = fn(NoiseGenerator, DVec3) -> DVec3;
+
+impl Formula {
+    /// A pattern from black to white.
+    pub(crate) fn new(value: fn(DVec3) -> f64) -> Self {
+        Formula {
+            value,
+            wave: Wave::default(),
+            map: &GREY,
+            has_list: false,
+        }
+    }
+
+    /// A pattern that selects from a list.
+    pub(crate) fn list(value: fn(DVec3) -> f64, map: &'static [Stop]) -> Self {
+        Formula {
+            value,
+            wave: Wave::NONE,
+            map,
+            has_list: true,
+        }
+    }
+
+    /// The same with colours of its own.
+    pub(crate) fn with_map(self, map: &'static [Stop]) -> Self {
+        Formula { map, ..self }
+    }
+
+    /// The result of a reader.
+    #[allow(clippy::unnecessary_wraps, reason = "readers of other patterns fail")]
+    pub(crate) fn boxed(self) -> Parse<Box<dyn Pattern>> {
+        Ok(Box::new(self))
+    }
+}
+
+impl NoiseFormula {
+    /// A pattern from black to white.
+    pub(crate) fn new(value: fn(NoiseGenerator, DVec3) -> f64) -> Self {
+        NoiseFormula {
+            value,
+            map: &GREY,
+            tilt: None,
+        }
+    }
+
+    /// The same that tilts normals by a formula of its own.
+    pub(crate) fn with_tilt(self, tilt: Tilt) -> Self {
+        NoiseFormula {
+            tilt: Some(tilt),
+            ..self
+        }
+    }
+
+    /// The same with colours of its own.
+    pub(crate) fn with_map(self, map: &'static [Stop]) -> Self {
+        NoiseFormula { map, ..self }
+    }
+
+    /// The result of a reader.
+    #[allow(clippy::unnecessary_wraps, reason = "readers of other patterns fail")]
+    pub(crate) fn boxed(self) -> Parse<Box<dyn Pattern>> {
+        Ok(Box::new(self))
+    }
+}
+
+impl Pattern for Formula {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        self.map
+    }
+
+    fn default_wave(&self) -> Wave {
+        self.wave
+    }
+
+    fn has_list(&self) -> bool {
+        self.has_list
+    }
+}
+
+impl PatternEval for Formula {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        (self.value)(point)
+    }
+}
+
+impl Pattern for NoiseFormula {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(PreparedNoise {
+            value: self.value,
+            tilt: self.tilt,
+            noise: with.noise,
+        })
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        self.map
+    }
+}
+
+/// A formula of noise with the noise that it uses.
+#[derive(Debug)]
+struct PreparedNoise {
+    value: fn(NoiseGenerator, DVec3) -> f64,
+    tilt: Option<Tilt>,
+    noise: NoiseGenerator,
+}
+
+impl PatternEval for PreparedNoise {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        (self.value)(self.noise, point)
+    }
+
+    fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        self.tilt.map(|tilt| tilt(self.noise, point))
+    }
+}

@@ -1,0 +1,35 @@
+//! `gradient`: straight through the map along a direction, once for each unit of length.
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::rounding::floor;
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use glam::DVec3;
+
+#[derive(Clone, Copy, Debug)]
+struct Gradient {
+    /// A unit vector; zero where the scene gives none.
+    dir: DVec3,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let dir = args.vector()?.normalize_or_zero();
+    Ok(Box::new(Gradient { dir }))
+}
+
+impl Pattern for Gradient {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+}
+
+impl PatternEval for Gradient {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let along = point.dot(self.dir);
+        // The wave takes the remainder again, of a little more than 1; below zero it alone does.
+        if along > 1.0 {
+            along - floor(along)
+        } else {
+            along
+        }
+    }
+}

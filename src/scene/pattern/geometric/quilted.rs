@@ -1,0 +1,62 @@
+//! `quilted`: cushions in unit cubes, flat where `control0` and `control1` say.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::rounding::floor;
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
+use glam::DVec3;
+
+/// `2 / sqrt 3`, which takes the corner of a cube to 1.
+const SCALE: f64 = 1.154_700_538;
+
+#[derive(Clone, Copy, Debug)]
+struct Quilted {
+    controls: [f32; 2],
+}
+
+pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Ok(Box::new(Quilted { controls: [1.0; 2] }))
+}
+
+impl Pattern for Quilted {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+
+    fn default_wave(&self) -> Wave {
+        Wave::NONE
+    }
+
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let control = match word {
+            Word::Control0 => &mut self.controls[0],
+            Word::Control1 => &mut self.controls[1],
+            _ => return Ok(false),
+        };
+        args.accept(word)?;
+        *control = args.single()?;
+        Ok(true)
+    }
+}
+
+impl PatternEval for Quilted {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let v = self.cushion(point).abs();
+        (v.x + v.y + v.z) / 3.0
+    }
+
+    fn tilt(&self, point: DVec3) -> Option<DVec3> {
+        Some(self.cushion(point))
+    }
+}
+
+impl Quilted {
+    /// The way from the middle of the cube, longer the steeper the cushion is there.
+    fn cushion(&self, point: DVec3) -> DVec3 {
+        let from_centre = point - point.map(floor) - 0.5;
+        let t = from_centre.length();
+        let [c0, c1] = self.controls.map(f64::from);
+        let s = 1.0 - t;
+        let height = t * t * t + 3.0 * t * s * s * c0 + 3.0 * t * t * s * c1;
+        from_centre * (height * SCALE)
+    }
+}

@@ -1,0 +1,31 @@
+//! `function { ... }`: a number for each point, from a user function.
+
+use crate::base::args::{Args, Parse};
+use crate::scene::function::{self, Function};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use glam::DVec3;
+use std::sync::Arc;
+
+#[derive(Clone, Debug)]
+struct OfFunction {
+    function: Arc<Function>,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Ok(Box::new(OfFunction {
+        function: function::read_of_point(args)?,
+    }))
+}
+
+impl Pattern for OfFunction {
+    fn prepare(&self, _: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(self.clone())
+    }
+}
+
+impl PatternEval for OfFunction {
+    fn value(&self, point: DVec3, _: &SurfacePoint) -> f64 {
+        let value = self.function.eval(&point.to_array());
+        if value > 1.0 { value % 1.0 } else { value }
+    }
+}

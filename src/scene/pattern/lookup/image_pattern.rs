@@ -1,0 +1,42 @@
+//! `image_pattern`: the grey of a picture, or with `use_alpha` how clear it is.
+
+use crate::base::args::{Args, Parse};
+use crate::base::bitmap::{self, Alpha, Purpose, Source};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint, Wave};
+use glam::DVec3;
+
+#[derive(Clone, Debug)]
+struct ImagePattern {
+    source: Source,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let source = bitmap::read(args, Purpose::Values)?;
+    Ok(Box::new(ImagePattern { source }))
+}
+
+impl Pattern for ImagePattern {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(self.clone())
+    }
+
+    fn default_wave(&self) -> Wave {
+        Wave::NONE
+    }
+}
+
+impl PatternEval for ImagePattern {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let Source {
+            bitmap, mapping, ..
+        } = &self.source;
+        let Some(color) = mapping.color(bitmap, point) else {
+            return 0.0;
+        };
+        f64::from(if self.source.alpha == Alpha::Used && bitmap.has_alpha() {
+            color.transmit
+        } else {
+            color.rgb.grey()
+        })
+    }
+}

@@ -1,0 +1,66 @@
+//! `object`: the first entry outside of an object, the second inside.
+
+use crate::base::args::{Args, Parse};
+use crate::base::color::{Color, Rgb};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, Solid, Stop, SurfacePoint, Wave};
+use glam::DVec3;
+use std::any::Any;
+use std::sync::{Arc, OnceLock};
+
+/// The colours that POV-Ray gives where the scene does not.
+const COLORS: [Stop; 2] = [
+    (0.0, Color::opaque(Rgb::new(0.0, 0.0, 1.0))),
+    (1.0, Color::opaque(Rgb::new(0.0, 1.0, 0.0))),
+];
+
+#[derive(Clone, Debug)]
+struct Inside {
+    object: Arc<dyn Any + Send + Sync>,
+    /// The object ready for points, made once for all copies of the pattern.
+    solid: Arc<OnceLock<Option<Arc<dyn Solid>>>>,
+}
+
+#[derive(Debug)]
+struct Prepared(Option<Arc<dyn Solid>>);
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    args.open()?;
+    let object = args.moved_object_any()?;
+    Ok(Box::new(Inside {
+        object,
+        solid: Arc::default(),
+    }))
+}
+
+impl Pattern for Inside {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        let solid = self.solid.get_or_init(|| {
+            let prepare = with.settings.solid_of?;
+            prepare(&self.object)
+        });
+        Box::new(Prepared(solid.clone()))
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        &COLORS
+    }
+
+    fn default_wave(&self) -> Wave {
+        Wave::NONE
+    }
+
+    fn has_list(&self) -> bool {
+        true
+    }
+
+    fn has_open_block(&self) -> bool {
+        true
+    }
+}
+
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let is_inside = self.0.as_ref().is_some_and(|solid| solid.holds(point));
+        f64::from(u8::from(is_inside))
+    }
+}

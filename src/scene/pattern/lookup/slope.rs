@@ -1,0 +1,111 @@
+//! `slope`: how far the surface turns away from a direction, and how high the point lies.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// Taken from 1, so that full slope stays at the end of the map.
+const NUDGE: f64 = 1e-10;
+
+/// A direction with the range that the map is spread over.
+#[derive(Clone, Copy, Debug)]
+struct Range {
+    dir: DVec3,
+    from: f64,
+    to: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Slope {
+    /// The direction, or the point towards which it leads.
+    slope: Range,
+    is_towards_point: bool,
+    altitude: Option<Range>,
+}
+
+pub(crate) fn new(args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    let has_block = args.accept_mark('{')?;
+    let is_towards_point = args.accept(Word::PointAt)?;
+    let mut slope = Slope {
+        slope: Range {
+            dir: args.vector()?,
+            from: 0.0,
+            to: 1.0,
+        },
+        is_towards_point,
+        altitude: None,
+    };
+    if has_block {
+        slope.slope.read(args)?;
+        if !is_towards_point && args.accept(Word::Altitude)? {
+            let mut altitude = Range {
+                dir: args.vector()?,
+                from: 0.0,
+                to: 1.0,
+            };
+            altitude.read(args)?;
+            slope.altitude = Some(altitude);
+        }
+        args.close()?;
+    }
+    Ok(Box::new(slope))
+}
+
+impl Range {
+    fn read(&mut self, args: &mut dyn Args) -> Parse<()> {
+        if args.comma()? {
+            self.from = args.float()?;
+            args.comma()?;
+            self.to = args.float()?;
+        }
+        Ok(())
+    }
+
+    /// Where in the range a number lies; a range up to 0 is none.
+    fn share(&self, number: f64) -> f64 {
+        if self.to == 0.0 {
+            number
+        } else {
+            (number - self.from) / (self.to - self.from)
+        }
+    }
+}
+
+impl Pattern for Slope {
+    fn prepare(&self, _with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(*self)
+    }
+}
+
+impl PatternEval for Slope {
+    fn value(&self, point: DVec3, spot: &SurfacePoint) -> f64 {
+        let towards = if self.is_towards_point {
+            self.slope.dir - spot.point
+        } else {
+            self.slope.dir
+        };
+        let cosine = spot
+            .normal
+            .dot(towards.normalize_or_zero())
+            .clamp(-1.0, 1.0);
+        let mut value = self.slope.share((cosine.asin() / PI * 2.0 + 1.0) * 0.5);
+        if let Some(altitude) = &self.altitude {
+            let (slope_size, size) = (towards.length(), altitude.dir.length());
+            let height = altitude.share(point.dot(altitude.dir.normalize_or_zero()));
+            let total = slope_size + size;
+            value = value * slope_size / total + height * size / total;
+        }
+        if value < 0.0 {
+            1.0 + value % 1.0
+        } else if value == 1.0 {
+            1.0 - NUDGE
+        } else {
+            value % 1.0
+        }
+    }
+
+    fn minds_normal(&self) -> bool {
+        true
+    }
+}

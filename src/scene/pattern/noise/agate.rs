@@ -1,0 +1,65 @@
+//! `agate`: bands across z, bent by turbulence of their own.
+
+use crate::base::args::{Args, Parse, Word};
+use crate::base::color::{Color, Rgb};
+use crate::base::math::noise::{NoiseGenerator, Octaves};
+use crate::scene::pattern::wave::cycloidal;
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint};
+use glam::DVec3;
+
+/// The colours that POV-Ray gives where the scene does not.
+const COLORS: [Stop; 6] = [
+    (0.0, Color::opaque(Rgb::WHITE)),
+    (0.5, Color::opaque(Rgb::new(0.95, 0.75, 0.5))),
+    (0.5, Color::opaque(Rgb::new(0.9, 0.7, 0.5))),
+    (0.6, Color::opaque(Rgb::new(0.9, 0.7, 0.4))),
+    (0.6, Color::opaque(Rgb::new(1.0, 0.7, 0.4))),
+    (1.0, Color::opaque(Rgb::new(0.6, 0.3, 0.0))),
+];
+
+#[derive(Clone, Copy, Debug)]
+struct Agate {
+    /// `agate_turb`: how far the bands are bent. `turbulence` displaces the whole pattern besides.
+    turbulence: f32,
+}
+
+#[derive(Debug)]
+struct Prepared {
+    amount: f64,
+    octaves: Octaves,
+    noise: NoiseGenerator,
+}
+
+pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Ok(Box::new(Agate { turbulence: 1.0 }))
+}
+
+impl Pattern for Agate {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(Prepared {
+            amount: f64::from(self.turbulence),
+            octaves: with.octaves,
+            noise: with.noise,
+        })
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        &COLORS
+    }
+
+    fn read_modifier(&mut self, word: Word, args: &mut dyn Args) -> Parse<bool> {
+        let is_known = word == Word::AgateTurb && args.accept(word)?;
+        if is_known {
+            self.turbulence = args.single()?;
+        }
+        Ok(is_known)
+    }
+}
+
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        let bend = self.amount * self.noise.turbulence(point, &self.octaves);
+        let band = cycloidal(1.3 * bend + 1.1 * point.z) + 1.0;
+        (0.5 * band).clamp(0.0, 1.0).powf(0.77)
+    }
+}

@@ -1,0 +1,23 @@
+//! `granite`: six octaves of noise folded at its middle.
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::noise::NoiseGenerator;
+use crate::scene::pattern::Pattern;
+use crate::scene::pattern::geometric::formula::NoiseFormula;
+use glam::DVec3;
+
+/// How many octaves are summed.
+const OCTAVES: u32 = 6;
+/// The scale of the first octave.
+const SCALE: f64 = 4.0;
+
+pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    NoiseFormula::new(value).boxed()
+}
+
+fn value(generator: NoiseGenerator, point: DVec3) -> f64 {
+    generator.octaves(point, (OCTAVES, SCALE), |noise| match generator {
+        NoiseGenerator::Original => (0.5 - noise).abs(),
+        _ => (1.0 - 2.0 * noise).abs().min(0.5),
+    })
+}

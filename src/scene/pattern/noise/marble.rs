@@ -1,0 +1,60 @@
+//! `marble`: layers across x, which turbulence shifts along x only.
+
+use crate::base::args::{Args, Parse};
+use crate::base::color::{Color, Rgb};
+use crate::base::math::noise::{NoiseGenerator, Octaves};
+use crate::scene::pattern::{Pattern, PatternEval, Preparing, Stop, SurfacePoint, Wave};
+use glam::DVec3;
+
+/// The colours that POV-Ray gives where the scene does not.
+const COLORS: [Stop; 4] = [
+    (0.0, Color::opaque(Rgb::new(0.9, 0.8, 0.8))),
+    (0.9, Color::opaque(Rgb::new(0.9, 0.08, 0.08))),
+    (0.9, Color::opaque(Rgb::BLACK)),
+    (1.0, Color::opaque(Rgb::BLACK)),
+];
+
+#[derive(Clone, Copy, Debug)]
+struct Marble;
+
+#[derive(Debug)]
+struct Prepared {
+    amount: f64,
+    octaves: Octaves,
+    noise: NoiseGenerator,
+}
+
+pub(crate) fn new(_args: &mut dyn Args) -> Parse<Box<dyn Pattern>> {
+    Ok(Box::new(Marble))
+}
+
+impl Pattern for Marble {
+    fn prepare(&self, with: &Preparing<'_>) -> Box<dyn PatternEval> {
+        Box::new(Prepared {
+            amount: with.turbulence.x,
+            octaves: with.octaves,
+            noise: with.noise,
+        })
+    }
+
+    fn default_map(&self) -> &'static [Stop] {
+        &COLORS
+    }
+
+    fn default_wave(&self) -> Wave {
+        Wave::TRIANGLE
+    }
+
+    fn is_displaced(&self) -> bool {
+        false
+    }
+}
+
+impl PatternEval for Prepared {
+    fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
+        if self.amount == 0.0 {
+            return point.x;
+        }
+        point.x + self.amount * self.noise.turbulence(point, &self.octaves)
+    }
+}

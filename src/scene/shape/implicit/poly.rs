@@ -1,0 +1,368 @@
+//! `poly { order, <coefficients> }`, `cubic { <20 coefficients> }`, `quartic { <35 coefficients> }`: where a polynomial in
+//! x, y and z is zero; solid where it is not positive.
+//!
+//! Coefficients stand by falling power of x, of y within that, and of z within that. A ray makes a polynomial in one
+//! variable of it by Horner's rule over lines instead of numbers, about the place nearest to the origin and in units of
+//! that distance or of the surface's own size, whichever is larger: `u`. All roots with `|u| <= 1` are sign changes of
+//! that polynomial, and those beyond sign changes of its reverse in `1/u` ([`sign_changes`]). Each is refined on the
+//! polynomial in space itself. Error bound: roots lie within the rounding of the terms over the slope, for a torus written
+//! as a quartic 2 roundings of the problem's size (`shape/roundings.rs`). `sturm` is accepted and changes nothing; there is one solver.
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::roots::polynomial::{Roots, sign_changes, sign_changes_between, value};
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::{Crossings, Geometry, Root, Start, alternate, first_visible, read};
+use glam::DVec3;
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// The orders that POV-Ray allows.
+const ORDERS: std::ops::RangeInclusive<usize> = 2..=MAX_ORDER;
+const MAX_ORDER: usize = 35;
+/// Below this order there is less to clear: quartics are the most.
+const SMALL: usize = 5;
+
+/// Refinement moves a root by less than this share of the size of its ray's polynomial, or leaves it.
+const REFINEMENT: f64 = 1e-4;
+
+/// A surface of any order up to 35. It is one smooth piece, face 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Poly(Arc<Polynomial>);
+
+#[derive(Debug, PartialEq)]
+struct Polynomial {
+    order: usize,
+    /// By falling power of x, y, z.
+    c: Vec<f64>,
+    /// The distance from the origin at which the terms of highest degree become the largest.
+    size: f64,
+}
+
+/// A polynomial on a line, by rising power, of a degree below `COUNT`.
+#[derive(Clone, Copy)]
+struct OnLine<const COUNT: usize> {
+    c: [f64; COUNT],
+    degree: usize,
+}
+
+impl Poly {
+    /// Reads the order and the coefficients.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, an order out of range, a wrong number of coefficients.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let given = read::number(args, "the order of the poly")?.trunc();
+        let Some((order, _)) = ORDERS.zip(2_u32..).find(|(_, n)| f64::from(*n) == given) else {
+            let message = format!("the order of a poly is between 2 and 35, found {given}");
+            return Err(Box::new(Diagnostic::error(
+                at.to(args.last_span()),
+                message,
+            )));
+        };
+        args.comma()?;
+        Poly::read_coefficients(args, order)
+    }
+
+    /// Reads the coefficients of `cubic`.
+    ///
+    /// # Errors
+    /// As [`Poly::read`].
+    pub fn read_cubic(args: &mut dyn Args) -> Parse<Self> {
+        Poly::read_coefficients(args, 3)
+    }
+
+    /// Reads the coefficients of `quartic`.
+    ///
+    /// # Errors
+    /// As [`Poly::read`].
+    pub fn read_quartic(args: &mut dyn Args) -> Parse<Self> {
+        Poly::read_coefficients(args, 4)
+    }
+
+    fn read_coefficients(args: &mut dyn Args, order: usize) -> Parse<Self> {
+        let count = (order + 1) * (order + 2) * (order + 3) / 6;
+        let expected = format!("{count} coefficients between `<` and `>`");
+        if !args.accept_mark('<')? {
+            return Err(args.expected(&expected));
+        }
+        let mut c = Vec::with_capacity(count);
+        for _ in 0..count {
+            args.comma()?;
+            if !args.at_expression()? {
+                return Err(args.expected(&expected));
+            }
+            c.push(read::number(args, "a coefficient of the polynomial")?);
+        }
+        if !args.accept_mark('>')? {
+            return Err(args.expected(&format!("`>` after {count} coefficients")));
+        }
+        Ok(Poly(Arc::new(Polynomial::new(order, c))))
+    }
+}
+
+impl Polynomial {
+    fn new(order: usize, c: Vec<f64>) -> Self {
+        let mut largest = vec![0.0_f64; order + 1];
+        for (degree, c) in degrees(order).zip(&c) {
+            largest[degree] = largest[degree].max(c.abs());
+        }
+        let top = largest.iter().rposition(|c| *c != 0.0).unwrap_or(0);
+        let size = (0..top)
+            .map(|degree| {
+                let steps = f64::from(u32::try_from(top - degree).unwrap_or(1));
+                (largest[degree] / largest[top]).powf(1.0 / steps)
+            })
+            .fold(0.0, f64::max);
+        Polynomial {
+            order,
+            c,
+            size: if size.is_finite() { size } else { 1.0 },
+        }
+    }
+
+    /// By Horner's rule: sums over powers of z within sums over powers of y within one over powers of x.
+    fn horner<T: Copy>(
+        &self,
+        zero: T,
+        axes: [impl Fn(T) -> T; 3],
+        add: impl Fn(T, f64) -> T,
+        sum: impl Fn(T, T) -> T,
+    ) -> T {
+        let [x, y, z] = axes;
+        let mut next = self.c.iter().copied();
+        let mut whole = zero;
+        for i in (0..=self.order).rev() {
+            let mut sheet = zero;
+            for j in (0..=self.order - i).rev() {
+                let mut row = zero;
+                for _ in 0..=self.order - i - j {
+                    row = add(z(row), next.next().unwrap_or(0.0));
+                }
+                sheet = sum(y(sheet), row);
+            }
+            whole = sum(x(whole), sheet);
+        }
+        whole
+    }
+
+    fn value(&self, p: DVec3) -> f64 {
+        let by = |factor: f64| move |sum: f64| sum * factor;
+        self.horner(0.0, [by(p.x), by(p.y), by(p.z)], |a, c| a + c, |a, b| a + b)
+    }
+
+    /// The value at a point, and the slope there along a way.
+    fn value_and_slope(&self, p: DVec3, way: DVec3) -> (f64, f64) {
+        type Jet = (f64, f64);
+        let by = |axis: usize| {
+            let (factor, rate) = (p[axis], way[axis]);
+            move |(value, slope): Jet| (value * factor, slope * factor + value * rate)
+        };
+        let add = |(value, slope): Jet, c: f64| (value + c, slope);
+        let sum = |a: Jet, b: Jet| (a.0 + b.0, a.1 + b.1);
+        self.horner((0.0, 0.0), [by(0), by(1), by(2)], add, sum)
+    }
+
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        // The value and the three derivatives.
+        type Jet = (f64, DVec3);
+        let by = |axis: usize| {
+            move |(value, slopes): Jet| {
+                let mut next = slopes * p[axis];
+                next[axis] += value;
+                (value * p[axis], next)
+            }
+        };
+        let add = |(value, slopes): Jet, c: f64| (value + c, slopes);
+        let sum = |a: Jet, b: Jet| (a.0 + b.0, a.1 + b.1);
+        self.horner((0.0, DVec3::ZERO), [by(0), by(1), by(2)], add, sum)
+            .1
+    }
+
+    /// The polynomial at `point + u · way`.
+    fn on_line<const COUNT: usize>(&self, point: DVec3, way: DVec3) -> OnLine<COUNT> {
+        let mut whole = OnLine::ZERO;
+        let mut next = 0;
+        for i in (0..=self.order).rev() {
+            let mut sheet = OnLine::ZERO;
+            for j in (0..=self.order - i).rev() {
+                let mut row = OnLine::ZERO;
+                for _ in 0..=self.order - i - j {
+                    row.times(point.z, way.z);
+                    row.c[0] += self.c[next];
+                    next += 1;
+                }
+                sheet.times(point.y, way.y);
+                sheet.plus(&row);
+            }
+            whole.times(point.x, way.x);
+            whole.plus(&sheet);
+        }
+        whole
+    }
+
+    fn crossings(&self, ray: &Ray) -> (Start, Crossings) {
+        let dir_size = power_of_two(ray.dir.abs().max_element());
+        let dir = ray.dir / dir_size;
+        let ahead = -ray.origin.dot(dir) / dir.dot(dir);
+        let near = ray.origin + ahead * dir;
+        let (ahead, near) = if near.is_finite() {
+            (ahead, near)
+        } else {
+            (0.0, ray.origin)
+        };
+        let size = self.size.max(near.length());
+        let size = if size > 0.0 && size.is_finite() {
+            size
+        } else {
+            1.0
+        };
+        let unit = size / dir.length();
+        let way = dir * unit;
+        let (start, places) = if self.order < SMALL {
+            all_sign_changes(&self.on_line::<SMALL>(near, way).c[..=self.order])
+        } else {
+            all_sign_changes(&self.on_line::<{ MAX_ORDER + 1 }>(near, way).c[..=self.order])
+        };
+        let places = self.refined(near, way, places);
+        alternate(start, places.iter().map(|u| (ahead + u * unit) / dir_size))
+    }
+
+    /// The places after two Newton steps in space; as they were if that breaks their order.
+    fn refined(&self, near: DVec3, way: DVec3, places: Roots) -> Roots {
+        let refine = |u: f64| {
+            let (value, slope) = self.value_and_slope(near + u * way, way);
+            let step = value / slope;
+            if step.abs() < REFINEMENT * u.abs().min(1.0) {
+                u - step
+            } else {
+                u
+            }
+        };
+        let moved: Roots = places.iter().map(|u| refine(refine(*u))).collect();
+        let is_in_order = moved.windows(2).all(|pair| pair[0] < pair[1]);
+        if is_in_order { moved } else { places }
+    }
+}
+
+impl<const COUNT: usize> OnLine<COUNT> {
+    const ZERO: Self = OnLine {
+        c: [0.0; COUNT],
+        degree: 0,
+    };
+
+    /// Multiplies by `constant + u · slope`.
+    fn times(&mut self, constant: f64, slope: f64) {
+        if self.degree == 0 && self.c[0] == 0.0 {
+            return;
+        }
+        self.degree += 1;
+        for power in (1..=self.degree).rev() {
+            self.c[power] = self.c[power] * constant + self.c[power - 1] * slope;
+        }
+        self.c[0] *= constant;
+    }
+
+    fn plus(&mut self, other: &Self) {
+        for power in 0..=other.degree {
+            self.c[power] += other.c[power];
+        }
+        self.degree = self.degree.max(other.degree);
+    }
+}
+
+/// The degree of each coefficient, in their order.
+fn degrees(order: usize) -> impl Iterator<Item = usize> {
+    (0..=order).rev().flat_map(move |i| {
+        (0..=order - i)
+            .rev()
+            .flat_map(move |j| (0..=order - i - j).rev().map(move |k| i + j + k))
+    })
+}
+
+/// All places where a polynomial changes sign, and whether it is negative far back. Zero everywhere is inside.
+fn all_sign_changes(c: &[f64]) -> (Start, Roots) {
+    let Some(top) = c.iter().rposition(|c| *c != 0.0) else {
+        return (Start::Inside, Roots::new());
+    };
+    let degree_is_odd = top % 2 == 1;
+    let is_inside = (c[top] < 0.0) != degree_is_odd;
+    let c = &c[..=top];
+    let (at_low, at_high) = (value(c, -1.0) < 0.0, value(c, 1.0) < 0.0);
+    let reversed: SmallVec<[f64; MAX_ORDER + 1]> = c.iter().rev().copied().collect();
+    let beyond = sign_changes(&reversed);
+    let mut places = Roots::new();
+    // From far back up to -1: 1/u falls from 0 to -1.
+    places.extend(beyond.iter().rev().filter(|v| **v < 0.0).map(|v| 1.0 / v));
+    agree(&mut places, is_inside != at_low, -1.0);
+    places.extend(sign_changes_between(c, at_low, at_high));
+    let mut ahead: Roots = beyond
+        .iter()
+        .filter(|v| **v > 0.0)
+        .map(|v| 1.0 / v)
+        .collect();
+    let ends_inside = c[top] < 0.0;
+    agree(&mut ahead, at_high != ends_inside, 1.0);
+    ahead.sort_unstable_by(f64::total_cmp);
+    places.extend(ahead);
+    let start = if is_inside {
+        Start::Inside
+    } else {
+        Start::Outside
+    };
+    (start, places)
+}
+
+/// Makes the number of places odd or even, by one at the joint of two stretches.
+fn agree(places: &mut Roots, is_odd: bool, joint: f64) {
+    /// How near to the joint rounding may hide or make one.
+    const ROUNDED: f64 = 1e-7;
+    if (places.len() % 2 == 1) == is_odd {
+        return;
+    }
+    match places.iter().position(|u| (u - joint).abs() < ROUNDED) {
+        Some(near) => {
+            places.remove(near);
+        }
+        None => places.push(joint),
+    }
+}
+
+impl Geometry for Poly {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        let (start, found) = self.0.crossings(ray);
+        roots.extend_from_slice(&found);
+        start
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.0.crossings(ray).1, from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let normal = self.0.gradient(point);
+        // Only where sheets meet.
+        if normal == DVec3::ZERO {
+            DVec3::X
+        } else {
+            normal
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.0.value(point) <= 0.0
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::EVERYTHING
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests;

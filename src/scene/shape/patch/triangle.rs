@@ -1,0 +1,208 @@
+//! `triangle { <corner>, <corner>, <corner> }`: a patch without a volume, edges included, the same from both sides.
+//!
+//! Neighbours that share an edge leave no gap (see [`RayFrame`]). Error bound: roots lie within 2 roundings of the
+//! problem's size from the plane of the corners (`shape/roundings.rs`). Every transform moves the corners themselves, so
+//! triangles that share corners in a scene still share them to the bit in the world.
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::watertight::{RayFrame, TriangleHit};
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
+use glam::DVec3;
+
+/// A flat triangle. One whose corners all coincide is never hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// The corners.
+    pub corners: [DVec3; 3],
+}
+
+impl Triangle {
+    /// Reads three corners. Corners on one line give a warning and a triangle that is never hit.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let mut corners = [DVec3::ZERO; 3];
+        for (corner, name) in corners.iter_mut().zip(["first", "second", "third"]) {
+            *corner = read::vector(args, &format!("the {name} corner of the triangle"))?;
+        }
+        let triangle = Triangle { corners };
+        if !triangle.is_flat_line() {
+            return Ok(triangle);
+        }
+        args.warn(
+            Diagnostic::warning(
+                at.to(args.last_span()),
+                "degenerate triangle: its corners lie on one line; it is left out",
+            )
+            .with_hint("remove the triangle"),
+        );
+        Ok(triangle.collapsed())
+    }
+
+    /// Whether the corners lie on one line, as far as their digits tell.
+    pub(crate) fn is_flat_line(&self) -> bool {
+        let [a, b, c] = self.corners;
+        let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
+        let (ab, ac) = ((b - a) / size, (c - a) / size);
+        // The cross product of parallel edges is nothing but the rounding of its terms.
+        ab.cross(ac).length() <= 4.0 * f64::EPSILON * ab.length() * ac.length()
+    }
+
+    /// The triangle that is never hit.
+    pub(crate) fn collapsed(&self) -> Self {
+        Triangle {
+            corners: [self.corners[0]; 3],
+        }
+    }
+
+    pub(crate) fn hit(&self, ray: &Ray) -> Option<TriangleHit> {
+        RayFrame::new(ray).hit(&self.corners)
+    }
+
+    fn touch(&self, ray: &Ray) -> Option<Root> {
+        self.hit(ray).map(|hit| Root {
+            t: hit.t,
+            crossing: Crossing::Touch,
+            face: 0,
+            is_visible: true,
+        })
+    }
+}
+
+impl Geometry for Triangle {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend(self.touch(ray));
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(self.touch(ray).as_slice(), from, to)
+    }
+
+    fn normal(&self, _: DVec3, _: u32) -> DVec3 {
+        let [a, b, c] = self.corners;
+        let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
+        // This way round `interior_texture` shows on the side where POV-Ray shows it.
+        ((c - a) / size).cross((b - a) / size)
+    }
+
+    fn contains(&self, _: DVec3) -> bool {
+        false
+    }
+
+    fn bounds(&self) -> Bounds {
+        let [a, b, c] = self.corners;
+        if a == b && b == c {
+            return Bounds::EMPTY;
+        }
+        Bounds::new(a, b).with_point(c)
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        let moved = step.transform().world_from_object;
+        self.corners = self.corners.map(|corner| moved.transform_point3(corner));
+        true
+    }
+
+    fn is_solid(&self) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::scene::shape::tests::check;
+
+    fn triangle(text: &str) -> Triangle {
+        Triangle::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn it_is_a_patch() {
+        let tilted = triangle("<1,2,3>, <-2,3,5>, <0.5,-1,2>");
+        check::patch(&tilted);
+        check::scales_exactly(&tilted, |k| Triangle {
+            corners: tilted.corners.map(|corner| corner * k),
+        });
+    }
+
+    #[test]
+    fn a_fan_has_no_gaps() {
+        let mut rng = check::Random::new(11);
+        for _ in 0..300 {
+            let hub = rng.vector(2.0);
+            let rim: Vec<DVec3> = (0..7)
+                .map(|i| {
+                    let (s, c) = (f64::from(i) * std::f64::consts::TAU / 7.0).sin_cos();
+                    hub + DVec3::new(c, s, 0.3 * c) * (0.5 + rng.share())
+                })
+                .collect();
+            let origin = rng.vector(1.0) + DVec3::new(0.0, 0.0, -6.0);
+            for aim in 0..8 {
+                // At the hub, and through the spokes between it and the rim.
+                let target = if aim == 7 {
+                    hub
+                } else {
+                    hub.lerp(rim[aim], rng.share())
+                };
+                let ray = Ray::new(origin, target - origin);
+                let hits = (0..7).filter(|&i| {
+                    let corners = [hub, rim[i], rim[(i + 1) % 7]];
+                    Triangle { corners }.hit(&ray).is_some()
+                });
+                assert!(hits.count() >= 1);
+            }
+        }
+    }
+
+    #[test]
+    fn edges_and_corners_belong_to_it() {
+        let flat = triangle("<0,0,0>, <1,0,0>, <0,1,0>");
+        for (x, y) in [(0.0, 0.0), (1.0, 0.0), (0.5, 0.5), (0.0, 0.3)] {
+            let ray = Ray::new(DVec3::new(x, y, -2.0), DVec3::Z);
+            assert_eq!(flat.nearest(&ray, 0.0, 9.0).unwrap().t, 2.0);
+        }
+        let outside = Ray::new(DVec3::new(0.5, 0.5 + f64::EPSILON, -2.0), DVec3::Z);
+        assert!(flat.hit(&outside).is_none());
+    }
+
+    #[test]
+    fn a_ray_in_its_plane_misses() {
+        let flat = triangle("<0,0,0>, <1,0,0>, <0,1,0>");
+        let ray = Ray::new(DVec3::new(-1.0, 0.2, 0.0), DVec3::X);
+        assert!(flat.hit(&ray).is_none());
+    }
+
+    #[test]
+    fn extreme_units_change_nothing() {
+        for scale in [1e-300, 1e-170, 1e170, 1e300] {
+            let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner * scale);
+            let ray = Ray::new(
+                DVec3::new(0.2, 0.3, -2.0) * scale,
+                DVec3::new(0.1, 0.0, 1.0),
+            );
+            let hit = Triangle { corners }.hit(&ray).unwrap();
+            assert!((hit.t / scale - 2.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn corners_on_a_line_are_warned_of_and_never_hit() {
+        let mut args = TextArgs::new("<0,0,0>, <.1,.1,.1>, <.3,.3,.3>");
+        let nothing = Triangle::read(&mut args).unwrap();
+        assert_eq!(
+            args.warnings()[0],
+            "degenerate triangle: its corners lie on one line; it is left out"
+        );
+        assert!(nothing.bounds().is_empty());
+        let through = Ray::new(DVec3::new(0.0, 0.0, -1.0), DVec3::Z);
+        assert!(nothing.hit(&through).is_none());
+    }
+}

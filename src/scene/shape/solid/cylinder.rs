@@ -1,0 +1,364 @@
+//! `cylinder { <base>, <apex>, radius [open] }`.
+//!
+//! The infinite cylinder is the quadratic of a ball for the parts of the ray across the axis ([`ball_chord`]); the
+//! closed one is what it shares with the slab between the caps. An open cylinder is the same solid with caps that are
+//! not visible, as POV-Ray's inside test has it. A negative radius works like its absolute value.
+//!
+//! Error bound: that of the ball; roots lie within 2 roundings of the problem's size from the surface, from up to 10⁹ times
+//! its size (`shape/roundings.rs`).
+
+use super::axial::{APEX, Axis, BASE, SIDE};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
+use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::simd::F64Lanes;
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::packet;
+use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, minus, same};
+use crate::scene::shape::{
+    Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, push_span, read, unease,
+};
+use glam::{DAffine3, DVec3};
+
+/// A round cylinder. Face 0 is the side, 1 the base cap, 2 the apex cap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder {
+    axis: Axis,
+    radius: f64,
+    is_open: bool,
+}
+
+impl Cylinder {
+    /// A closed cylinder, or `None` if the ends of its axis coincide.
+    #[must_use]
+    pub fn new(base: DVec3, apex: DVec3, radius: f64) -> Option<Self> {
+        Some(Cylinder {
+            axis: Axis::new(base, apex)?,
+            radius: radius.abs(),
+            is_open: false,
+        })
+    }
+
+    /// The same without visible caps.
+    #[must_use]
+    pub fn open(self) -> Self {
+        Cylinder {
+            is_open: true,
+            ..self
+        }
+    }
+
+    /// The same without ends: a point of its axis, the direction of that, and the radius.
+    pub(crate) fn rod(&self) -> (DVec3, DVec3, f64) {
+        (self.axis.base, self.axis.unit, self.radius)
+    }
+
+    /// Reads `<base>, <apex>, radius [open]`.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters; ends that coincide.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let base = read::vector(args, "the base point of the cylinder")?;
+        let apex = read::vector(args, "the apex point of the cylinder")?;
+        let at = at.to(args.last_span());
+        let radius = read::number(args, "the radius of the cylinder")?;
+        let Some(cylinder) = Cylinder::new(base, apex, radius) else {
+            let error = Diagnostic::error(at, "degenerate cylinder: base point = apex point")
+                .with_hint("Place its two ends apart.");
+            return Err(Box::new(error));
+        };
+        let is_open = args.accept(Word::Open)?;
+        Ok(Cylinder {
+            is_open,
+            ..cylinder
+        })
+    }
+
+    #[inline]
+    fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let p = ray.origin - self.axis.base;
+        if is_comfortable(self.radius, ray.dir.dot(ray.dir), p.dot(p)) {
+            self.comfortable_span(ray)
+        } else {
+            self.far_span(ray)
+        }
+    }
+
+    #[inline]
+    fn comfortable_span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let slab = self.axis.slab(ray)?;
+        let p = self.axis.across(ray.origin - self.axis.base);
+        let dir = self.axis.across(ray.dir);
+        let side = if dir.dot(dir) == 0.0 {
+            if p.dot(p) >= self.radius * self.radius {
+                return None;
+            }
+            (f64::NEG_INFINITY, f64::INFINITY)
+        } else {
+            ball_chord(p, dir, self.radius)?
+        };
+        slab.clip(side, self.is_open)
+    }
+
+    /// The root that a ray is known to have at `t`, if it lies surely on the side or one cap alone.
+    #[inline]
+    pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
+        let (from_base, way) = (ray.origin - self.axis.base, t * ray.dir);
+        let p = from_base + way;
+        let to_apex = self.axis.apex - self.axis.base;
+        let height = self.axis.unit.dot(p);
+        let rest = self.axis.unit.dot(to_apex) - height;
+        let off = p - height * self.axis.unit;
+        let lengths = from_base.abs() + way.abs() + to_apex.abs();
+        let care = SURELY_ASIDE * (lengths.max_element() + self.radius);
+        let is_on_cap = off.length_squared() < (self.radius - care) * (self.radius - care);
+        let slope = self.axis.unit.dot(ray.dir);
+        let along = off.dot(ray.dir);
+        let (enters, is_sure, face) = match (height > care, rest > care) {
+            (true, true) => {
+                let is_sure = along.abs() > care * ray.dir.abs().max_element();
+                (along < 0.0, is_sure, SIDE)
+            }
+            (false, true) => (slope > 0.0, is_on_cap && slope != 0.0, BASE),
+            (true, false) => (slope < 0.0, is_on_cap && slope != 0.0, APEX),
+            (false, false) => return None,
+        };
+        (is_sure && !self.is_open && self.radius > care).then_some(Root {
+            t,
+            crossing: match enters {
+                true => Crossing::Enter,
+                false => Crossing::Leave,
+            },
+            face,
+            is_visible: true,
+        })
+    }
+
+    /// Whether [`Cylinder::four`] knows anything.
+    pub(crate) fn has_four(&self) -> bool {
+        !self.is_open && is_comfortable_size(self.radius)
+    }
+
+    /// The spans of four rays. Those along the axis or along the caps are unknown.
+    #[inline(always)]
+    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+        let unit = same(self.axis.unit);
+        let p = minus(rays.origin, same(self.axis.base));
+        let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
+        let dir = across(unit, rays.dir);
+        let (side_enter, side_leave, is_met) = chords(across(unit, p), dir, self.radius);
+        if F::bits(is_met) == 0 && F::bits(is_known) == 0b1111 {
+            let is_slanted = F::all(0.0).below(dot(dir, dir));
+            return SpanPacket::new((side_enter, side_leave), is_met, is_slanted);
+        }
+        let slope = dot(unit, rays.dir);
+        let to_base = dot(unit, minus(same(self.axis.base), rays.origin)).over(slope);
+        let to_apex = dot(unit, minus(same(self.axis.apex), rays.origin)).over(slope);
+        let is_up = F::all(0.0).below(slope);
+        let first = F::pick(is_up, to_base, to_apex);
+        let last = F::pick(is_up, to_apex, to_base);
+        let enter = F::pick(side_enter.below(first), first, side_enter);
+        let leave = F::pick(last.below(side_leave), last, side_leave);
+        let is_slanted = F::both(
+            F::all(0.0).below(dot(dir, dir)),
+            F::all(0.0).below(slope.size()),
+        );
+        SpanPacket::new((enter, leave), is_met, F::both(is_known, is_slanted))
+    }
+
+    #[cold]
+    fn far_span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let to_apex = self.axis.apex - self.axis.base;
+        let size = self.radius.max(to_apex.abs().max_element());
+        let eased = RescaledRay::new(&Ray::new(ray.origin - self.axis.base, ray.dir), size)?;
+        let small = Cylinder {
+            axis: Axis {
+                base: DVec3::ZERO,
+                apex: to_apex / eased.size,
+                unit: self.axis.unit,
+            },
+            radius: self.radius / eased.size,
+            is_open: self.is_open,
+        };
+        let roots = small.comfortable_span(&eased.ray)?;
+        unease(&eased, roots)
+    }
+}
+
+impl Geometry for Cylinder {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        push_span(self.span(ray), roots)
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.span(ray)?, from, to)
+    }
+
+    /// From the side or a cap on, or from before it, away from the cylinder.
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.axis.is_exiting(ray, self.radius, 0.0)
+    }
+
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
+        match face {
+            BASE => -self.axis.unit,
+            APEX => self.axis.unit,
+            _ => self.axis.across(point - self.axis.base),
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        let (above, below) = self.axis.heights(point);
+        let share = self.axis.across(point - self.axis.base) / self.radius;
+        let share_sq = share.length_squared();
+        if self.is_open {
+            above >= 0.0 && below >= 0.0 && share_sq <= 1.0
+        } else {
+            above > 0.0 && below > 0.0 && share_sq < 1.0
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        if self.radius == 0.0 {
+            return Bounds::EMPTY;
+        }
+        self.axis.bounds(self.radius, self.radius)
+    }
+
+    fn held_box(&self) -> Option<(Bounds, DAffine3)> {
+        Some(self.axis.held_box(self.radius, self.radius))
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        let factor = self.axis.absorb(step);
+        self.radius *= factor.unwrap_or(1.0);
+        factor.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::base::math::Transform;
+    use crate::base::math::sampling::random::Random;
+    use crate::scene::shape::tests::check;
+
+    fn cylinder(text: &str) -> Cylinder {
+        Cylinder::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn it_is_a_solid() {
+        let tilted = cylinder("<1,2,3>, <-2,3,5>, 1.3");
+        check::solid(&tilted);
+        check::scales_exactly(&tilted, |k| {
+            Cylinder::new(tilted.axis.base * k, tilted.axis.apex * k, 1.3 * k).unwrap()
+        });
+        check::solid(&cylinder("<0,-1,0>, <0,2,0>, 0.4"));
+    }
+
+    #[test]
+    fn a_root_is_known_by_its_place() {
+        let mut rng = Random::new(13);
+        let mut known = [0; 3];
+        for number in 0..30_000 {
+            let base = rng.vector(1.0);
+            let radius = 0.02 + rng.share();
+            let Some(cylinder) = Cylinder::new(base, base + rng.vector(1.0), radius) else {
+                continue;
+            };
+            let away = 2.0_f64.powi(number % 20 - 2);
+            let origin = away * rng.vector(1.0);
+            let aim = base + rng.vector(0.5);
+            let ray = Ray::new(origin, (0.1 + rng.share()) * (aim - origin));
+            for root in cylinder.span(&ray).into_iter().flatten() {
+                let found = cylinder.root_at(&ray, root.t);
+                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
+                known[root.face as usize] += usize::from(found.is_some());
+            }
+        }
+        assert!(known.iter().all(|&known| known > 4000), "{known:?}");
+    }
+
+    #[test]
+    fn an_open_cylinder_is_the_same_solid_with_unseen_caps() {
+        let open = cylinder("<0,0,0>, <0,2,0>, 1 open");
+        check::solid(&open);
+        let ray = Ray::new(DVec3::new(0.0, 5.0, 0.0), DVec3::new(0.5, -4.5, 0.0));
+        let roots = open.span(&ray).unwrap();
+        let seen = roots.map(|root| (root.crossing, root.face, root.is_visible));
+        assert_eq!(
+            seen,
+            [
+                (Crossing::Enter, APEX, false),
+                (Crossing::Leave, BASE, false)
+            ]
+        );
+        assert!(open.nearest(&ray, 0.0, f64::INFINITY).is_none());
+    }
+
+    #[test]
+    fn a_ray_along_the_axis_meets_the_caps() {
+        let upright = cylinder("<0,1,0>, <0,3,0>, 1");
+        for zero in [0.0, -0.0] {
+            let ray = Ray::new(DVec3::new(0.5, 7.0, 0.5), DVec3::new(zero, -2.0, zero));
+            assert_eq!(upright.span(&ray).unwrap().map(|root| root.t), [2.0, 3.0]);
+            let beside = Ray::new(DVec3::new(1.0, 7.0, 0.0), ray.dir);
+            assert!(upright.span(&beside).is_none());
+        }
+    }
+
+    #[test]
+    fn an_upright_cap_has_the_depth_of_a_box_face() {
+        let upright = cylinder("<0.1,0.7,0>, <0.1,2.3,0>, 1");
+        let ray = Ray::new(DVec3::new(0.3, 7.7, 0.1), DVec3::new(0.01, -0.93, 0.02));
+        assert_eq!(upright.span(&ray).unwrap()[0].t, (2.3 - 7.7) / -0.93);
+    }
+
+    #[test]
+    fn a_hair_a_million_long_is_hit() {
+        let hair = cylinder("<0,0,0>, <1000000,0,0>, 0.000001");
+        let ray = Ray::new(DVec3::new(5e5, 5e-7, -4.0), DVec3::Z);
+        assert!(hair.span(&ray).is_some());
+        let beside = Ray::new(DVec3::new(5e5, 1.1e-6, -4.0), DVec3::Z);
+        assert!(hair.span(&beside).is_none());
+    }
+
+    #[test]
+    fn extreme_units_change_nothing() {
+        for scale in [1e-300, 1e-150, 1e150, 1e300] {
+            let upright = Cylinder::new(DVec3::ZERO, DVec3::Y * scale, scale).unwrap();
+            let origin = DVec3::new(0.0, 0.5, -3.0) * scale;
+            let [enter, leave] = upright.span(&Ray::new(origin, DVec3::Z)).unwrap();
+            assert!((enter.t / scale - 2.0).abs() < 1e-15);
+            assert!((leave.t / scale - 4.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn coinciding_ends_are_an_error() {
+        let error = Cylinder::read(&mut TextArgs::new("<1,2,3>, <1,2,3>, 1")).unwrap_err();
+        assert_eq!(
+            error.message,
+            "degenerate cylinder: base point = apex point"
+        );
+    }
+
+    #[test]
+    fn steps_that_leave_it_round_are_absorbed() {
+        let steps = [
+            Step::Scale(DVec3::new(2.0, -5.0, 2.0)),
+            Step::Rotate(DVec3::new(10.0, 20.0, 30.0)),
+            Step::Scale(DVec3::splat(-0.5)),
+            Step::Translate(DVec3::new(0.3, 0.2, 0.1)),
+        ];
+        let original = cylinder("<1,2,3>, <1,4,3>, 2");
+        let mut moved = original;
+        assert!(steps.iter().all(|step| moved.absorb(step)));
+        check::same_inside(&original, &moved, &Transform::from_steps(&steps));
+        assert!(!moved.absorb(&Step::Scale(DVec3::new(1.0, 2.0, 1.0))));
+    }
+}

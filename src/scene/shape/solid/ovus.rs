@@ -1,0 +1,283 @@
+//! `ovus { bottom radius, top radius }`: an egg, of a ball about the origin, a ball about `<0, bottom radius, 0>`, and
+//! between them the arc of a larger circle that touches both, turned about the y axis.
+//!
+//! The egg is convex, and outside of it the distance from it is a convex function of the way along a ray: Newton's
+//! iteration from where the ray enters a ball around the egg finds the near root or turns away, and the far one from
+//! the other end. Which of the three pieces is nearest is told by the directions from the middle of the arc.
+//!
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::conditioning::{RescaledRay, is_comfortable};
+use crate::base::math::roots::interval_roots::first_below_zero;
+use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::{Geometry, Root, Start, first_visible, push_span, read, span};
+use glam::{DVec2, DVec3};
+use std::f64::consts::{PI, TAU};
+
+/// The ball around the egg is this much larger than need be, so that rays enter it outside the egg.
+const CLIP: f64 = 1.001;
+
+/// An egg. It is one piece, face 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ovus {
+    bottom: f64,
+    top: f64,
+    /// The middle of the arc, beyond the axis, in the half-plane of distance from the axis and height.
+    middle: DVec2,
+    /// The radius of the arc.
+    bow: f64,
+}
+
+impl Ovus {
+    /// An egg of two positive radii. With a top at least twice as wide as the bottom it is the ball of the top.
+    #[must_use]
+    pub fn new(bottom: f64, top: f64) -> Self {
+        if top >= 2.0 * bottom {
+            // All of the arc and the bottom lie within the ball.
+            return Ovus {
+                bottom: 0.0,
+                top,
+                middle: DVec2::new(0.0, bottom),
+                bow: top,
+            };
+        }
+        // In units of the larger radius.
+        let (height, width, bow) = if bottom > top {
+            let share = top / bottom;
+            let height = 2.0 * share - 1.0 - 0.5 * share * share;
+            let width = ((1.0 - height) * (1.0 + height)).max(0.0).sqrt();
+            (height * bottom, width * bottom, 2.0 * bottom)
+        } else {
+            let share = top / bottom;
+            let rise = 1.5 * share - 2.0;
+            let width = ((1.0 - rise) * (1.0 + rise)).max(0.0).sqrt();
+            (bottom + rise * top, width * top, 2.0 * top)
+        };
+        Ovus {
+            bottom,
+            top,
+            middle: DVec2::new(-width, height),
+            bow,
+        }
+    }
+
+    /// Reads both radii.
+    ///
+    /// # Errors
+    /// Malformed, non-finite or negative parameters.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let bottom = read::number(args, "the bottom radius of the ovus")?;
+        let top = read::number(args, "the top radius of the ovus")?;
+        let at = at.to(args.last_span());
+        if bottom < 0.0 || top < 0.0 {
+            let error = Diagnostic::error(at, "both ovus radii must be positive");
+            return Err(Box::new(error));
+        }
+        let ovus = Ovus::new(bottom, top);
+        if top >= 2.0 * bottom {
+            args.warn(Diagnostic::warning(
+                at,
+                "the top radius of the ovus is at least twice the bottom radius; a sphere is drawn",
+            ));
+        }
+        Ok(ovus)
+    }
+
+    /// The height of the middle of the top.
+    fn top_height(&self) -> f64 {
+        if self.bottom == 0.0 {
+            self.middle.y
+        } else {
+            self.bottom
+        }
+    }
+
+    fn is_ball(&self) -> bool {
+        self.bottom == 0.0
+    }
+
+    /// The middle and the radius of the circle whose piece is nearest to a point of the half-plane.
+    fn circle(&self, place: DVec2) -> (DVec2, f64) {
+        let top = DVec2::new(0.0, self.top_height());
+        if self.is_ball() {
+            return (top, self.top);
+        }
+        let way = place - self.middle;
+        if (-self.middle).perp_dot(way) < 0.0 {
+            (DVec2::ZERO, self.bottom)
+        } else if (top - self.middle).perp_dot(way) > 0.0 {
+            (top, self.top)
+        } else {
+            (self.middle, self.bow)
+        }
+    }
+
+    /// The distance from the surface and the unit normal there; right outside.
+    fn distance(&self, point: DVec3) -> (f64, DVec3) {
+        let from_axis = point.x.hypot(point.z);
+        let place = DVec2::new(from_axis, point.y);
+        let (middle, radius) = self.circle(place);
+        let way = place - middle;
+        let length = way.length();
+        let outward = if from_axis > 0.0 {
+            way.x / from_axis
+        } else {
+            0.0
+        };
+        let normal = DVec3::new(point.x * outward, way.y, point.z * outward) / length;
+        (length - radius, normal)
+    }
+
+    /// The lowest and highest point, and the largest distance from the axis.
+    fn extent(&self) -> (f64, f64, f64) {
+        let top = self.top_height();
+        if self.is_ball() {
+            return (top - self.top, top + self.top, self.top);
+        }
+        let is_widest_on_arc = self.circle(DVec2::new(self.bow, self.middle.y)).1 == self.bow;
+        let width = if is_widest_on_arc {
+            self.bow + self.middle.x
+        } else {
+            self.bottom.max(self.top)
+        };
+        (-self.bottom, top + self.top, width)
+    }
+
+    fn span(&self, ray: &Ray) -> Option<[Root; 2]> {
+        let (low, high, width) = self.extent();
+        let size = width.hypot(0.5 * (high - low));
+        let centre = DVec3::new(0.0, 0.5 * (low + high), 0.0);
+        let about = Ray::new(ray.origin - centre, ray.dir);
+        if is_comfortable(size, ray.dir.dot(ray.dir), about.origin.dot(about.origin)) {
+            let (enter, leave) = self.chord(&about, centre, size)?;
+            return span((enter, 0), (leave, 0));
+        }
+        let eased = RescaledRay::new(&about, size)?;
+        let small = Ovus {
+            bottom: self.bottom / eased.size,
+            top: self.top / eased.size,
+            middle: self.middle / eased.size,
+            bow: self.bow / eased.size,
+        };
+        let (enter, leave) = small.chord(&eased.ray, centre / eased.size, size / eased.size)?;
+        span((eased.t(enter), 0), (eased.t(leave), 0))
+    }
+
+    /// Where a ray about the centre of a ball around the egg is in the egg.
+    fn chord(&self, about: &Ray, centre: DVec3, size: f64) -> Option<(f64, f64)> {
+        let (from, to) = ball_chord(about.origin, about.dir, CLIP * size)?;
+        // From the middle of that chord, so that its length loses no digits to a far origin.
+        let middle = 0.5 * (from + to);
+        let near = Ray::new(about.at(middle) + centre, about.dir);
+        let half = 0.5 * (to - from);
+        let distance = |t: f64| {
+            let (distance, normal) = self.distance(near.at(t));
+            (distance, normal.dot(near.dir))
+        };
+        let enter = first_below_zero(distance, -half, half)?;
+        let leave = first_below_zero(distance, half, -half)?;
+        (enter < leave).then_some((middle + enter, middle + leave))
+    }
+}
+
+impl Geometry for Ovus {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        push_span(self.span(ray), roots)
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.span(ray)?, from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        self.distance(point).1
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.distance(point).0 < 0.0
+    }
+
+    fn bounds(&self) -> Bounds {
+        let (low, high, width) = self.extent();
+        if width == 0.0 {
+            return Bounds::EMPTY;
+        }
+        let slack = 8.0 * f64::EPSILON * (high - low);
+        let reach = width + slack;
+        Bounds {
+            min: DVec3::new(-reach, low - slack, -reach),
+            max: DVec3::new(reach, high + slack, reach),
+        }
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+
+    /// Longitude and latitude as of a sphere about `<0, top radius / 2, 0>`.
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
+        let p = point - DVec3::Y * (0.5 * self.top);
+        let around = p.z.atan2(p.x) / TAU;
+        let around = if around < 0.0 { around + 1.0 } else { around };
+        let rise = p.normalize_or_zero().y.clamp(-1.0, 1.0);
+        Some([around, 0.5 + rise.asin() / PI])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::scene::shape::tests::check;
+
+    #[test]
+    fn eggs_are_solids() {
+        for (bottom, top) in [(1.0, 0.5), (1.0, 0.1), (0.7, 1.0), (1.0, 1.0), (0.6, 1.19)] {
+            check::solid(&Ovus::new(bottom, top));
+        }
+    }
+
+    #[test]
+    fn the_pieces_meet() {
+        for (bottom, top) in [(1.0, 0.5), (0.7, 1.0), (1.0, 1.0)] {
+            let egg = Ovus::new(bottom, top);
+            assert!((egg.bow - bottom - egg.middle.length()).abs() < 1e-14);
+            let to_top = DVec2::new(0.0, bottom) - egg.middle;
+            assert!((egg.bow - top - to_top.length()).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_ends_are_those_of_the_balls() {
+        let ray = Ray::new(DVec3::new(0.0, 9.0, 0.0), DVec3::NEG_Y);
+        let [enter, leave] = Ovus::new(1.0, 0.5).span(&ray).unwrap();
+        assert!((enter.t - 7.5).abs() < 2e-15 && (leave.t - 10.0).abs() < 2e-15);
+    }
+
+    #[test]
+    fn a_wide_top_is_a_sphere_and_negative_radii_are_errors() {
+        let mut args = TextArgs::new("0.5, 1.2");
+        let ball = Ovus::read(&mut args).unwrap();
+        assert_eq!(args.warnings().len(), 1);
+        check::solid(&ball);
+        let ray = Ray::new(DVec3::new(-5.0, 0.5, 0.0), DVec3::X);
+        assert!((ball.span(&ray).unwrap()[0].t - 3.8).abs() < 2e-15);
+        let error = Ovus::read(&mut TextArgs::new("-0.5, 1")).unwrap_err();
+        assert_eq!(error.message, "both ovus radii must be positive");
+        assert!(Ovus::new(0.0, 0.0).bounds().is_empty());
+    }
+
+    #[test]
+    fn extreme_units_change_nothing() {
+        for scale in [1e-300, 1e-150, 1e150, 1e300] {
+            let egg = Ovus::new(scale, 0.5 * scale);
+            let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0) * scale, DVec3::X);
+            let [enter, _] = egg.span(&ray).unwrap();
+            assert!((enter.t / scale - 4.0).abs() < 1e-14);
+        }
+    }
+}

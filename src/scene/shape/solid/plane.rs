@@ -1,0 +1,244 @@
+//! `plane { <normal>, distance }`: a half-space, solid behind the normal.
+//!
+//! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
+//! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
+
+use crate::base::args::{Args, Parse};
+use crate::base::math::conditioning::{power_of_two, unit};
+use crate::base::math::simd::F64Lanes;
+use crate::base::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::packet::{RayPacket, RootPacket, SpanPacket, dot, same};
+use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
+use glam::DVec3;
+
+/// The half-space `normal · p <= distance`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// A unit vector that points out of the solid.
+    pub normal: DVec3,
+    /// The distance of the surface from the origin, along the normal.
+    pub distance: f64,
+}
+
+impl Plane {
+    /// Reads `<normal>, distance`.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters; a normal of length zero.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let normal = read::vector(args, "the normal of the plane")?;
+        let at = at.to(args.last_span());
+        let Some(normal) = unit(normal) else {
+            let error = Diagnostic::error(at, "degenerate plane normal: it has no direction");
+            return Err(Box::new(error));
+        };
+        let distance = read::number(args, "the distance of the plane")?;
+        Ok(Plane { normal, distance })
+    }
+
+    /// The crossing of the whole line and the side it comes from. A crossing too far for a number is none.
+    #[inline]
+    pub(crate) fn cross(&self, ray: &Ray) -> (Start, Option<Root>) {
+        let slope = self.normal.dot(ray.dir);
+        let height = self.distance - self.normal.dot(ray.origin);
+        let t = height / slope;
+        if slope == 0.0 || !t.is_finite() {
+            let start = if height >= 0.0 {
+                Start::Inside
+            } else {
+                Start::Outside
+            };
+            return (start, None);
+        }
+        let (start, crossing) = if slope > 0.0 {
+            (Start::Inside, Crossing::Leave)
+        } else {
+            (Start::Outside, Crossing::Enter)
+        };
+        let root = Root {
+            t,
+            crossing,
+            face: 0,
+            is_visible: true,
+        };
+        (start, Some(root))
+    }
+
+    /// Where four lines are inside. Those along the plane are unknown.
+    #[inline(always)]
+    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+        let normal = same(self.normal);
+        let slope = dot(normal, rays.dir);
+        let height = F::all(self.distance).minus(dot(normal, rays.origin));
+        let t = height.over(slope);
+        let endless = F::all(f64::INFINITY);
+        let is_left = F::all(0.0).below(slope);
+        SpanPacket {
+            enter: F::pick(is_left, endless.negated(), t),
+            leave: F::pick(is_left, t, endless),
+            is_met: F::mask(0b1111),
+            unknown: 0b1111 & !F::bits(t.size().below(endless)),
+        }
+    }
+
+    /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
+    #[inline(always)]
+    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
+        F::all(0.0).below(dot(same(self.normal), rays.dir))
+    }
+
+    /// The crossings of four lines.
+    #[inline(always)]
+    pub(crate) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
+        let normal = same(self.normal);
+        let slope = dot(normal, rays.dir);
+        let height = F::all(self.distance).minus(dot(normal, rays.origin));
+        let t = height.over(slope);
+        let nothing = F::all(0.0);
+        let is_finite = t.size().below(F::all(f64::INFINITY));
+        let mut roots = RootPacket::none(0);
+        (roots.t[0], roots.t[1]) = (t, t);
+        roots.met[0] = F::bits(F::both(slope.below(nothing), is_finite));
+        roots.met[1] = F::bits(F::both(nothing.below(slope), is_finite));
+        roots
+    }
+
+    /// The plane with the normal replaced by one of any length, and `distance` in units of that length.
+    fn set(&mut self, normal: DVec3, distance: f64) -> bool {
+        let length = normal.length();
+        if length.is_normal() {
+            self.normal = normal / length;
+            self.distance = distance / length;
+            return true;
+        }
+        // A square that cannot be held says nothing about a length.
+        let size = power_of_two(normal.abs().max_element());
+        let Some(direction) = unit(normal) else {
+            return false;
+        };
+        self.normal = direction;
+        self.distance = distance / size / (normal / size).length();
+        true
+    }
+}
+
+impl Geometry for Plane {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        let (start, root) = self.cross(ray);
+        roots.extend(root);
+        start
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(self.cross(ray).1.as_slice(), from, to)
+    }
+
+    /// A line that goes out of a half-space never enters it.
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        self.four_left_behind(&RayPacket::<f64>::of(ray))
+    }
+
+    fn normal(&self, _: DVec3, _: u32) -> DVec3 {
+        self.normal
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.normal.dot(point) <= self.distance
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::EVERYTHING
+    }
+
+    fn absorb(&mut self, step: &Step) -> bool {
+        match step {
+            Step::Translate(by) => {
+                self.distance += self.normal.dot(*by);
+                true
+            }
+            Step::Rotate(degrees) => {
+                self.normal = rotation(*degrees) * self.normal;
+                true
+            }
+            Step::Scale(by) => self.set(self.normal / *by, self.distance),
+            Step::General(transform) => {
+                let from_world = &transform.object_from_world;
+                let distance = self.distance - self.normal.dot(from_world.translation);
+                self.set(normal_from_inverse(from_world, self.normal), distance)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::args::text::TextArgs;
+    use crate::base::math::Transform;
+    use crate::scene::shape::tests::check;
+    use std::sync::Arc;
+
+    fn plane(text: &str) -> Plane {
+        Plane::read(&mut TextArgs::new(text)).unwrap()
+    }
+
+    #[test]
+    fn it_is_a_half_space() {
+        let tilted = plane("<1,2,-3>, 0.7");
+        check::half_space(&tilted);
+        check::scales_exactly(&tilted, |k| Plane {
+            distance: tilted.distance * k,
+            ..tilted
+        });
+    }
+
+    #[test]
+    fn the_distance_is_along_the_unit_normal() {
+        assert!(plane("<0,4,0>, 1").contains(DVec3::Y));
+        assert!(!plane("<0,4,0>, 1").contains(DVec3::Y * 1.000_001));
+    }
+
+    #[test]
+    fn a_parallel_ray_has_a_side_and_no_root() {
+        let mut roots = Vec::new();
+        for (y, start) in [
+            (0.5, Start::Inside),
+            (1.0, Start::Inside),
+            (2.0, Start::Outside),
+        ] {
+            let ray = Ray::new(DVec3::new(0.0, y, 0.0), DVec3::new(1.0, -0.0, 1.0));
+            assert_eq!(plane("<0,1,0> 1").roots(&ray, &mut roots), start);
+        }
+        assert!(roots.is_empty());
+    }
+
+    #[test]
+    fn a_zero_normal_is_an_error() {
+        let error = Plane::read(&mut TextArgs::new("<0,0,0>, 1")).unwrap_err();
+        assert_eq!(
+            error.message,
+            "degenerate plane normal: it has no direction"
+        );
+    }
+
+    #[test]
+    fn every_transform_is_absorbed() {
+        let steps = [
+            Step::Scale(DVec3::new(2.0, -3.0, 0.5)),
+            Step::Rotate(DVec3::new(20.0, 30.0, 40.0)),
+            Step::Translate(DVec3::new(1.0, 2.0, 3.0)),
+            Step::General(Arc::new(Transform::from_steps(&[
+                Step::Rotate(DVec3::new(0.0, 10.0, 0.0)),
+                Step::Scale(DVec3::new(1.0, 2.0, 3.0)),
+                Step::Translate(DVec3::new(-1.0, 0.0, 0.3)),
+            ]))),
+        ];
+        let mut moved = plane("<1,2,-3>, 0.7");
+        assert!(steps.iter().all(|step| moved.absorb(step)));
+        let transform = Transform::from_steps(&steps);
+        check::same_inside(&plane("<1,2,-3>, 0.7"), &moved, &transform);
+        assert!((moved.normal.length() - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,365 @@
+//! `superellipsoid { <e, n> }`: where `(|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1`.
+//!
+//! The same surface is where the size `N = ((|x|^p + |y|^p)^(q/p) + |z|^q)^(1/q)`, with `p = 2/e` and `q = 2/n`, is 1.
+//! `N` grows in proportion with the point, so it neither overflows nor flattens out, however large the powers are; a
+//! power of zero for `e` or `n` makes edges (`N` is then the larger of both), as in POV-Ray.
+//!
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
+//!
+//! Up to `e = n = 2` the size is convex along a ray, and Newton's iteration from where the ray enters the box around it
+//! finds the near root or turns away; the far one from the other end. Beyond, the surface has hollow sides: the ray is
+//! cut where a coordinate is zero. Most pieces, and most rays that leave the surface, keep outside by lower bounds of the
+//! size that are concave along them (`floors`); on the others values and slopes of `N` are bounded by those of the ends.
+//!
+//! Both ways are first gone in numbers of ten digits, which cost a fraction of exact powers (`rough`), the convex one for
+//! four rays at once (`four`); a root takes its last digits from the exact size, and what is too close to call is asked
+//! anew in exact numbers.
+
+mod exact;
+mod floors;
+mod four;
+mod norms;
+mod rough;
+
+use self::exact::{Along, norm, norm_and_shares, share};
+use self::rough::{Estimate, Pieces, Rough};
+use crate::base::args::{Args, Parse};
+use crate::base::math::conditioning::{RescaledRay, is_comfortable};
+use crate::base::math::roots::interval_roots::{IntervalFunction, first_below_zero, sign_changes};
+use crate::base::math::roots::polynomial::Roots;
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// A box with edges and corners rounded or drawn in, between -1 and 1. It is one piece, face 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Superellipsoid {
+    /// The power of x and y.
+    across: f64,
+    /// The power of z.
+    along: f64,
+}
+
+type Crossings = SmallVec<[Root; 4]>;
+
+/// Which roots of a ray are asked for.
+#[derive(Clone, Copy)]
+struct Sought {
+    /// None before this place.
+    from: f64,
+    /// And none behind one that lies between these.
+    enough: (f64, f64),
+    /// Where the ray is from which the places of `enough` are counted, less where that is from which others are.
+    start: f64,
+}
+
+/// How far the box of the shape goes: `max_extent` tells it, as in POV-Ray.
+const REACH: f64 = 1.0001;
+
+/// A ray that enters at a steeper slope does not touch: where it leaves need not be known.
+const STEEP: f64 = 1e-3;
+
+impl Sought {
+    const ALL: Sought = Sought {
+        from: f64::NEG_INFINITY,
+        enough: (f64::INFINITY, f64::INFINITY),
+        start: 0.0,
+    };
+
+    fn new(from: f64, enough: (f64, f64)) -> Self {
+        Sought {
+            from,
+            enough,
+            start: 0.0,
+        }
+    }
+
+    /// The same for places counted from `start`.
+    fn about(self, start: f64) -> Sought {
+        let rounding = 8.0 * f64::EPSILON * (self.from.abs() + start.abs());
+        Sought {
+            from: self.from - start - rounding,
+            start,
+            ..self
+        }
+    }
+
+    /// Whether all that lies before a place lies before what is asked for.
+    fn is_before(&self, t: f64) -> bool {
+        t <= self.from
+    }
+
+    fn is_enough(&self, t: f64) -> bool {
+        let t = t + self.start;
+        self.enough.0 < t && t < self.enough.1
+    }
+}
+
+impl Superellipsoid {
+    /// The surface with the exponents `e` and `n`, neither negative.
+    #[must_use]
+    pub fn new(e: f64, n: f64) -> Self {
+        Superellipsoid {
+            across: 2.0 / e,
+            along: 2.0 / n,
+        }
+    }
+
+    /// Reads `<e, n>`.
+    ///
+    /// # Errors
+    /// A malformed vector; exponents that are negative or not finite.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let exponents = args.vector2()?;
+        if !exponents.is_finite() || exponents.min_element() < 0.0 {
+            let message = format!(
+                "the exponents of the superellipsoid must be finite and not negative, found <{}, {}>",
+                exponents.x, exponents.y
+            );
+            return Err(Box::new(Diagnostic::error(
+                at.to(args.last_span()),
+                message,
+            )));
+        }
+        Ok(Superellipsoid::new(exponents.x, exponents.y))
+    }
+
+    fn is_convex(&self) -> bool {
+        self.across >= 1.0 && self.along >= 1.0
+    }
+
+    /// `N`, for a point without negative coordinates.
+    fn size(&self, p: DVec3) -> f64 {
+        norm(norm(p.x, p.y, self.across), p.z, self.along)
+    }
+
+    /// `N` and its derivatives by each coordinate, for a point without negative ones.
+    fn size_and_gradient(&self, p: DVec3) -> (f64, DVec3) {
+        let ring = norm(p.x, p.y, self.across);
+        let size = norm(ring, p.z, self.along);
+        let by_ring = share(ring, size, self.along);
+        let gradient = DVec3::new(
+            by_ring * share(p.x, ring, self.across),
+            by_ring * share(p.y, ring, self.across),
+            share(p.z, size, self.along),
+        );
+        (size, gradient)
+    }
+
+    /// The same, with derivatives that are worked out along with the size; where two of its parts are equally large and the
+    /// power is endless, each has half the slope.
+    fn size_and_slopes(&self, p: DVec3) -> (f64, DVec3) {
+        let (ring, [of_x, of_y]) = norm_and_shares(p.x, p.y, self.across);
+        let (size, [of_ring, of_z]) = norm_and_shares(ring, p.z, self.along);
+        (size, DVec3::new(of_ring * of_x, of_ring * of_y, of_z))
+    }
+
+    fn gradient(&self, p: DVec3) -> DVec3 {
+        self.size_and_gradient(p).1
+    }
+
+    fn crossings(&self, ray: &Ray, sought: Sought) -> Crossings {
+        if is_comfortable(1.0, ray.dir.dot(ray.dir), ray.origin.dot(ray.origin)) {
+            return self.comfortable_crossings(ray, sought);
+        }
+        let Some(eased) = RescaledRay::new(ray, 1.0) else {
+            return Crossings::new();
+        };
+        let mut roots = self.comfortable_crossings(&eased.ray, Sought::ALL);
+        for root in &mut roots {
+            root.t = eased.t(root.t);
+        }
+        roots
+    }
+
+    fn comfortable_crossings(&self, ray: &Ray, sought: Sought) -> Crossings {
+        let Some((from, to)) = clip(ray) else {
+            return Crossings::new();
+        };
+        // About the middle of the clipped stretch, so that its ends lose no digits to a far origin.
+        let middle = 0.5 * (from + to);
+        let ray = Ray::new(ray.at(middle), ray.dir);
+        let (from, to) = (from - middle, to - middle);
+        let sought = sought.about(middle);
+        let mut roots = if self.is_convex() {
+            self.convex_crossings(&ray, (from, to), sought)
+        } else {
+            self.hollow_crossings(&ray, (from, to), sought)
+        };
+        for root in &mut roots {
+            root.t += middle;
+        }
+        roots
+    }
+
+    fn convex_crossings(&self, ray: &Ray, (from, to): (f64, f64), sought: Sought) -> Crossings {
+        let mut roots = Crossings::new();
+        let Some((enter, slope)) = self.first_inside(ray, from, to) else {
+            return roots;
+        };
+        if sought.is_enough(enter) && slope < -STEEP * ray.dir.length() {
+            roots.push(root(enter, false));
+        } else if let Some((leave, _)) = self.first_inside(ray, to, from)
+            && enter < leave
+        {
+            roots.extend([root(enter, false), root(leave, true)]);
+        }
+        roots
+    }
+
+    /// Where a convex size falls below 1 on the way from one end to the other, and its slope there.
+    fn first_inside(&self, ray: &Ray, from: f64, to: f64) -> Option<(f64, f64)> {
+        if let Some(rough) = Rough::new(self, ray) {
+            match rough.first_inside(from, to) {
+                Estimate::None => return None,
+                Estimate::Near(t, slope) => {
+                    if let Some(t) = rough.sharpened(t, slope, from.abs().max(to.abs())) {
+                        return Some((t, slope));
+                    }
+                }
+                Estimate::Unclear => {}
+            }
+        }
+        let excess = |t: f64| {
+            let p = ray.at(t);
+            let (size, gradient) = self.size_and_slopes(p.abs());
+            (size - 1.0, gradient.dot(p.signum() * ray.dir))
+        };
+        let t = first_below_zero(excess, from, to)?;
+        Some((t, excess(t).1))
+    }
+
+    fn hollow_crossings(&self, ray: &Ray, (from, to): (f64, f64), sought: Sought) -> Crossings {
+        let mut stops: SmallVec<[f64; 5]> = SmallVec::new();
+        stops.push(from);
+        for axis in 0..3 {
+            let t = -ray.origin[axis] / ray.dir[axis];
+            if from < t && t < to {
+                stops.push(t);
+            }
+        }
+        stops.push(to);
+        stops.sort_unstable_by(f64::total_cmp);
+        let along = Along {
+            shape: self,
+            ray: *ray,
+        };
+        let mut roots = Crossings::new();
+        if let Some(rough) = Rough::new(self, ray) {
+            Pieces::new(rough, &along, sought).all_roots(&stops, &mut roots);
+            return roots;
+        }
+        let mut places = Roots::new();
+        let mut start = (from, false);
+        for &stop in &stops[1..] {
+            let end = (stop, stop < to && along.value(stop) < 0.0);
+            sign_changes(&along, start, end, &mut places);
+            start = end;
+        }
+        roots.extend(alternating(&places, false));
+        roots
+    }
+}
+
+/// The roots at places, which enter and leave in turn.
+fn alternating(places: &[f64], starts_inside: bool) -> impl Iterator<Item = Root> {
+    let sides = [starts_inside, !starts_inside].into_iter().cycle();
+    places.iter().zip(sides).map(|(&t, leaves)| root(t, leaves))
+}
+
+fn root(t: f64, leaves: bool) -> Root {
+    Root {
+        t,
+        crossing: if leaves {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        },
+        face: 0,
+        is_visible: true,
+    }
+}
+
+/// The stretch of a line in the box from -1 to 1; NaN, of a line in a face, excludes nothing.
+fn clip(ray: &Ray) -> Option<(f64, f64)> {
+    let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..3 {
+        let (p, d) = (ray.origin[axis], ray.dir[axis]);
+        if d == 0.0 {
+            if p.abs() > 1.0 {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = ((-1.0 - p) / d, (1.0 - p) / d);
+        (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+    }
+    (from < to && from.is_finite() && to.is_finite()).then_some((from, to))
+}
+
+impl Geometry for Superellipsoid {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend_from_slice(&self.crossings(ray, Sought::ALL));
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        let sought = Sought::new(from, (from, to));
+        first_visible(&self.crossings(ray, sought), from, to)
+    }
+
+    fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
+        let sought = Sought::new(from, (enough, f64::INFINITY));
+        roots.extend_from_slice(&self.crossings(ray, sought));
+        false
+    }
+
+    /// A size that is convex and grows where the ray starts does not fall again.
+    fn is_exiting(&self, ray: &Ray) -> bool {
+        if ray.origin.abs().max_element() > REACH {
+            return false;
+        }
+        let least_slope = STEEP * ray.dir.length();
+        Rough::new(self, ray).is_some_and(|rough| {
+            if self.is_convex() {
+                rough.at(0.0).1 > least_slope
+            } else {
+                rough.is_leaving(least_slope)
+            }
+        })
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let gradient = self.gradient(point.abs());
+        // On a sharp ridge the slope across it is infinite and outweighs the others.
+        let gradient = if gradient.is_finite() {
+            gradient
+        } else {
+            gradient.map(|slope| f64::from(u8::from(slope == f64::INFINITY)))
+        };
+        let normal = point.signum() * gradient;
+        if normal == DVec3::ZERO {
+            DVec3::X
+        } else {
+            normal
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.size(point.abs()) <= 1.0
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::new(DVec3::splat(-REACH), DVec3::splat(REACH))
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests;

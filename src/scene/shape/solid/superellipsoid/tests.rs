@@ -1,0 +1,119 @@
+use super::*;
+use crate::base::args::text::TextArgs;
+use crate::base::math::sampling::random::Random;
+use crate::scene::shape::tests::check;
+
+#[test]
+fn rounded_boxes_are_solids() {
+    for (e, n) in [(1.0, 1.0), (0.5, 0.7), (0.9, 0.8)] {
+        check::solid(&Superellipsoid::new(e, n));
+    }
+    for (e, n) in [(1.5, 0.3), (2.0, 2.0), (0.1, 1.9), (0.02, 0.02)] {
+        check::creased(&Superellipsoid::new(e, n));
+    }
+}
+
+#[test]
+fn stars_are_solids() {
+    for (e, n) in [(3.0, 3.0), (3.0, 0.5), (0.5, 4.0), (2.5, 1.0)] {
+        check::creased(&Superellipsoid::new(e, n));
+    }
+}
+
+#[test]
+fn with_both_one_it_is_a_sphere() {
+    let ray = Ray::new(DVec3::new(0.3, 0.4, -1e6), DVec3::Z);
+    let roots = Superellipsoid::new(1.0, 1.0).crossings(&ray, Sought::ALL);
+    assert_eq!(roots.len(), 2);
+    assert!((roots[0].t - (1e6 - 0.75_f64.sqrt())).abs() < 2e-10);
+    assert!((roots[1].t - (1e6 + 0.75_f64.sqrt())).abs() < 2e-10);
+}
+
+#[test]
+fn exponents_near_zero_make_a_box() {
+    for e in [0.0, 1e-9, 1e-3] {
+        let ray = Ray::new(DVec3::new(-3.0, 0.9, 0.9), DVec3::X);
+        let roots = Superellipsoid::new(e, e).crossings(&ray, Sought::ALL);
+        assert!((roots[0].t - 2.0).abs() < 1e-3 && (roots[1].t - 4.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn a_ray_past_the_hollow_side_of_a_star_passes_two_arms() {
+    let star = Superellipsoid::new(4.0, 1.0);
+    let ray = Ray::new(DVec3::new(-2.0, 0.1, 0.0), DVec3::X);
+    assert_eq!(star.crossings(&ray, Sought::ALL).len(), 2);
+    let across = Ray::new(DVec3::new(-0.5, 1.3, 0.0), DVec3::new(1.0, -1.0, 0.0));
+    assert_eq!(star.crossings(&across, Sought::ALL).len(), 4);
+}
+
+#[test]
+fn exponents_below_zero_are_refused() {
+    let error = Superellipsoid::read(&mut TextArgs::new("<-1, 1>")).unwrap_err();
+    assert!(error.message.ends_with("not negative, found <-1, 1>"));
+    assert!(Superellipsoid::read(&mut TextArgs::new("<0, 1>")).is_ok());
+}
+
+/// Where a line crosses the surface, in exact numbers alone.
+fn exact_places(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
+    let Some((from, to)) = clip(ray) else {
+        return Vec::new();
+    };
+    let middle = 0.5 * (from + to);
+    let ray = Ray::new(ray.at(middle), ray.dir);
+    let (from, to) = (from - middle, to - middle);
+    let mut stops: Vec<f64> = (0..3).map(|i| -ray.origin[i] / ray.dir[i]).collect();
+    stops.retain(|t| from < *t && *t < to);
+    stops.push(to);
+    stops.sort_by(f64::total_cmp);
+    let along = Along { shape, ray };
+    let (mut places, mut start) = (Roots::new(), (from, false));
+    for stop in stops {
+        let end = (stop, stop < to && along.value(stop) < 0.0);
+        sign_changes(&along, start, end, &mut places);
+        start = end;
+    }
+    places.iter().map(|t| t + middle).collect()
+}
+
+#[test]
+fn rough_powers_lose_no_root_and_no_digit() {
+    let mut rng = Random::new(23);
+    for (e, n) in [
+        (0.3, 0.25),
+        (0.5, 1.0),
+        (1.0, 2.0),
+        (2.0, 0.3),
+        (0.1, 1.7),
+        (0.3, 3.0),
+        (3.0, 0.5),
+        (3.0, 3.0),
+        (1.5, 4.0),
+        (0.01, 30.0),
+    ] {
+        let shape = Superellipsoid::new(e, n);
+        let mut found = 0;
+        for _ in 0..1000 {
+            let away = rng.vector(3.0);
+            let ray = Ray::new(rng.vector(1.0) + away, -away);
+            let roots = shape.crossings(&ray, Sought::ALL);
+            let exact = exact_places(&shape, &ray);
+            found += roots.len();
+            if roots.len() == exact.len() {
+                for (root, t) in roots.iter().zip(&exact) {
+                    let size = (1.0 - shape.size(ray.at(root.t).abs())).abs();
+                    let is_near = (root.t - t).abs() < 1e-9 || size < 4e-15;
+                    assert!(is_near, "<{e}, {n}> {ray:?}: {} {t}", root.t);
+                }
+            } else {
+                // Only a line that touches the surface may be judged in two ways.
+                let own: Vec<f64> = roots.iter().map(|root| root.t).collect();
+                let more = if own.len() > exact.len() { own } else { exact };
+                let is_close = |pair: &[f64]| pair[1] - pair[0] < 1e-6;
+                let is_touch = more.windows(2).any(is_close);
+                assert!(is_touch, "<{e}, {n}> {ray:?}: {more:?}");
+            }
+        }
+        assert!(found > 200, "<{e}, {n}>: {found}");
+    }
+}

@@ -1,0 +1,126 @@
+//! `lathe { [spline] number of points, <r, y>, ... }`: a curve turned about the y axis.
+//!
+//! Inside is what POV-Ray takes for it: where a way outward crosses the curve an odd number of times, but not nearer
+//! to the axis than the curve comes. That closes a curve with open ends by two level rings and an upright wall, which
+//! are not seen.
+
+mod climb;
+mod profile;
+
+use super::spline::{self, Kind};
+use crate::base::args::{Args, Parse};
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::{Geometry, Root, Start, first_visible};
+use climb::flat;
+use glam::{DVec2, DVec3};
+use profile::{Asked, Profile};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A surface of revolution. It is one piece, face 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lathe(Arc<Profile>);
+
+impl Lathe {
+    /// Reads the kind of spline and the points.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, too few points, a point beyond the axis other than the first and the last, as in POV-Ray.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let mut kind = Kind::Linear;
+        while let Some(named) = Kind::accept(args)? {
+            kind = named;
+        }
+        let at = args.span();
+        let points = spline::read_points(args, "lathe")?;
+        let at = at.to(args.last_span());
+        let name = kind.name();
+        let least = match kind {
+            Kind::Linear => 2,
+            Kind::Quadratic => 3,
+            Kind::Cubic | Kind::Bezier => 4,
+        };
+        let message = if kind == Kind::Bezier && !points.len().is_multiple_of(4) {
+            "lathe with bezier splines must have four points for each segment".to_owned()
+        } else if points.len() < least {
+            format!("lathe with {name} splines must have at least {least} points")
+        } else if let Some(point) = points[1..points.len() - 1].iter().find(|p| p.x < 0.0) {
+            format!(
+                "a point of the lathe lies beyond its axis: <{}, {}>",
+                point.x, point.y
+            )
+        } else {
+            return Ok(Lathe(Arc::new(Profile::new(kind.segments(&points)))));
+        };
+        Err(Box::new(Diagnostic::error(at, message)))
+    }
+}
+
+/// The place of a point in the half-plane of the curve.
+fn in_plane(point: DVec3) -> DVec2 {
+    DVec2::new(point.x.hypot(point.z), point.y)
+}
+
+impl Geometry for Lathe {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend_from_slice(&self.0.crossings(ray, Asked::EVERYWHERE));
+        Start::Outside
+    }
+
+    fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
+        let to = f64::INFINITY;
+        roots.extend_from_slice(&self.0.crossings(ray, Asked { from, to, enough }));
+        false
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        let enough = from;
+        first_visible(&self.0.crossings(ray, Asked { from, to, enough }), from, to)
+    }
+
+    fn normal(&self, point: DVec3, _: u32) -> DVec3 {
+        let profile = &*self.0;
+        let place = in_plane(point);
+        let curve = &profile.segments[..profile.seen];
+        let Some((number, x)) = spline::nearest(curve, place) else {
+            return DVec3::Y;
+        };
+        let on_curve = curve[number].at(x);
+        let across = curve[number].tangent(x).perp();
+        let normal = profile.segments.outward(on_curve, across);
+        let outward = if place.x > 0.0 {
+            flat(point) / place.x
+        } else {
+            DVec2::X
+        };
+        DVec3::new(normal.x * outward.x, normal.y, normal.x * outward.y)
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.0.segments.contains(in_plane(point))
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.0.bounds
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+
+    /// Around the axis from +x towards +z, and along the curve.
+    fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
+        let around = point.z.atan2(point.x) / TAU;
+        let around = if around < 0.0 { around + 1.0 } else { around };
+        let curve = &self.0.segments[..self.0.seen];
+        let along = spline::nearest(curve, in_plane(point)).map_or(0.0, |(number, x)| {
+            let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+            (count(number) + 0.5 * (x + 1.0)) / count(curve.len())
+        });
+        Some([around, along])
+    }
+}
+
+#[cfg(test)]
+mod tests;

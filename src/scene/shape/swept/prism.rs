@@ -1,0 +1,388 @@
+//! `prism { [spline] [sweep] height 1, height 2, number of points, <x, z>, ... [open] }`: an outline in the xz plane,
+//! moved along y (`linear_sweep`) or scaled with y (`conic_sweep`).
+//!
+//! Inside is what the outline winds around an odd number of times, between the heights. A ray that is not upright is a
+//! line in the plane of the outline; of a conic sweep it is the line `(origin × dir) · (X, 1, Z) = 0` in the plane
+//! `y = 1`. Its crossings with the outline, in order along the ray, make stretches inside, which the slab between the
+//! heights clips: enter and leave alternate by construction. Error bound: roots lie within 2 roundings of the problem's size
+//! from the surface (`shape/roundings.rs`); no line slips through a corner (`spline`).
+
+use super::spline::{self, Chain, Kind, Segment};
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::simd::{SimdLevel, with_widest};
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::solid::axial::Slab;
+use crate::scene::shape::{Geometry, Root, Start, read};
+use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
+use std::sync::Arc;
+
+/// A swept outline. Face 0 is the side, 1 the cap at the lower height, 2 that at the upper one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prism {
+    outline: Arc<Chain>,
+    sweep: Sweep,
+    low: f64,
+    high: f64,
+    is_open: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sweep {
+    Linear,
+    Conic,
+}
+
+impl Prism {
+    /// Reads the sweep, the spline, the heights, the points and `open`.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, too few points, an outline of curves that is not closed.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let (mut kind, mut sweep) = (Kind::Linear, Sweep::Linear);
+        loop {
+            if let Some(named) = Kind::accept(args)? {
+                kind = named;
+            } else if args.accept(Word::LinearSweep)? {
+                sweep = Sweep::Linear;
+            } else if args.accept(Word::ConicSweep)? {
+                sweep = Sweep::Conic;
+            } else {
+                break;
+            }
+        }
+        let height = read::number(args, "a height of the prism")?;
+        let other = read::number(args, "a height of the prism")?;
+        args.comma()?;
+        let at = args.span();
+        let points = spline::read_points(args, "prism")?;
+        let at = at.to(args.last_span());
+        let outline = outline(kind, &points).map_err(|fault| {
+            let name = kind.name();
+            Box::new(Diagnostic::error(
+                at,
+                match fault {
+                    Fault::TooFew(least) => {
+                        format!("prism with {name} splines must have at least {least} points")
+                    }
+                    Fault::NotByFour => {
+                        "prism with bezier splines must have four points for each segment".into()
+                    }
+                    Fault::NotClosed => format!("prism with {name} splines is not closed"),
+                },
+            ))
+        })?;
+        match outline.repair {
+            Repair::None => {}
+            Repair::Closed => args.warn(Diagnostic::warning(
+                at,
+                "linear prism not closed; it is closed by one more edge",
+            )),
+            Repair::Dropped => {
+                args.warn(Diagnostic::warning(at, "prism not closed; it is not drawn"))
+            }
+        }
+        let is_open = args.accept(Word::Open)?;
+        Ok(Prism {
+            outline: Arc::new(Chain::new(outline.segments)),
+            sweep,
+            low: height.min(other),
+            high: height.max(other),
+            is_open,
+        })
+    }
+
+    /// Visits the spans of the line of a ray inside, in order, until `visit` says to stop.
+    #[inline(always)]
+    fn spans(&self, lanes: SimdLevel, ray: &Ray, mut visit: impl FnMut([Root; 2]) -> bool) {
+        let Some(slab) = Slab::between(ray, self.low, self.high) else {
+            return;
+        };
+        let mut places = match self.sweep {
+            Sweep::Linear => self.linear_places(lanes, ray),
+            Sweep::Conic => self.conic_places(lanes, ray),
+        };
+        places.sort_unstable_by(f64::total_cmp);
+        for side in places.chunks_exact(2) {
+            let span = slab.clip((side[0], side[1]), self.is_open);
+            if span.is_some_and(&mut visit) {
+                return;
+            }
+        }
+    }
+
+    /// Where the line passes through the side of an endless prism.
+    #[inline(always)]
+    fn linear_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
+        let (origin, dir) = (flat(ray.origin), flat(ray.dir));
+        let mut places = SmallVec::new();
+        let speed_sq = dir.dot(dir);
+        if speed_sq == 0.0 {
+            return always(self.outline.contains(origin));
+        }
+        // From the place nearest to the axis, so that a far origin costs no digits.
+        let ahead = -origin.dot(dir) / speed_sq;
+        let near = origin + ahead * dir;
+        let line = (dir.perp(), near, 0.0);
+        self.outline.line_crossings(lanes, line, |number, x| {
+            let point = self.outline[number].at(x);
+            places.push(ahead + (point - near).dot(dir) / speed_sq);
+        });
+        places
+    }
+
+    /// The same for an endless double cone.
+    #[inline(always)]
+    fn conic_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
+        let mut places = SmallVec::new();
+        let dir = ray.dir;
+        let ahead = -ray.origin.dot(dir) / dir.dot(dir);
+        let near = ray.origin + ahead * dir;
+        let plane = near.cross(dir);
+        if plane == DVec3::ZERO {
+            // Through the apex.
+            return always(self.outline.contains(flat(dir) / dir.y));
+        }
+        let line = (flat(plane), DVec2::ZERO, plane.y);
+        self.outline.line_crossings(lanes, line, |number, x| {
+            let point = self.outline[number].at(x);
+            let rate = flat(dir) - dir.y * point;
+            let gap = near.y * point - flat(near);
+            let axis = usize::from(rate.y.abs() > rate.x.abs());
+            let t = gap[axis] / rate[axis];
+            if t.is_finite() {
+                places.push(ahead + t);
+            }
+        });
+        // Where it passes the height of the apex the line is outside: the outline has shrunk to a point there.
+        let apex = if dir.y == 0.0 {
+            f64::INFINITY
+        } else {
+            -ray.origin.y / dir.y
+        };
+        let before = places.iter().filter(|t| **t < apex).count();
+        if (places.len() - before) % 2 == 1 {
+            places.push(f64::INFINITY);
+        }
+        if before % 2 == 1 {
+            places.push(f64::NEG_INFINITY);
+        }
+        places
+    }
+
+    /// Whether a point is within the endless sweep.
+    fn is_in_sweep(&self, point: DVec3) -> bool {
+        let across = match self.sweep {
+            Sweep::Linear => flat(point),
+            Sweep::Conic => flat(point) / point.y,
+        };
+        self.outline.contains(across)
+    }
+
+    fn side_normal(&self, point: DVec3) -> DVec3 {
+        let scale = match self.sweep {
+            Sweep::Linear => 1.0,
+            Sweep::Conic => point.y,
+        };
+        let across = flat(point) / scale;
+        let Some((number, x)) = spline::nearest(&self.outline, across) else {
+            return DVec3::X;
+        };
+        let segment = &self.outline[number];
+        let on_curve = segment.at(x);
+        let normal = self.outline.outward(on_curve, segment.tangent(x).perp());
+        match self.sweep {
+            Sweep::Linear => DVec3::new(normal.x, 0.0, normal.y),
+            Sweep::Conic => DVec3::new(normal.x, -normal.dot(on_curve), normal.y) * scale.signum(),
+        }
+    }
+}
+
+/// The places of a line that is inside all along, or nowhere.
+fn always(is_inside: bool) -> SmallVec<[f64; 8]> {
+    let mut places = SmallVec::new();
+    if is_inside {
+        places.extend([f64::NEG_INFINITY, f64::INFINITY]);
+    }
+    places
+}
+
+/// The part of a point or direction in the plane of the outline.
+fn flat(v: DVec3) -> DVec2 {
+    DVec2::new(v.x, v.z)
+}
+
+enum Fault {
+    TooFew(usize),
+    NotByFour,
+    NotClosed,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Repair {
+    None,
+    Closed,
+    Dropped,
+}
+
+struct Outline {
+    segments: Vec<Segment>,
+    repair: Repair,
+}
+
+/// The closed parts of an outline: each begins anew where the one before has come back to its first point. Points left
+/// over that make no part are passed over, as in POV-Ray.
+fn outline(kind: Kind, points: &[DVec2]) -> Result<Outline, Fault> {
+    let least = match kind {
+        Kind::Linear => 3,
+        Kind::Quadratic => 5,
+        Kind::Cubic => 6,
+        Kind::Bezier => 0,
+    };
+    if points.len() < least {
+        return Err(Fault::TooFew(least));
+    }
+    if kind == Kind::Bezier {
+        return bezier_outline(points);
+    }
+    let (before, after) = kind.extra();
+    let mut outline = Outline {
+        segments: Vec::new(),
+        repair: Repair::None,
+    };
+    let mut rest = points;
+    while rest.len() > before + 1 {
+        let first = rest[before];
+        let back = rest[before + 1..].iter().position(|p| is_back(*p, first));
+        let Some(back) = back.map(|steps| before + 1 + steps) else {
+            if kind != Kind::Linear {
+                return Err(Fault::NotClosed);
+            }
+            let mut closed = rest.to_vec();
+            closed.push(first);
+            outline.repair = Repair::Closed;
+            outline.segments.extend(kind.segments(&closed));
+            break;
+        };
+        if back + after >= rest.len() {
+            return Err(Fault::NotClosed);
+        }
+        let (part, next) = rest.split_at(back + after + 1);
+        let mut segments = kind.segments(part);
+        if let Some(last) = segments.pop() {
+            segments.push(last.ending_at(first));
+        }
+        outline.segments.extend(segments);
+        rest = next;
+    }
+    Ok(outline)
+}
+
+fn is_back(point: DVec2, first: DVec2) -> bool {
+    spline::is_same(point, first)
+}
+
+fn bezier_outline(points: &[DVec2]) -> Result<Outline, Fault> {
+    if !points.len().is_multiple_of(4) {
+        return Err(Fault::NotByFour);
+    }
+    let mut outline = Outline {
+        segments: Kind::Bezier.segments(points),
+        repair: Repair::None,
+    };
+    let mut first: Option<DVec2> = None;
+    let count = outline.segments.len();
+    for i in 0..count {
+        let begin = *first.get_or_insert(outline.segments[i].start);
+        let end = outline.segments[i].end;
+        let next = outline.segments.get(i + 1).map(|next| next.start);
+        if is_back(end, begin) {
+            outline.segments[i] = outline.segments[i].ending_at(begin);
+            first = None;
+        } else if next.is_some_and(|next| is_back(end, next)) {
+            let next = next.unwrap_or(end);
+            outline.segments[i] = outline.segments[i].ending_at(next);
+        } else {
+            outline.segments.clear();
+            outline.repair = Repair::Dropped;
+            return Ok(outline);
+        }
+    }
+    if first.is_some() {
+        outline.segments.clear();
+        outline.repair = Repair::Dropped;
+    }
+    Ok(outline)
+}
+
+impl Geometry for Prism {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.spans(lanes, ray, |span| {
+                    roots.extend_from_slice(&span);
+                    false
+                });
+            },
+        );
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        let mut first = None;
+        let is_asked = |root: &Root| root.is_visible && from < root.t && root.t < to;
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.spans(lanes, ray, |span| {
+                    first = span.into_iter().find(is_asked);
+                    first.is_some()
+                });
+            },
+        );
+        first
+    }
+
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
+        match face {
+            crate::scene::shape::solid::axial::BASE => DVec3::NEG_Y,
+            crate::scene::shape::solid::axial::APEX => DVec3::Y,
+            _ => self.side_normal(point),
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        self.low <= point.y && point.y < self.high && self.is_in_sweep(point)
+    }
+
+    fn bounds(&self) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for segment in self.outline.iter() {
+            for corner in [segment.low, segment.high] {
+                for height in [self.low, self.high] {
+                    let scale = match self.sweep {
+                        Sweep::Linear => 1.0,
+                        Sweep::Conic => height,
+                    };
+                    let point = DVec3::new(corner.x * scale, height, corner.y * scale);
+                    bounds = bounds.with_point(point);
+                }
+            }
+        }
+        if self.outline.is_empty() {
+            return Bounds::EMPTY;
+        }
+        // Points of the curves are rounded.
+        let slack = 8.0 * f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element();
+        Bounds::new(bounds.min - slack, bounds.max + slack)
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests;

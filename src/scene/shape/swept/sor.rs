@@ -1,0 +1,380 @@
+//! `sor { number of points, <r, y>, ... [open] }`: a surface of revolution about the y axis whose squared radius is a
+//! cubic of the height.
+//!
+//! Between the second point and the last but one, `r²` takes the value and the slope `2·r·dr/dy` at each point, with
+//! `dr/dy` from both neighbours. Along a ray `r²(y) − x² − z²` is a cubic on each stretch between two points, clipped
+//! to the widest radius, centred and scaled to -1..1. Neighbouring stretches share the sign at the height between
+//! them. Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`), since the
+//! ray is first moved to where it is nearest. The solid ends at the first and the last height with caps, which `open` takes out of sight.
+
+use super::spline;
+use crate::base::args::{Args, Parse, Word};
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::roots::polynomial::{sign_changes, sign_changes_between};
+use crate::base::math::roots::ray_sphere::ball_chord;
+use crate::base::math::{Bounds, Ray, Step};
+use crate::base::source::Diagnostic;
+use crate::scene::shape::solid::axial::{APEX, BASE, SIDE, Slab};
+use crate::scene::shape::{Crossing, Crossings, Geometry, Root, Start, first_visible};
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A ray is clipped a little wide, so that the ends of a stretch lie outside whatever rounding does.
+const CLIP: f64 = 1.001;
+
+/// A surface of revolution. Face 0 is the side, 1 the cap at the lower end, 2 that at the upper one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sor {
+    profile: Arc<Profile>,
+    is_open: bool,
+}
+
+#[derive(Debug, PartialEq)]
+struct Profile {
+    rings: Vec<Ring>,
+    /// The largest radius.
+    rim: f64,
+    low: f64,
+    high: f64,
+    /// The squares of the radii of the caps.
+    ends_sq: [f64; 2],
+}
+
+/// Between two points: `r²` by rising power of `x`, with `-1 <= x <= 1` from the lower to the upper height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ring {
+    low: f64,
+    high: f64,
+    c: [f64; 4],
+}
+
+impl Sor {
+    /// Reads the points and `open`.
+    ///
+    /// # Errors
+    /// Malformed or non-finite parameters, fewer than four points, a negative radius, heights that do not rise.
+    pub fn read(args: &mut dyn Args) -> Parse<Self> {
+        let at = args.span();
+        let points = spline::read_points(args, "surface of revolution")?;
+        let at = at.to(args.last_span());
+        let fault = |message: String, hint: &str| {
+            Err(Box::new(Diagnostic::error(at, message).with_hint(hint)))
+        };
+        if points.len() < 4 {
+            return fault(
+                "surface of revolution must have at least four points".to_owned(),
+                "the first and the last only bend the curve",
+            );
+        }
+        if let Some(point) = points.iter().find(|point| point.x < 0.0) {
+            let message = format!("a point has a negative radius: <{}, {}>", point.x, point.y);
+            return fault(message, "a radius is a distance from the y axis");
+        }
+        let count = points.len();
+        let is_rising = points[1..count - 1].windows(2).all(|p| p[0].y < p[1].y);
+        let has_slopes = points.windows(3).all(|p| p[0].y != p[2].y);
+        if !is_rising || !has_slopes {
+            return fault(
+                "the heights of a surface of revolution must rise from point to point".to_owned(),
+                "a `lathe` takes curves that turn back",
+            );
+        }
+        let is_open = args.accept(Word::Open)?;
+        Ok(Sor {
+            profile: Arc::new(Profile::new(&points)),
+            is_open,
+        })
+    }
+}
+
+impl Profile {
+    /// Of at least four points of rising height.
+    fn new(points: &[DVec2]) -> Self {
+        let rings: Vec<Ring> = points.windows(4).map(Ring::new).collect();
+        let rim_sq = rings.iter().map(Ring::most).fold(0.0, f64::max);
+        let (first, last) = (points[1], points[points.len() - 2]);
+        Profile {
+            rings,
+            rim: rim_sq.sqrt(),
+            low: first.y,
+            high: last.y,
+            ends_sq: [first.x * first.x, last.x * last.x],
+        }
+    }
+
+    fn crossings(&self, ray: &Ray, is_open: bool) -> Crossings {
+        let mut roots = Crossings::new();
+        // With a direction that can be squared, from the place nearest to the middle.
+        let dir_size = power_of_two(ray.dir.abs().max_element());
+        let dir = ray.dir / dir_size;
+        let middle = DVec3::new(0.0, 0.5 * (self.low + self.high), 0.0);
+        let start = (middle - ray.origin).dot(dir) / dir.dot(dir);
+        let near = Ray::new(ray.origin + start * dir, dir);
+        let Some(slab) = Slab::between(&near, self.low, self.high) else {
+            return roots;
+        };
+        let Some(reach) = self.reach(&near) else {
+            return roots;
+        };
+        self.walk(&near, &slab, reach, &mut roots);
+        for root in &mut roots {
+            root.t = (start + root.t) / dir_size;
+            root.is_visible = !is_open || root.face == SIDE;
+        }
+        if roots.iter().any(|root| !root.t.is_finite()) {
+            roots.clear();
+        }
+        roots
+    }
+
+    /// Where a line is within the widest radius.
+    fn reach(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let (origin, dir) = (across(ray.origin), across(ray.dir));
+        let rim = self.rim * CLIP;
+        if dir == DVec3::ZERO {
+            return (origin.dot(origin) < rim * rim).then_some((f64::NEG_INFINITY, f64::INFINITY));
+        }
+        ball_chord(origin, dir, rim)
+    }
+
+    /// Appends the roots of all rings in the order in which a line passes them.
+    fn walk(&self, ray: &Ray, slab: &Slab, reach: (f64, f64), roots: &mut Crossings) {
+        let count = self.rings.len();
+        let rises = ray.dir.y >= 0.0;
+        let mut is_inside = false;
+        if slab.enter.0 > reach.0 {
+            let cap = usize::from(slab.enter.1 == APEX);
+            is_inside = self.is_within(self.ends_sq[cap], ray, slab.enter.0);
+            if is_inside {
+                roots.push(root(slab.enter, Crossing::Enter));
+            }
+        }
+        for step in 0..count {
+            let number = if rises { step } else { count - 1 - step };
+            let ring = &self.rings[number];
+            let Some((from, to)) = ring.stretch(ray) else {
+                continue;
+            };
+            let is_last = to >= reach.1;
+            if to <= reach.0 {
+                continue;
+            }
+            if from >= reach.1 {
+                break;
+            }
+            let end_sq = match (step + 1 == count, rises) {
+                (true, true) => self.ends_sq[1],
+                (true, false) => self.ends_sq[0],
+                (false, true) => ring.value(1.0),
+                (false, false) => ring.value(-1.0),
+            };
+            let ends_inside = !is_last && self.is_within(end_sq, ray, to);
+            let (from, to) = (from.max(reach.0), to.min(reach.1));
+            ring.solve(ray, (from, to), (is_inside, ends_inside), roots);
+            is_inside = ends_inside;
+        }
+        if is_inside {
+            roots.push(root(slab.leave, Crossing::Leave));
+        }
+    }
+
+    fn is_within(&self, radius_sq: f64, ray: &Ray, t: f64) -> bool {
+        let p = across(ray.at(t));
+        p.dot(p) < radius_sq
+    }
+
+    /// The ring at a height, the first or the last beyond them.
+    fn ring_at(&self, height: f64) -> usize {
+        let above = self.rings.partition_point(|ring| ring.high < height);
+        above.min(self.rings.len() - 1)
+    }
+}
+
+impl Ring {
+    /// Between the second and the third of four points.
+    fn new(p: &[DVec2]) -> Self {
+        let (start, end) = (p[1], p[2]);
+        let slope = |before: DVec2, here: DVec2, after: DVec2| {
+            2.0 * here.x * (after.x - before.x) / (after.y - before.y)
+        };
+        let half = 0.5 * (end.y - start.y);
+        let slopes = [
+            half * slope(p[0], start, end),
+            half * slope(start, end, p[3]),
+        ];
+        let values = [start.x * start.x, end.x * end.x];
+        // Hermite's interpolation on -1..1.
+        let (sum, difference) = (values[0] + values[1], values[1] - values[0]);
+        let c = [
+            0.5 * sum + 0.25 * (slopes[0] - slopes[1]),
+            0.75 * difference - 0.25 * (slopes[0] + slopes[1]),
+            0.25 * (slopes[1] - slopes[0]),
+            0.25 * (slopes[0] + slopes[1]) - 0.25 * difference,
+        ];
+        Ring {
+            low: start.y,
+            high: end.y,
+            c,
+        }
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        let [a, b, c, d] = self.c;
+        a + x * (b + x * (c + x * d))
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        let [_, b, c, d] = self.c;
+        b + x * (2.0 * c + x * 3.0 * d)
+    }
+
+    /// The place of a height.
+    fn place(&self, height: f64) -> f64 {
+        ((height - self.low) - (self.high - height)) / (self.high - self.low)
+    }
+
+    /// The largest square of a radius.
+    fn most(&self) -> f64 {
+        let [_, b, c, d] = self.c;
+        let turns = sign_changes(&[b, 2.0 * c, 3.0 * d]);
+        let places = turns.iter().copied().chain([-1.0, 1.0]);
+        places.map(|x| self.value(x)).fold(0.0, f64::max)
+    }
+
+    /// Where a line is between both heights.
+    fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
+        let slab = Slab::between(ray, self.low, self.high)?;
+        // A level ray at a height between two rings is in the upper one.
+        (ray.dir.y != 0.0 || ray.origin.y < self.high).then_some((slab.enter.0, slab.leave.0))
+    }
+
+    /// Appends the roots on a stretch of finite length, given whether its ends lie inside.
+    fn solve(
+        &self,
+        ray: &Ray,
+        (from, to): (f64, f64),
+        (starts_inside, ends_inside): (bool, bool),
+        roots: &mut Crossings,
+    ) {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let point = ray.at(middle);
+        let way = ray.dir * half;
+        let x = self.place(point.y);
+        let dx = 2.0 * way.y / (self.high - self.low);
+        let [_, _, c, d] = self.c;
+        let (p, v) = (across(point), across(way));
+        // How much is missing to the radius.
+        let missing = [
+            p.dot(p) - self.value(x),
+            2.0 * p.dot(v) - dx * self.slope(x),
+            v.dot(v) - dx * dx * (c + 3.0 * d * x),
+            -dx * dx * dx * d,
+        ];
+        let reach = missing[1].abs() + missing[2].abs() + missing[3].abs();
+        if starts_inside == ends_inside && missing[0].abs() > reach {
+            return;
+        }
+        let mut is_inside = starts_inside;
+        for place in sign_changes_between(&missing, starts_inside, ends_inside) {
+            let crossing = if is_inside {
+                Crossing::Leave
+            } else {
+                Crossing::Enter
+            };
+            roots.push(root((middle + half * place, SIDE), crossing));
+            is_inside = !is_inside;
+        }
+    }
+}
+
+fn root((t, face): (f64, u32), crossing: Crossing) -> Root {
+    Root {
+        t,
+        crossing,
+        face,
+        is_visible: true,
+    }
+}
+
+/// The part across the axis.
+fn across(v: DVec3) -> DVec3 {
+    DVec3::new(v.x, 0.0, v.z)
+}
+
+impl Geometry for Sor {
+    fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
+        roots.extend(self.profile.crossings(ray, self.is_open));
+        Start::Outside
+    }
+
+    fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
+        first_visible(&self.profile.crossings(ray, self.is_open), from, to)
+    }
+
+    fn normal(&self, point: DVec3, face: u32) -> DVec3 {
+        match face {
+            BASE => DVec3::NEG_Y,
+            APEX => DVec3::Y,
+            _ => {
+                let ring = &self.profile.rings[self.profile.ring_at(point.y)];
+                let rate = ring.slope(ring.place(point.y)) / (ring.high - ring.low);
+                let normal = DVec3::new(point.x, -rate, point.z);
+                // Where the curve reaches the axis in a point.
+                if normal == DVec3::ZERO {
+                    DVec3::Y
+                } else {
+                    normal
+                }
+            }
+        }
+    }
+
+    fn contains(&self, point: DVec3) -> bool {
+        let profile = &self.profile;
+        if !(profile.low <= point.y && point.y <= profile.high) {
+            return false;
+        }
+        let ring = &profile.rings[profile.ring_at(point.y)];
+        let p = across(point);
+        p.dot(p) <= ring.value(ring.place(point.y))
+    }
+
+    fn bounds(&self) -> Bounds {
+        let Profile { rim, low, high, .. } = *self.profile;
+        let slack = 8.0 * f64::EPSILON * rim.max(low.abs()).max(high.abs());
+        let reach = rim + slack;
+        Bounds {
+            min: DVec3::new(-reach, low - slack, -reach),
+            max: DVec3::new(reach, high + slack, reach),
+        }
+    }
+
+    fn absorb(&mut self, _: &Step) -> bool {
+        false
+    }
+
+    /// Around the axis from +x towards +z, and up the curve by the number of the ring; the caps go on from -1 at the
+    /// middle of the lower one to 0 at its rim, and from 1 to 2 in the upper one.
+    fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
+        let profile = &self.profile;
+        let around = point.z.atan2(point.x) / TAU;
+        let around = if around < 0.0 { around + 1.0 } else { around };
+        let number = profile.ring_at(point.y);
+        let ring = &profile.rings[number];
+        let [base, apex] = profile
+            .ends_sq
+            .map(|radius_sq| across(point).length() / radius_sq.sqrt());
+        match face {
+            BASE => return Some([around, base - 1.0]),
+            APEX => return Some([around, 2.0 - apex]),
+            _ => {}
+        }
+        let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+        let share = (0.5 * (ring.place(point.y) + 1.0)).clamp(0.0, 1.0);
+        Some([around, (count(number) + share) / count(profile.rings.len())])
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,102 @@
+use super::*;
+use crate::base::args::text::TextArgs;
+use crate::scene::shape::tests::check;
+
+const VASE: &str = "6, <0.3,-1.5>, <0.5,-1>, <1,-0.2>, <0.3,0.5>, <0.6,1>, <0.8,1.5>";
+
+fn sor(text: &str) -> Sor {
+    let mut args = TextArgs::new(text);
+    let sor = Sor::read(&mut args).unwrap();
+    assert!(args.is_done());
+    sor
+}
+
+#[test]
+fn a_vase_is_a_solid() {
+    check::solid(&sor(VASE));
+    check::solid(&sor("5, <-0, -2>, <0,-1>, <1,0>, <0,1>, <0,2>"));
+    let open = sor(&format!("{VASE} open"));
+    check::creased(&open);
+    let down = Ray::new(DVec3::new(0.1, 5.0, 0.0), DVec3::NEG_Y);
+    let mut roots = Vec::new();
+    open.roots(&down, &mut roots);
+    assert!(roots.len() == 2 && roots.iter().all(|root| !root.is_visible));
+}
+
+#[test]
+fn the_curve_passes_through_its_points_with_their_slopes() {
+    let vase = sor(VASE);
+    let [first, second] = [&vase.profile.rings[0], &vase.profile.rings[1]];
+    assert!((first.value(1.0) - 1.0).abs() < 1e-15);
+    assert!((second.value(-1.0) - 1.0).abs() < 1e-15);
+    // 2 r dr/dy at <1, -0.2>, from its neighbours.
+    let slope = 2.0 * (0.3 - 0.5) / (0.5 - -1.0);
+    assert!((first.slope(1.0) / 0.4 - slope).abs() < 1e-14);
+    assert!((second.slope(-1.0) / 0.35 - slope).abs() < 1e-14);
+}
+
+#[test]
+fn almost_level_rays_keep_both_sides() {
+    let vase = sor(VASE);
+    for climb in [0.0, 1e-16, 1e-12, 1e-8, 1e-4] {
+        for height in [-0.2, 0.1, 0.5] {
+            let ray = Ray::new(DVec3::new(-5.0, height, 0.1), DVec3::new(1.0, climb, 0.0));
+            assert_eq!(
+                vase.profile.crossings(&ray, false).len(),
+                2,
+                "{climb} {height}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_cylinder_keeps_its_depth_at_any_distance() {
+    let cylinder = sor("4, <1,-2>, <1,-1>, <1,1>, <1,2>");
+    for far in [3.0, 1e6, 1e12] {
+        let ray = Ray::new(DVec3::new(0.6, 0.0, -far), DVec3::Z);
+        let seen = cylinder.nearest(&ray, 0.0, f64::INFINITY).unwrap();
+        assert!((seen.t - (far - 0.8)).abs() <= 4.0 * f64::EPSILON * far);
+    }
+}
+
+#[test]
+fn few_points_negative_radii_and_heights_that_fall_are_errors() {
+    for (text, expected) in [
+        (
+            "3, <0.5,-1.5>, <0.5,-1>, <1,0>",
+            "surface of revolution must have at least four points",
+        ),
+        (
+            "5, <.5,-1.5>, <.5,-1>, <-1,0>, <.5,1>, <.5,1.5>",
+            "a point has a negative radius: <-1, 0>",
+        ),
+        (
+            "5, <.5,-1.5>, <.5,-1>, <1,-1>, <.5,1>, <.5,1.5>",
+            "the heights of a surface of revolution must rise from point to point",
+        ),
+        (
+            "5, <.5,0>, <.5,-1>, <1,0>, <.5,1>, <.5,1.5>",
+            "the heights of a surface of revolution must rise from point to point",
+        ),
+    ] {
+        let error = Sor::read(&mut TextArgs::new(text)).unwrap_err();
+        assert_eq!(error.message, expected);
+    }
+}
+
+#[test]
+fn v_counts_the_rings() {
+    let vase = sor(VASE);
+    let [u, v] = vase.uv(DVec3::new(0.0, -0.2, 1.0), 0).unwrap();
+    assert!((u - 0.25).abs() < 1e-15 && (v - 1.0 / 3.0).abs() < 1e-15);
+}
+
+/// POV-Ray 3.7 gives the rim of the lower cap 0 and its middle -1, those of the upper one 1 and 2.
+#[test]
+fn v_goes_on_over_the_caps() {
+    let vase = sor("6, <0.1,-1.5>, <0.6,-1>, <1,-0.5>, <0.7,0.3>, <0.5,1>, <0.1,1.5>");
+    let v = |x: f64, y: f64, face| vase.uv(DVec3::new(x, y, 0.0), face).unwrap()[1];
+    assert_eq!((v(0.6, -1.0, BASE), v(0.0, -1.0, BASE)), (0.0, -1.0));
+    assert_eq!((v(0.5, 1.0, APEX), v(0.0, 1.0, APEX)), (1.0, 2.0));
+}

@@ -1,0 +1,145 @@
+//! One polynomial piece of the curve of a sweep.
+
+use super::Spans;
+use super::way::{Way, derivative, product};
+use crate::base::math::conditioning::power_of_two;
+use crate::base::math::roots::polynomial::{sign_changes, value};
+use crate::base::math::{Bounds, Ray};
+use glam::{DVec3, DVec4};
+
+/// One polynomial piece of the curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Part {
+    /// Centre and radius by rising power of `-1 <= x <= 1`, about `centre` and in units of `size`.
+    curve: [DVec4; 4],
+    /// How many of them there are.
+    len: usize,
+    pub(super) centre: DVec3,
+    /// A power of two.
+    pub(super) size: f64,
+    /// The square of the radius of a ball around it, in units of `size`.
+    reach_sq: f64,
+}
+
+/// The rows are the powers of `0 <= t <= 1`, the columns four spheres in a row.
+pub(super) type Basis = [[f64; 4]; 4];
+
+pub(super) const B_SPLINE: Basis = [
+    [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0],
+    [-0.5, 0.0, 0.5, 0.0],
+    [0.5, -1.0, 0.5, 0.0],
+    [-1.0 / 6.0, 0.5, -0.5, 1.0 / 6.0],
+];
+pub(super) const CATMULL_ROM: Basis = [
+    [0.0, 1.0, 0.0, 0.0],
+    [-0.5, 0.0, 0.5, 0.0],
+    [1.0, -2.5, 2.0, -0.5],
+    [-0.5, 1.5, -1.5, 0.5],
+];
+
+impl Part {
+    pub(super) fn of(basis: &Basis, four: &[DVec4]) -> Self {
+        let power = |row: &[f64; 4]| (0..4).fold(DVec4::ZERO, |sum, i| sum + row[i] * four[i]);
+        Part::new(&basis.each_ref().map(power))
+    }
+
+    /// A piece by rising power of `0 <= t <= 1`.
+    pub(super) fn new(powers: &[DVec4]) -> Self {
+        let mut c = [DVec4::ZERO; 4];
+        c[..powers.len()].copy_from_slice(powers);
+        // With t = (1 + x) / 2.
+        let curve = [
+            c[0] + 0.5 * c[1] + 0.25 * c[2] + 0.125 * c[3],
+            0.5 * c[1] + 0.5 * c[2] + 0.375 * c[3],
+            0.25 * c[2] + 0.375 * c[3],
+            0.125 * c[3],
+        ];
+        let mut part = Part {
+            curve,
+            len: powers.len(),
+            centre: DVec3::ZERO,
+            size: 1.0,
+            reach_sq: 0.0,
+        };
+        let bounds = part.bounds();
+        part.centre = bounds.centre();
+        part.size = power_of_two((bounds.max - bounds.min).max_element());
+        part.curve[0] -= part.centre.extend(0.0);
+        part.curve = part.curve.map(|c| c / part.size);
+        let reach = part.hull().iter().fold(0.0_f64, |reach, control| {
+            reach.max(control.truncate().length() + control.w.abs())
+        });
+        part.reach_sq = reach * reach;
+        part
+    }
+
+    /// Spheres in the hull of which all spheres of the piece lie (its Bézier points).
+    fn hull(&self) -> [DVec4; 4] {
+        let [a, b, c, d] = self.curve;
+        // With x = 2 t - 1, then from powers of t to Bézier points.
+        let t = [
+            a - b + c - d,
+            2.0 * b - 4.0 * c + 6.0 * d,
+            4.0 * c - 12.0 * d,
+            8.0 * d,
+        ];
+        [
+            t[0],
+            t[0] + t[1] / 3.0,
+            t[0] + 2.0 / 3.0 * t[1] + t[2] / 3.0,
+            t[0] + t[1] + t[2] + t[3],
+        ]
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        let hull = self.hull();
+        hull.iter().fold(Bounds::EMPTY, |bounds, control| {
+            let at = self.centre + self.size * control.truncate();
+            let radius = DVec3::splat(self.size * control.w.abs());
+            bounds.with_point(at - radius).with_point(at + radius)
+        })
+    }
+
+    pub(super) fn at(&self, x: f64) -> DVec4 {
+        let curve = self.curve[..self.len].iter().rev();
+        curve.fold(DVec4::ZERO, |sum, c| sum * x + *c)
+    }
+
+    /// Adds the parts of a ray that are in this piece.
+    pub(super) fn spans(&self, ray: &Ray, number: u32, spans: &mut Spans) {
+        let length = ray.dir.length();
+        let dir = ray.dir / length;
+        let origin = (ray.origin - self.centre) / self.size;
+        // From the place nearest to the middle of the piece.
+        let start = -origin.dot(dir);
+        let origin = origin + start * dir;
+        let is_near = origin.length_squared() <= self.reach_sq;
+        if !is_near {
+            return;
+        }
+        let way = Way::new(&self.curve[..self.len], origin, dir);
+        let to_ray = |s: f64| (start + s) * self.size / length;
+        way.parts(|low, high| {
+            let (enter, leave) = (to_ray(low), to_ray(high));
+            if enter < leave {
+                spans.push([(enter, number), (leave, number)]);
+            }
+        });
+    }
+
+    /// The parameter of the sphere in which a point lies deepest, and the square of its distance from that sphere's
+    /// centre less the square of the radius.
+    pub(super) fn deepest(&self, point: DVec3) -> (f64, f64) {
+        let local = ((point - self.centre) / self.size).extend(0.0);
+        let mut about = self.curve;
+        about[0] -= local;
+        let depth = product(&about[..self.len], |a, b| {
+            a.truncate().dot(b.truncate()) - a.w * b.w
+        });
+        let turns = sign_changes(&derivative(&depth));
+        let all = turns.into_iter().chain([-1.0, 1.0]);
+        all.map(|x| (x, value(&depth, x)))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or((0.0, f64::INFINITY))
+    }
+}

@@ -1,0 +1,195 @@
+//! Closed chains of segments, and where lines cross them.
+
+use super::Segment;
+use crate::base::math::roots::polynomial::sign_changes_between;
+use crate::base::math::simd::{F64x4, FourKernel, SimdLevel, four, with_widest};
+use glam::DVec2;
+use smallvec::SmallVec;
+use std::ops::Deref;
+
+/// The share of the size of a cubic below which the sign of a Bernstein coefficient may be that of its rounding.
+const BERNSTEIN_SLACK: f64 = 1e-14;
+
+/// Segments that follow one another and come back to where they start.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::scene::shape) struct Chain {
+    segments: Vec<Segment>,
+    hulls: Vec<Hulls>,
+}
+
+/// Four segments, each within the hull of four points; behind the last segment of a chain it stands again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Hulls {
+    /// The coordinates of the points along both axes.
+    points: [[[f64; 4]; 2]; 4],
+    /// How far the sum of a product with each coordinate, as it is rounded, may be off for a factor of one.
+    slack: [[f64; 4]; 2],
+}
+
+/// A line `normal · (p − from) + offset = 0`.
+pub(in crate::scene::shape) type Line = (DVec2, DVec2, f64);
+
+/// Asks which of four segments a line may meet.
+struct HullsAndLine<'a> {
+    hulls: &'a Hulls,
+    line: &'a Line,
+}
+
+impl Hulls {
+    fn new(segments: &[Segment]) -> Self {
+        let lane = |of: &dyn Fn(&Segment) -> f64| {
+            std::array::from_fn(|lane| of(&segments[lane.min(segments.len() - 1)]))
+        };
+        let coordinate = |axis: usize, point: usize| lane(&|segment| segment.hull()[point][axis]);
+        Hulls {
+            points: [0, 1, 2, 3].map(|point| [0, 1].map(|axis| coordinate(axis, point))),
+            slack: [0, 1].map(|axis| lane(&|segment| segment.hull_slack()[axis])),
+        }
+    }
+}
+
+impl FourKernel for HullsAndLine<'_> {
+    type Answer = u32;
+
+    #[inline(always)]
+    fn run<F: F64x4>(&self) -> u32 {
+        let (normal, from, offset) = *self.line;
+        let rest = offset - normal.dot(from);
+        let size = offset.abs() + normal.abs().dot(from.abs());
+        let (x, y, rest) = (F::all(normal.x), F::all(normal.y), F::all(rest));
+        let [a, b, c, d] = &self.hulls.points;
+        // Spelt out: `map` is not always inlined.
+        let a = x
+            .times(F::load(&a[0]))
+            .plus(y.times(F::load(&a[1])))
+            .plus(rest);
+        let b = x
+            .times(F::load(&b[0]))
+            .plus(y.times(F::load(&b[1])))
+            .plus(rest);
+        let c = x
+            .times(F::load(&c[0]))
+            .plus(y.times(F::load(&c[1])))
+            .plus(rest);
+        let d = x
+            .times(F::load(&d[0]))
+            .plus(y.times(F::load(&d[1])))
+            .plus(rest);
+        let least = a.smaller(b).smaller(c.smaller(d));
+        let most = a.larger(b).larger(c.larger(d));
+        let [slack_x, slack_y] = &self.hulls.slack;
+        let care = x.size().times(F::load(slack_x));
+        let care = care.plus(y.size().times(F::load(slack_y)));
+        let care = care.plus(F::all(BERNSTEIN_SLACK * size));
+        // What is not a number is met.
+        let passed = F::either(care.below(least), most.below(care.negated()));
+        F::bits(passed) ^ 0b1111
+    }
+}
+
+impl Chain {
+    pub(crate) fn new(segments: Vec<Segment>) -> Self {
+        Chain {
+            hulls: segments.chunks(4).map(Hulls::new).collect(),
+            segments,
+        }
+    }
+
+    /// Visits the places where a line crosses it, by the number of the segment and the place on it.
+    #[inline(always)]
+    pub(crate) fn line_crossings(
+        &self,
+        lanes: SimdLevel,
+        line: Line,
+        mut visit: impl FnMut(usize, f64),
+    ) {
+        for (hulls, first) in self.hulls.iter().zip((0..).step_by(4)) {
+            let mut met = four(lanes, &HullsAndLine { hulls, line: &line });
+            let here = self.segments.len() - first;
+            if here < 4 {
+                met &= (1 << here) - 1;
+            }
+            while met != 0 {
+                let number = first + met.trailing_zeros() as usize;
+                met &= met - 1;
+                crossings_of(&self.segments[number], line, |x| visit(number, x));
+            }
+        }
+    }
+
+    /// Whether it winds around a point an odd number of times.
+    pub(crate) fn contains(&self, point: DVec2) -> bool {
+        let mut is_inside = false;
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.line_crossings(lanes, (DVec2::Y, point, 0.0), |number, x| {
+                    is_inside ^= self.segments[number].at(x).x > point.x;
+                });
+            },
+        );
+        is_inside
+    }
+
+    /// The one of a normal and its opposite, at a point of it, that points out.
+    pub(crate) fn outward(&self, point: DVec2, normal: DVec2) -> DVec2 {
+        let mut ahead: SmallVec<[f64; 8]> = SmallVec::new();
+        with_widest(
+            #[inline(always)]
+            |lanes| {
+                self.line_crossings(lanes, (normal.perp(), point, 0.0), |number, x| {
+                    ahead.push((self.segments[number].at(x) - point).dot(normal));
+                });
+            },
+        );
+        let own = ahead.iter().copied();
+        let own = own
+            .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+            .unwrap_or(0.0);
+        let beyond = ahead.iter().filter(|distance| **distance > own).count();
+        if beyond % 2 == 0 { normal } else { -normal }
+    }
+}
+
+impl Deref for Chain {
+    type Target = [Segment];
+
+    fn deref(&self) -> &[Segment] {
+        &self.segments
+    }
+}
+
+/// Visits the places where a line crosses a segment of a chain.
+#[inline(always)]
+fn crossings_of(segment: &Segment, (normal, from, offset): Line, mut visit: impl FnMut(f64)) {
+    let side = |point: DVec2| normal.dot(point - from) + offset;
+    let (starts_negative, ends_negative) = (side(segment.start) < 0.0, side(segment.end) < 0.0);
+    let [c0, c1, c2, c3] = segment.c;
+    let constant = side(c0);
+    let linear = normal.dot(c1);
+    if segment.degree == 1 {
+        if starts_negative != ends_negative {
+            let x = -constant / linear;
+            visit(if x.abs() <= 1.0 { x } else { x.signum() });
+        }
+        return;
+    }
+    let c = [constant, linear, normal.dot(c2), normal.dot(c3)];
+    if starts_negative == ends_negative && has_one_sign(&c) {
+        return;
+    }
+    for x in sign_changes_between(&c[..=segment.degree], starts_negative, ends_negative) {
+        visit(x);
+    }
+}
+
+/// Tells whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
+/// do.
+fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
+    let slack = BERNSTEIN_SLACK * (c0.abs() + c1.abs() + c2.abs() + c3.abs());
+    let (even, odd) = (c0 + c2, c1 + c3);
+    let (even_inner, odd_inner) = (c0 - c2 / 3.0, c1 / 3.0 - c3);
+    let least = (even - odd.abs()).min(even_inner - odd_inner.abs());
+    let most = (even + odd.abs()).max(even_inner + odd_inner.abs());
+    least > slack || most < -slack
+}

@@ -1,0 +1,230 @@
+//! Facts that every shape must show, tried on a few thousand random rays.
+
+pub(crate) use crate::base::math::sampling::random::Random;
+use crate::base::math::{Bounds, Ray, Transform};
+use crate::scene::shape::{Crossing, Geometry, Root, Start};
+use glam::DVec3;
+
+fn roots_of(shape: &dyn Geometry, ray: &Ray) -> (Start, Vec<Root>) {
+    let mut roots = Vec::new();
+    let start = shape.roots(ray, &mut roots);
+    (start, roots)
+}
+
+/// Roots are in order, enter and leave alternate from the start, `nearest` gives the same roots.
+fn alternates(shape: &dyn Geometry, ray: &Ray) -> Vec<Root> {
+    let (start, roots) = roots_of(shape, ray);
+    let mut is_inside = start == Start::Inside;
+    for root in &roots {
+        assert!(root.t.is_finite());
+        if root.crossing == Crossing::Touch {
+            assert!(is_inside, "{ray:?}: {roots:?}");
+            continue;
+        }
+        let expected = if is_inside {
+            Crossing::Leave
+        } else {
+            Crossing::Enter
+        };
+        assert_eq!(root.crossing, expected, "{ray:?}: {roots:?}");
+        is_inside = !is_inside;
+    }
+    assert!(roots.is_sorted_by(|a, b| a.t <= b.t), "{ray:?}: {roots:?}");
+    nearest_agrees(shape, ray, &roots);
+    roots
+}
+
+fn nearest_agrees(shape: &dyn Geometry, ray: &Ray, roots: &[Root]) {
+    let mut from = f64::NEG_INFINITY;
+    let mut seen: Vec<&Root> = roots.iter().filter(|root| root.is_visible).collect();
+    seen.dedup_by_key(|root| root.t);
+    for root in seen {
+        let nearest = shape.nearest(ray, from, f64::INFINITY);
+        assert_eq!(nearest.as_ref(), Some(root), "{ray:?}: {roots:?}");
+        assert_eq!(shape.nearest(ray, from, root.t), None);
+        from = root.t;
+    }
+    assert_eq!(shape.nearest(ray, from, f64::INFINITY), None);
+}
+
+/// Close to the hit the normal points out, and a neighbouring ray that meets the same face does so across the normal.
+fn surface(shape: &dyn Geometry, ray: &Ray, root: &Root, size: f64) {
+    let point = ray.at(root.t);
+    let normal = shape.normal(point, root.face).normalize();
+    assert!(normal.is_finite());
+    let slope = normal.dot(ray.dir.normalize());
+    match root.crossing {
+        Crossing::Enter => assert!(slope < 1e-6, "{ray:?} {root:?} {slope}"),
+        Crossing::Leave => assert!(slope > -1e-6, "{ray:?} {root:?} {slope}"),
+        Crossing::Touch => {}
+    }
+    // Grazing hits and edges say nothing at this distance.
+    if slope.abs() < 0.1 {
+        return;
+    }
+    let step = 1e-6 * size;
+    for aside in [DVec3::X, DVec3::Y, DVec3::Z] {
+        let neighbour = Ray::new(ray.origin + step * aside, ray.dir);
+        let (_, roots) = roots_of(shape, &neighbour);
+        let reach = 100.0 * step / ray.dir.length();
+        let same = roots
+            .iter()
+            .find(|other| other.face == root.face && (other.t - root.t).abs() < reach);
+        if let Some(other) = same {
+            let along = neighbour.at(other.t) - point;
+            assert!(
+                along.dot(normal).abs() < 1e-3 * step.max(along.length()),
+                "{ray:?} {root:?}: {normal} is not across {along}"
+            );
+        }
+    }
+}
+
+/// The inside test at points of a ray agrees with the roots around them.
+fn parity(shape: &dyn Geometry, ray: &Ray, start: Start, roots: &[Root], size: f64) {
+    let far = roots
+        .iter()
+        .fold(0.0_f64, |far, root| far.max(root.t.abs()));
+    let gap = 1e-9 * size / ray.dir.length() + 1e-11 * far;
+    let mut ends = vec![-10.0 * size / ray.dir.length()];
+    let crossings = roots.iter().filter(|root| root.crossing != Crossing::Touch);
+    ends.extend(crossings.map(|root| root.t));
+    ends.push(ends[ends.len() - 1].max(0.0) + 10.0 * size / ray.dir.length());
+    let mut is_inside = start == Start::Inside;
+    for pair in ends.windows(2) {
+        if pair[1] - pair[0] > 2.0 * gap {
+            for share in [0.0, 0.3, 1.0] {
+                let t = pair[0] + gap + share * (pair[1] - pair[0] - 2.0 * gap);
+                assert_eq!(
+                    shape.contains(ray.at(t)),
+                    is_inside,
+                    "{ray:?} at {t}: {roots:?}"
+                );
+            }
+        }
+        is_inside = !is_inside;
+    }
+}
+
+fn within(bounds: &Bounds, ray: &Ray, root: &Root) {
+    let point = ray.at(root.t);
+    let slack = 1e-14 * (ray.origin.length() + point.length());
+    let grown = Bounds::new(bounds.min - slack, bounds.max + slack);
+    let is_in = point.cmpge(grown.min).all() && point.cmple(grown.max).all();
+    assert!(is_in, "{point} is not in {bounds:?}");
+}
+
+/// What every bounded solid shows.
+pub(crate) fn solid(shape: &dyn Geometry) {
+    creased(shape);
+    let bounds = shape.bounds();
+    let size = (bounds.max - bounds.min).length();
+    let mut rng = Random::new(1);
+    for _ in 0..4000 {
+        let ray = rng.ray_near(&bounds);
+        for root in roots_of(shape, &ray).1 {
+            surface(shape, &ray, &root, size);
+        }
+    }
+}
+
+/// What a bounded solid shows that has creases within a face, across which normals say nothing.
+pub(crate) fn creased(shape: &dyn Geometry) {
+    let bounds = shape.bounds();
+    let size = (bounds.max - bounds.min).length();
+    let mut rng = Random::new(1);
+    let mut hits = 0;
+    for _ in 0..4000 {
+        let ray = rng.ray_near(&bounds);
+        let roots = alternates(shape, &ray);
+        assert_eq!(roots.len() % 2, 0);
+        hits += roots.len();
+        for root in &roots {
+            within(&bounds, &ray, root);
+        }
+        parity(shape, &ray, Start::Outside, &roots, size);
+    }
+    assert!(hits > 500, "only {hits} hits");
+}
+
+/// What every half-space shows.
+pub(crate) fn half_space(shape: &dyn Geometry) {
+    let bounds = Bounds::new(DVec3::splat(-4.0), DVec3::splat(4.0));
+    let mut rng = Random::new(2);
+    for _ in 0..4000 {
+        let ray = rng.ray_near(&bounds);
+        let roots = alternates(shape, &ray);
+        for root in &roots {
+            surface(shape, &ray, root, 4.0);
+            if root.is_visible {
+                within(&shape.bounds(), &ray, root);
+            }
+        }
+        let (start, _) = roots_of(shape, &ray);
+        parity(shape, &ray, start, &roots, 4.0);
+    }
+}
+
+/// What every patch shows.
+pub(crate) fn patch(shape: &dyn Geometry) {
+    let bounds = shape.bounds();
+    let size = (bounds.max - bounds.min).length();
+    let mut rng = Random::new(3);
+    let mut hits = 0;
+    for _ in 0..4000 {
+        let ray = rng.ray_near(&bounds);
+        let (start, roots) = roots_of(shape, &ray);
+        assert_eq!(start, Start::Outside);
+        nearest_agrees(shape, &ray, &roots);
+        hits += roots.len();
+        for root in &roots {
+            assert_eq!(root.crossing, Crossing::Touch);
+            surface(shape, &ray, root, size);
+            within(&bounds, &ray, root);
+            assert!(!shape.contains(ray.at(root.t)));
+        }
+    }
+    assert!(hits > 200, "only {hits} hits");
+}
+
+/// The scene in units of 2^k has the same roots to the bit.
+pub(crate) fn scales_exactly<S: Geometry>(shape: &S, scaled: impl Fn(f64) -> S) {
+    let region = shape.bounds();
+    let region = if region.is_finite() {
+        region
+    } else {
+        Bounds::new(DVec3::splat(-4.0), DVec3::splat(4.0))
+    };
+    let mut rng = Random::new(4);
+    for k in -40..=40 {
+        let unit = 2.0_f64.powi(k);
+        let other = scaled(unit);
+        for _ in 0..40 {
+            let ray = rng.ray_near(&region);
+            let (_, roots) = roots_of(shape, &ray);
+            let (_, others) = roots_of(&other, &Ray::new(ray.origin * unit, ray.dir));
+            let expected: Vec<Root> = roots
+                .iter()
+                .map(|root| Root {
+                    t: root.t * unit,
+                    ..*root
+                })
+                .collect();
+            assert_eq!(others, expected, "k = {k}");
+        }
+    }
+}
+
+/// A point is inside the moved shape where it was inside the original.
+pub(crate) fn same_inside(original: &dyn Geometry, moved: &dyn Geometry, transform: &Transform) {
+    let mut rng = Random::new(6);
+    let mut inside = 0;
+    for _ in 0..4000 {
+        let point = rng.vector(6.0);
+        let is_inside = original.contains(point);
+        inside += usize::from(is_inside);
+        let moved_point = transform.world_from_object.transform_point3(point);
+        assert_eq!(moved.contains(moved_point), is_inside, "{point}");
+    }
+    assert!(inside > 10, "only {inside} points inside");
+}

@@ -1,0 +1,115 @@
+//! Combinations that are put together as the one before: what was worked out for that holds for them too. Programs that
+//! write scenes write thousands that differ in place and size alone.
+
+use super::program::{CsgProgram, Node, Operand};
+use crate::base::math::Bounds;
+use crate::scene::shape::Geometry;
+use crate::world::primitive::Leaf;
+use smallvec::SmallVec;
+use std::ops::Range;
+
+/// A combination before and after [`CsgProgram::prepare`].
+#[derive(Debug)]
+pub(crate) struct CsgMemo {
+    nodes: SmallVec<[Node; 1]>,
+    operands: SmallVec<[Operand; 5]>,
+    parts: SmallVec<[OperandKey; 5]>,
+    boxed: Vec<Range<u32>>,
+    ready: CsgProgram,
+}
+
+/// The properties of an operand that [`CsgProgram::prepare`] depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct OperandKey {
+    is_solid: bool,
+    has_matrix: bool,
+    is_bounded: bool,
+}
+
+impl OperandKey {
+    fn new((leaf, bounds): (&Leaf, &Bounds)) -> Self {
+        OperandKey {
+            is_solid: leaf.shape.is_solid(),
+            has_matrix: leaf.object_from_world.is_some(),
+            is_bounded: bounds.is_finite() && !bounds.is_empty(),
+        }
+    }
+}
+
+impl CsgProgram {
+    /// [`CsgProgram::prepare`], or what that came to for `last`, if it is the same; then `last` is this.
+    pub(crate) fn prepare_as(
+        &mut self,
+        last: &mut Option<Box<CsgMemo>>,
+        leaves: &[Leaf],
+        bounds: &[Bounds],
+        boxed: Vec<(Range<u32>, Bounds)>,
+    ) {
+        let own = leaves[self.first as usize..].iter().zip(bounds);
+        let parts = || own.clone().map(OperandKey::new);
+        if let Some(last) = last
+            && last.nodes == self.nodes
+            && last.operands == self.operands
+            && parts().eq(last.parts.iter().copied())
+            && boxed.iter().map(|(range, _)| range).eq(&last.boxed)
+        {
+            *self = CsgProgram {
+                first: self.first,
+                ..last.ready.clone()
+            };
+            return;
+        }
+        let mut now = Box::new(CsgMemo {
+            nodes: self.nodes.clone(),
+            operands: self.operands.clone(),
+            parts: parts().collect(),
+            boxed: boxed.iter().map(|(range, _)| range.clone()).collect(),
+            ready: CsgProgram::default(),
+        });
+        self.prepare(leaves, bounds, boxed);
+        // Trees depend on where things are.
+        let is_anywhere = self.order.boxed.is_none();
+        *last = is_anywhere.then(|| {
+            now.ready = self.clone();
+            now
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::base::math::sampling::random::Random;
+    use crate::world::csg::simplify::tests::random_program;
+
+    #[test]
+    fn a_combination_like_the_one_before_is_made_ready_as_by_itself() {
+        let mut rng = Random::new(43);
+        let (mut last, mut again) = (None, 0);
+        for _ in 0..2000 {
+            let seed = rng.bits();
+            for _ in 0..2 {
+                let (mut alone, leaves, bounds) = random_program(&mut Random::new(seed));
+                let mut as_last = alone.clone();
+                let had = last.is_some();
+                alone.prepare(&leaves, &bounds, Vec::new());
+                as_last.prepare_as(&mut last, &leaves, &bounds, Vec::new());
+                again += usize::from(had && last.is_some());
+                let told = |program: &super::CsgProgram| {
+                    let super::CsgProgram {
+                        nodes,
+                        operands,
+                        turned,
+                        order,
+                        ..
+                    } = program;
+                    format!(
+                        "{nodes:?} {operands:?} {turned:?} {order:?} {:?}",
+                        program.rest.counts
+                    )
+                };
+                assert_eq!(told(&alone), told(&as_last));
+            }
+        }
+        assert!(again > 1000, "{again}");
+    }
+}

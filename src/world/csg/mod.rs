@@ -1,0 +1,7 @@
+//! CSG programs: evaluation along a ray, inside states, simplification and bounds.
+
+pub(super) mod bounds;
+pub(super) mod inside;
+pub(super) mod memo;
+pub(super) mod program;
+pub(super) mod simplify;

@@ -1,0 +1,415 @@
+//! A combination made ready for rays: fewer nodes, operands in the order in which they decide most, and a tree over
+//! them if there are many.
+//!
+//! What is shown does not change, not even where surfaces coincide: by the rules of `csg` an intersection within an
+//! intersection, and the inverse of a merge within one, are one intersection of all their operands.
+
+use super::inside::InsideInit;
+use super::program::{Combine, CsgProgram, NONE, Node};
+use crate::base::accel::Bvh;
+use crate::base::math::Bounds;
+use crate::scene::shape::{Geometry, Shape};
+use crate::world::primitive::Leaf;
+use glam::DVec3;
+use smallvec::SmallVec;
+use std::ops::Range;
+
+/// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
+const TREE_FROM: usize = 9;
+/// The same where some operand can only be asked by one ray at a time, and none narrows the stretch in which to look.
+const TREE_OF_LONE_RAYS_FROM: usize = 4;
+
+/// So many parts have boxes that are tried.
+const MOST_PARTS: usize = 64;
+
+/// In which order a program asks its operands for roots.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct OperandOrder {
+    /// Where one of these is not, nothing is shown: they narrow the stretch of the ray in which to look.
+    pub(crate) required: SmallVec<[u32; 4]>,
+    /// All others, except those in the tree.
+    pub(crate) others: SmallVec<[u32; 4]>,
+    /// What is found by its box, if anything is.
+    pub(crate) boxed: Option<Box<OperandBvh>>,
+}
+
+/// Operands and parts of a combination in a tree.
+#[derive(Clone, Debug)]
+pub(crate) struct OperandBvh {
+    /// By position in `bounded`, with the parts behind them.
+    pub(crate) tree: Bvh,
+    /// The bounded operands of a large combination.
+    pub(crate) bounded: Vec<u32>,
+    /// The operands of each part that has a box of its own, which spares them; at most [`MOST_PARTS`].
+    pub(crate) parts: Vec<Range<u32>>,
+    /// For each node how many operands without which something may be shown there are, those that are not inverse and those
+    /// that are.
+    pub(crate) resting: Vec<[u32; 2]>,
+}
+
+impl CsgProgram {
+    /// Simplifies the nodes and works out the order. `bounds` are those of the operands, `boxed` parts with boxes.
+    pub(crate) fn prepare(
+        &mut self,
+        leaves: &[Leaf],
+        bounds: &[Bounds],
+        boxed: Vec<(Range<u32>, Bounds)>,
+    ) {
+        self.leave_patches(leaves);
+        self.join_nodes();
+        self.drop_lone_root();
+        self.nodes.shrink_to_fit();
+        self.rest = self.state_outside_all();
+        let (order, bounded) = self.order(leaves, bounds);
+        self.order = order;
+        self.order.boxed = self.boxed(bounded, bounds, boxed).map(Box::new);
+    }
+
+    /// What is found by its box: operands that are `bounded`, and of the parts those whose boxes tell more than the box
+    /// around all does, since something may be shown without them.
+    fn boxed(
+        &self,
+        bounded: Vec<u32>,
+        bounds: &[Bounds],
+        mut parts: Vec<(Range<u32>, Bounds)>,
+    ) -> Option<OperandBvh> {
+        let mut is_in_tree = vec![false; self.operands.len()];
+        let mut resting = vec![[0; 2]; self.nodes.len()];
+        for &number in &bounded {
+            is_in_tree[number as usize] = true;
+        }
+        for &number in bounded.iter().chain(&self.order.others) {
+            let operand = &self.operands[number as usize];
+            resting[operand.parent as usize][usize::from(operand.is_inverse)] += 1;
+        }
+        parts.retain(|(operands, _)| {
+            let mut required = self.order.required.iter();
+            let is_needed = required.any(|number| operands.contains(number));
+            let own = &is_in_tree[operands.start as usize..operands.end as usize];
+            !is_needed && own.len() < self.operands.len() && own.contains(&false)
+        });
+        parts.truncate(MOST_PARTS);
+        let (parts, of_parts): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        let mut boxes: Vec<_> = bounded.iter().map(|&n| bounds[n as usize]).collect();
+        boxes.extend(of_parts);
+        (!boxes.is_empty()).then(|| OperandBvh {
+            tree: Bvh::build(&boxes),
+            bounded,
+            parts,
+            resting,
+        })
+    }
+
+    /// What has no inside has none when it is inverse either (measured with POV-Ray, which hands the inversion of a
+    /// combination down to its parts and cannot invert a patch): what takes a patch away shows only the patch.
+    fn leave_patches(&mut self, leaves: &[Leaf]) {
+        let own = &leaves[self.first as usize..];
+        for (number, leaf) in (0..self.len()).zip(own) {
+            let is_new = || self.turned.binary_search(&number).is_err();
+            if !leaf.shape.is_solid() && is_new() && self.is_inverse(number) {
+                let operand = &mut self.operands[number as usize];
+                operand.is_inverse = !operand.is_inverse;
+                self.turned.push(number);
+            }
+        }
+    }
+
+    /// Hands the children of each node that is no more than a part of its parent to the parent.
+    fn join_nodes(&mut self) {
+        // Where the children of a node went, and whether they are exchanged there. Parents come first.
+        let mut target: Vec<(u32, bool)> = Vec::with_capacity(self.nodes.len());
+        for number in 0..self.nodes.len() {
+            let node = self.nodes[number].clone();
+            let mut own = (index(number), false);
+            if node.parent != NONE {
+                let (parent, is_flipped) = target[node.parent as usize];
+                let is_inverse = node.is_inverse != is_flipped;
+                if is_part(&node, is_inverse, self.nodes[parent as usize].combine) {
+                    self.nodes[parent as usize].children += node.children - 1;
+                    own = (parent, is_inverse);
+                } else {
+                    self.nodes[number].parent = parent;
+                    self.nodes[number].is_inverse = is_inverse;
+                }
+            }
+            target.push(own);
+        }
+        for operand in &mut self.operands {
+            let (parent, is_flipped) = target[operand.parent as usize];
+            operand.parent = parent;
+            operand.is_inverse ^= is_flipped;
+        }
+        let stays: Vec<bool> = (0..).zip(&target).map(|(n, to)| to.0 == n).collect();
+        self.keep_nodes(&stays);
+    }
+
+    /// Takes away a union of one node at the top.
+    fn drop_lone_root(&mut self) {
+        let root = &self.nodes[0];
+        let is_idle = root.combine == Combine::Union && !root.is_inverse && root.children == 1;
+        if is_idle && self.nodes.get(1).is_some_and(|node| node.parent == 0) {
+            self.nodes[1].parent = NONE;
+            let stays: Vec<bool> = (0..self.nodes.len()).map(|n| n > 0).collect();
+            self.keep_nodes(&stays);
+        }
+    }
+
+    /// Removes nodes that nothing refers to any more.
+    fn keep_nodes(&mut self, stays: &[bool]) {
+        let mut count = 0;
+        let number: Vec<u32> = stays
+            .iter()
+            .map(|&stays| {
+                count += u32::from(stays);
+                count.wrapping_sub(1)
+            })
+            .collect();
+        let mut stays = stays.iter();
+        self.nodes.retain(|_| stays.next() == Some(&true));
+        let parents = self.nodes.iter_mut().map(|node| &mut node.parent);
+        for parent in parents.chain(self.operands.iter_mut().map(|operand| &mut operand.parent)) {
+            if *parent != NONE {
+                *parent = number[*parent as usize];
+            }
+        }
+    }
+
+    /// The state at a place outside of all leaves.
+    fn state_outside_all(&self) -> InsideInit {
+        let mut counts = vec![0; self.nodes.len()];
+        for operand in self.operands.iter().filter(|operand| operand.is_inverse) {
+            counts[operand.parent as usize] += 1;
+        }
+        self.count_from_below(&mut counts);
+        let leaf_in = self.operands.iter().map(|operand| operand.is_inverse);
+        InsideInit::new(leaf_in, &counts)
+    }
+
+    /// The order without what is found by its box, and the operands that are.
+    fn order(&self, leaves: &[Leaf], bounds: &[Bounds]) -> (OperandOrder, Vec<u32>) {
+        let mut order = OperandOrder::default();
+        let mut bounded = Vec::new();
+        for (number, operand) in (0..).zip(&self.operands) {
+            let bounds = &bounds[number as usize];
+            if !operand.is_inverse && self.is_required(operand.parent) {
+                order.required.push(number);
+            } else if bounds.is_finite() && !bounds.is_empty() {
+                bounded.push(number);
+            } else {
+                order.others.push(number);
+            }
+        }
+        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded. Packets of rays
+        // know more of an open quadric once other operands have clipped the interval.
+        let first = self.first as usize;
+        order.required.sort_by_key(|&number| {
+            let leaf = &leaves[first + number as usize];
+            let is_bounded = bounds[number as usize].is_finite();
+            let is_open = matches!(leaf.shape, Shape::Quadric(_)) && !is_bounded;
+            (is_open, leaf.object_from_world.is_some(), !is_bounded)
+        });
+        let mut own = leaves[first..][..self.operands.len()].iter();
+        let least = if order.required.is_empty() && !own.all(|leaf| leaf.shape.has_four()) {
+            TREE_OF_LONE_RAYS_FROM
+        } else {
+            TREE_FROM
+        };
+        if bounded.len() < least {
+            order.others.extend(bounded.drain(..));
+        }
+        (order, bounded)
+    }
+
+    /// A ball that holds all that is shown, by centre and radius, and that it is not filled: the least of those around
+    /// operands without which nothing is shown.
+    pub(crate) fn ball_around(&self, leaves: &[Leaf]) -> Option<(DVec3, f64, bool)> {
+        let own = &leaves[self.first as usize..];
+        let required = self.order.required.iter();
+        let balls = required.filter_map(|&number| own[number as usize].ball_around());
+        let least = balls.min_by(|a, b| a.1.total_cmp(&b.1));
+        least.map(|(centre, radius, _)| (centre, radius, false))
+    }
+
+    /// Whether nothing is shown where a child of this node is not.
+    fn is_required(&self, mut node: u32) -> bool {
+        while node != NONE {
+            let Node {
+                combine,
+                is_inverse,
+                children,
+                parent,
+            } = self.nodes[node as usize];
+            if (combine != Combine::Intersection && children != 1) || is_inverse {
+                return false;
+            }
+            node = parent;
+        }
+        true
+    }
+}
+
+/// Whether a node, inverse or not, says nothing but what its parent would say of its children.
+fn is_part(node: &Node, is_inverse: bool, parent: Combine) -> bool {
+    let is_same = match (parent, is_inverse) {
+        (Combine::Intersection, true) => node.combine == Combine::Merge,
+        (Combine::Merge, true) => node.combine == Combine::Intersection,
+        (_, true) => false,
+        (_, false) => node.combine == parent,
+    };
+    is_same && node.children > 0
+}
+
+fn index(len: usize) -> u32 {
+    u32::try_from(len).expect("the number of objects is limited below 2^32")
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::super::program::{Operand, Sweep};
+    use super::*;
+    use crate::base::math::sampling::random::Random;
+    use crate::base::math::{Ray, Step};
+    use crate::scene::shape::{Cuboid, Plane, Shape, Sphere, Triangle};
+    use crate::world::primitive::{Absorb, Extent};
+    use glam::DVec3;
+
+    /// A place on a coarse grid, so that surfaces coincide often.
+    pub(in crate::world) fn coarse(rng: &mut Random) -> DVec3 {
+        rng.vector(3.0).round()
+    }
+
+    fn shape(rng: &mut Random) -> Shape {
+        let place = coarse(rng);
+        match rng.bits() % 8 {
+            0 => Shape::Plane(Plane {
+                normal: DVec3::AXES[usize::from(place.x > 0.0)],
+                distance: place.y,
+            }),
+            1 => Shape::Triangle(Triangle {
+                corners: [place, coarse(rng), coarse(rng)],
+            }),
+            2 | 3 => Shape::Sphere(Sphere {
+                centre: place,
+                radius: place.x.abs() + 1.0,
+            }),
+            _ => Shape::Cuboid(Cuboid::new(place, coarse(rng))),
+        }
+    }
+
+    /// A combination of random nodes and operands as it is before it is prepared, and its leaves with their bounds.
+    pub(in crate::world) fn random_program(
+        rng: &mut Random,
+    ) -> (CsgProgram, Vec<Leaf>, Vec<Bounds>) {
+        let mut program = CsgProgram::default();
+        for number in 0..1 + rng.bits() % 6 {
+            let parent = match number {
+                0 => NONE,
+                _ => index(usize::try_from(rng.bits() % number).expect("few nodes")),
+            };
+            if parent != NONE {
+                program.nodes[parent as usize].children += 1;
+            }
+            let kinds = [Combine::Union, Combine::Merge, Combine::Intersection];
+            program.nodes.push(Node {
+                combine: kinds[usize::try_from(rng.bits() % 3).expect("three")],
+                is_inverse: number > 0 && rng.bits().is_multiple_of(3),
+                children: 0,
+                parent,
+            });
+        }
+        let (mut leaves, mut bounds) = (Vec::new(), Vec::new());
+        for _ in 0..2 + rng.bits() % 20 {
+            let nodes = program.nodes.len();
+            let parent = usize::try_from(rng.bits()).expect("64 bits") % nodes;
+            program.nodes[parent].children += 1;
+            program.operands.push(Operand {
+                parent: index(parent),
+                is_inverse: rng.bits().is_multiple_of(2),
+                is_hidden: rng.bits().is_multiple_of(9),
+            });
+            let steps = [Step::Rotate(DVec3::new(0.0, 90.0, 0.0))];
+            let steps = &steps[..usize::from(rng.bits().is_multiple_of(4))];
+            let (leaf, around) = Leaf::new(shape(rng), (steps, Absorb::AllItCan), 0, Extent::Solid);
+            leaves.push(leaf);
+            bounds.push(around);
+        }
+        program.rest = program.state_outside_all();
+        program.order.others = (0..index(leaves.len())).collect();
+        (program, leaves, bounds)
+    }
+
+    #[test]
+    fn a_prepared_program_shows_the_same_surfaces() {
+        let mut rng = Random::new(21);
+        let mut sweep = Sweep::default();
+        let (mut hits, mut trees, mut narrowed) = (0, 0, 0);
+        for _ in 0..8000 {
+            let (mut plain, leaves, bounds) = random_program(&mut rng);
+            plain.leave_patches(&leaves);
+            plain.rest = plain.state_outside_all();
+            let mut prepared = plain.clone();
+            prepared.prepare(&leaves, &bounds, Vec::new());
+            trees += usize::from(prepared.order.boxed.is_some());
+            narrowed += usize::from(!prepared.order.required.is_empty());
+            for _ in 0..12 {
+                let origin = coarse(&mut rng) * 2.0 + DVec3::splat(0.25);
+                let ray = Ray::new(
+                    origin,
+                    (coarse(&mut rng) - origin * 0.5).normalize_or(DVec3::X),
+                );
+                let to = if rng.bits().is_multiple_of(2) {
+                    f64::INFINITY
+                } else {
+                    4.0
+                };
+                let mut find = |program: &CsgProgram| {
+                    let span = (0.0, to);
+                    program
+                        .nearest(&leaves, &ray, span, None, &mut sweep, |_| true)
+                        .map(|found| (found.root, found.leaf))
+                };
+                let expected = find(&plain);
+                assert_eq!(find(&prepared), expected);
+                hits += usize::from(expected.is_some());
+            }
+        }
+        assert!(
+            hits > 10_000 && trees > 300 && narrowed > 300,
+            "{hits} {trees} {narrowed}"
+        );
+    }
+
+    #[test]
+    fn nested_differences_become_one_intersection() {
+        let mut program = CsgProgram::default();
+        for parent in [NONE, 0, 1, 2] {
+            program.nodes.push(Node {
+                combine: if parent == NONE {
+                    Combine::Union
+                } else {
+                    Combine::Intersection
+                },
+                is_inverse: false,
+                children: 2 - u32::from(parent == NONE),
+                parent,
+            });
+        }
+        for (parent, is_inverse) in [(3, false), (3, true), (2, true), (1, true)] {
+            program.operands.push(Operand {
+                parent,
+                is_inverse,
+                is_hidden: false,
+            });
+        }
+        let ball = Shape::Sphere(Sphere {
+            centre: DVec3::ZERO,
+            radius: 1.0,
+        });
+        let (leaf, bounds) = Leaf::new(ball, (&[], Absorb::AllItCan), 0, Extent::Solid);
+        program.prepare(&vec![leaf; 4], &[bounds; 4], Vec::new());
+        assert_eq!(program.nodes.len(), 1);
+        assert_eq!(program.nodes[0].children, 4);
+        assert_eq!(program.order.required[..], [0]);
+        assert_eq!(program.rest.counts[..], [3]);
+    }
+}

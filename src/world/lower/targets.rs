@@ -1,0 +1,54 @@
+//! What photons are sent to: objects that say `target`, each with its box.
+
+use super::inherit::Inherited;
+use crate::render::photons::PhotonTarget;
+use crate::scene::Object;
+use crate::scene::light::PhotonRole;
+
+/// The targets of a scene, in its order.
+#[derive(Debug, Default)]
+pub(crate) struct Targets(Vec<PhotonTarget>);
+
+impl Targets {
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Forgets all but the first of this number.
+    pub(crate) fn truncate(&mut self, len: usize) {
+        self.0.truncate(len);
+    }
+
+    /// All of them.
+    pub(crate) fn into_list(self) -> Vec<PhotonTarget> {
+        self.0
+    }
+
+    /// What an object does with photons. A part of a target is no target of its own.
+    pub(crate) fn role(&mut self, object: &Object, above: &Inherited) -> PhotonRole {
+        let Some(own) = object.photons() else {
+            return above.flags.photons;
+        };
+        let mut role = above.flags.photons.with(own);
+        let density = own.target.filter(|_| role.target.is_none());
+        let is_lit = above.global_lights != Some(false);
+        if let Some(density) = density.filter(|_| is_lit) {
+            let mut placed = object.clone();
+            placed.steps.extend_from_slice(&above.steps);
+            role.target = u32::try_from(self.0.len()).ok();
+            self.0.push(PhotonTarget {
+                around: placed.stored_box(),
+                density: f64::from(single(density)),
+                role,
+            });
+        }
+        role
+    }
+}
+
+/// POV-Ray keeps the factor on spacings in single precision.
+#[allow(clippy::cast_possible_truncation, reason = "it is asked for")]
+fn single(density: f64) -> f32 {
+    density as f32
+}

@@ -1,0 +1,11 @@
+//! Queries for packets of rays: the same bits as one ray at a time.
+
+pub(in crate::world) mod bundle;
+pub(in crate::world) mod csg;
+pub(in crate::world) mod csg_tree;
+pub(in crate::world) mod hits;
+pub(in crate::world) mod instance;
+pub(in crate::world) mod light_buffer;
+pub(in crate::world) mod mesh;
+pub(in crate::world) mod primitive;
+pub(in crate::world) mod rays;
