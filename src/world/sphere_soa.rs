@@ -5,7 +5,7 @@
 //! large cancels; every doubt is in favour of being met.
 
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
-use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -44,34 +44,30 @@ struct LineAndSpheres<'a> {
     to: f32,
 }
 
-impl Kernel for LineAndSpheres<'_> {
-    type Answer = u32;
+impl SimdKernel for LineAndSpheres<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
+    fn run<F: F64x4>(self) -> u32 {
         // Spelt out: a closure would not take part in the wide lanes.
         let ([x, y, z], p) = (&self.balls.centre, &self.point);
         let [x, y, z] = [
-            E::load(x).minus(E::all(p[0])),
-            E::load(y).minus(E::all(p[1])),
-            E::load(z).minus(E::all(p[2])),
+            <F::F32>::from_array(x) - <F::F32>::splat(p[0]),
+            <F::F32>::from_array(y) - <F::F32>::splat(p[1]),
+            <F::F32>::from_array(z) - <F::F32>::splat(p[2]),
         ];
-        let radius = E::load(&self.balls.radius);
+        let radius = <F::F32>::from_array(&self.balls.radius);
         let [a, b, c] = [
-            E::all(self.dir[0]),
-            E::all(self.dir[1]),
-            E::all(self.dir[2]),
+            <F::F32>::splat(self.dir[0]),
+            <F::F32>::splat(self.dir[1]),
+            <F::F32>::splat(self.dir[2]),
         ];
-        let [u, v, w] = [
-            b.times(z).minus(c.times(y)),
-            c.times(x).minus(a.times(z)),
-            a.times(y).minus(b.times(x)),
-        ];
-        let off_sq = u.times(u).plus(v.times(v)).plus(w.times(w));
-        let along = a.times(x).plus(b.times(y)).plus(c.times(z));
-        off_sq.not_above(radius.times(radius))
-            & E::all(self.from).not_above(along.plus(radius))
-            & along.minus(radius).not_above(E::all(self.to))
+        let [u, v, w] = [b * z - c * y, c * x - a * z, a * y - b * x];
+        let off_sq = u * u + v * v + w * w;
+        let along = a * x + b * y + c * z;
+        off_sq.le(radius * radius)
+            & <F::F32>::splat(self.from).le(along + radius)
+            & (along - radius).le(<F::F32>::splat(self.to))
     }
 }
 
@@ -157,7 +153,7 @@ impl SphereSoa {
                 from,
                 to,
             };
-            let mut met = eight(lanes, &asked);
+            let mut met = lanes.run(asked);
             while met != 0 {
                 let place = met.trailing_zeros();
                 met &= met - 1;

@@ -3,7 +3,7 @@
 use super::node::Frame;
 use super::packet::{DOUBT, RayPacket8, all, cross, dot, length_sq, load};
 use crate::base::math::rounding::{f32_above, nearest};
-use crate::base::math::simd::{Eight, Kernel};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 use glam::DVec3;
 
 /// A round rod without ends that holds an item: a point of its axis, the direction of that, and its radius.
@@ -48,15 +48,14 @@ pub(super) struct PacketAndCylinder<'a> {
     pub(super) rod: &'a ViewedCylinder,
 }
 
-impl Kernel for PacketAndCylinder<'_> {
-    type Answer = u32;
+impl SimdKernel for PacketAndCylinder<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let across: [E; 3] = cross(load(&self.group.dir), all(self.rod.way));
+    fn run<F: F64x4>(self) -> u32 {
+        let across: [F::F32; 3] = cross(load(&self.group.dir), all(self.rod.way));
         let off = dot(across, all(self.rod.from));
-        let limit = length_sq(across).times(E::all(self.rod.radius_sq));
-        off.times(off)
-            .not_above(limit.plus(E::all(self.rod.slack_sq)))
+        let limit = length_sq(across) * <F::F32>::splat(self.rod.radius_sq);
+        (off * off).le(limit + <F::F32>::splat(self.rod.slack_sq))
     }
 }

@@ -17,7 +17,7 @@ use super::packet_interval::{DirInterval, IntervalAndBox, IntervalAndBoxes, Node
 use super::{Bvh, Pending, Stack, nearest_child};
 use crate::base::math::Bounds;
 use crate::base::math::rounding::{f32_above, f32_below, nearest};
-use crate::base::math::simd::{SimdLevel, eight};
+use crate::base::math::simd::SimdLevel;
 use glam::{DVec3, Vec3};
 
 /// Rays must not spread farther from their middle than this cosine, or a pyramid is no use.
@@ -215,7 +215,7 @@ impl Bundle {
                 radius,
                 distance,
             };
-            let mut met = eight(lanes, &asked);
+            let mut met = lanes.run(asked);
             while met != 0 {
                 let place = cones * LANES + met.trailing_zeros() as usize;
                 met &= met - 1;
@@ -227,11 +227,11 @@ impl Bundle {
                     centre,
                     radius,
                 };
-                let mut rays = eight(lanes, &asked);
+                let mut rays = lanes.run(asked);
                 if rays != 0
                     && let Some(slab) = &slab
                 {
-                    rays &= eight(lanes, &PacketAndBox { group, slab });
+                    rays &= lanes.run(PacketAndBox { group, slab });
                 }
                 rays &= self.there(place);
                 if rays == 0 {
@@ -260,7 +260,7 @@ impl Bundle {
             self.beams.extend(self.groups.iter().map(DirInterval::new));
         }
         let pyramid = &self.pyramid;
-        let boxes = &eight(lanes, &NodeBoxes { pyramid, node });
+        let boxes = &lanes.run(NodeBoxes { pyramid, node });
         let around = around.map(|cell| BoundingSphere::around(cell).seen_from(self.origin));
         let mut is_shortened = false;
         for cones in 0..self.cones.len() {
@@ -272,7 +272,7 @@ impl Bundle {
                         radius,
                         distance,
                     };
-                    eight(lanes, &asked)
+                    lanes.run(asked)
                 }
                 None => 0xff,
             };
@@ -283,7 +283,7 @@ impl Bundle {
                     break;
                 };
                 let (beam, end) = (&self.beams[place], group.farthest());
-                let mut some = items & eight(lanes, &IntervalAndBoxes { beam, boxes, end });
+                let mut some = items & lanes.run(IntervalAndBoxes { beam, boxes, end });
                 while some != 0 {
                     let at = some.trailing_zeros() as usize % WIDTH;
                     some &= some - 1;
@@ -292,7 +292,7 @@ impl Bundle {
                     };
                     let (group, beam) = (&self.groups[place], &self.beams[place]);
                     let slab = &boxes.slab(at);
-                    let mut rays = eight(lanes, &IntervalAndBox { group, beam, slab });
+                    let mut rays = lanes.run(IntervalAndBox { group, beam, slab });
                     if rays != 0
                         && let Some(ball) = ball(item)
                     {
@@ -302,7 +302,7 @@ impl Bundle {
                             centre,
                             radius,
                         };
-                        rays &= eight(lanes, &asked);
+                        rays &= lanes.run(asked);
                     }
                     rays &= self.there(place);
                     if rays != 0 {
@@ -392,7 +392,7 @@ impl Bvh {
                         node,
                         end,
                     };
-                    let (near_sq, mut met) = eight(lanes, &asked);
+                    let (near_sq, mut met) = lanes.run(asked);
                     let items = met & node.items();
                     if items.count_ones() >= MANY {
                         met &= !items;
@@ -426,7 +426,7 @@ impl Bvh {
                         block,
                         end,
                     };
-                    let met = eight(lanes, &asked);
+                    let met = lanes.run(asked);
                     (self.firsts[number as usize], met, Some(block))
                 }
                 ChildKind::Item(item) => (item, 1, None),

@@ -3,7 +3,7 @@
 use super::node::{Node, WIDTH};
 use super::packet::{DOUBT, all, dot, length_sq, load};
 use super::sphere_leaf::SphereLeaf;
-use crate::base::math::simd::{Eight, Kernel};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 
 /// Four planes through the common origin; a box on the far side of one is not met.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,32 +27,32 @@ pub(super) struct FrustumAndNode<'a> {
     pub(super) end: f32,
 }
 
-impl Kernel for FrustumAndNode<'_> {
-    type Answer = ([f32; WIDTH], u32);
+impl SimdKernel for FrustumAndNode<'_> {
+    type Output = ([f32; WIDTH], u32);
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> ([f32; WIDTH], u32) {
+    fn run<F: F64x4>(self) -> ([f32; WIDTH], u32) {
         let (planes, pyramid) = (self.node.planes(), self.pyramid);
         let mut met = u32::MAX;
         for side in 0..4 {
             let normal = pyramid.normals[side];
             // The corner that lies farthest to the inner side.
             let corner = [
-                E::load(&planes[0][usize::from(normal[0] < 0.0)]),
-                E::load(&planes[1][usize::from(normal[1] < 0.0)]),
-                E::load(&planes[2][usize::from(normal[2] < 0.0)]),
+                <F::F32>::from_array(&planes[0][usize::from(normal[0] < 0.0)]),
+                <F::F32>::from_array(&planes[1][usize::from(normal[1] < 0.0)]),
+                <F::F32>::from_array(&planes[2][usize::from(normal[2] < 0.0)]),
             ];
-            met &= dot(all(normal), corner).not_above(E::all(pyramid.offsets[side]));
+            met &= dot(all(normal), corner).le(<F::F32>::splat(pyramid.offsets[side]));
         }
-        let mut near_sq = E::all(0.0);
+        let mut near_sq = <F::F32>::splat(0.0);
         for (axis, [low, high]) in planes.iter().enumerate() {
-            let below = E::load(low).minus(E::all(pyramid.high[axis]));
-            let above = E::all(pyramid.low[axis]).minus(E::load(high));
-            let gap = below.larger(above).larger(E::all(0.0));
-            near_sq = near_sq.plus(gap.times(gap));
+            let below = <F::F32>::from_array(low) - <F::F32>::splat(pyramid.high[axis]);
+            let above = <F::F32>::splat(pyramid.low[axis]) - <F::F32>::from_array(high);
+            let gap = below.lane_max(above).lane_max(<F::F32>::splat(0.0));
+            near_sq = near_sq + gap * gap;
         }
-        let reach = E::all(self.end * self.end * (1.0 + 16.0 * DOUBT));
-        (near_sq.store(), met & near_sq.not_above(reach))
+        let reach = <F::F32>::splat(self.end * self.end * (1.0 + 16.0 * DOUBT));
+        (near_sq.to_array(), met & near_sq.le(reach))
     }
 }
 
@@ -63,28 +63,26 @@ pub(super) struct FrustumAndSphereLeaf<'a> {
     pub(super) end: f32,
 }
 
-impl Kernel for FrustumAndSphereLeaf<'_> {
-    type Answer = u32;
+impl SimdKernel for FrustumAndSphereLeaf<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
+    fn run<F: F64x4>(self) -> u32 {
         let pyramid = self.pyramid;
-        let centre: [E; 3] = load(&self.block.centre);
-        let radius = E::load(&self.block.radius);
-        let mut met = E::all(0.0).not_above(radius);
+        let centre: [F::F32; 3] = load(&self.block.centre);
+        let radius = <F::F32>::from_array(&self.block.radius);
+        let mut met = <F::F32>::splat(0.0).le(radius);
         for side in 0..4 {
-            let reach =
-                E::all(pyramid.offsets[side]).plus(radius.times(E::all(pyramid.sizes[side])));
-            met &= dot(all(pyramid.normals[side]), centre).not_above(reach);
+            let reach = <F::F32>::splat(pyramid.offsets[side])
+                + radius * <F::F32>::splat(pyramid.sizes[side]);
+            met &= dot(all(pyramid.normals[side]), centre).le(reach);
         }
         let way = [
-            centre[0].minus(E::all(pyramid.low[0])),
-            centre[1].minus(E::all(pyramid.low[1])),
-            centre[2].minus(E::all(pyramid.low[2])),
+            centre[0] - <F::F32>::splat(pyramid.low[0]),
+            centre[1] - <F::F32>::splat(pyramid.low[1]),
+            centre[2] - <F::F32>::splat(pyramid.low[2]),
         ];
-        let distance = length_sq(way).root().times(E::all(1.0 - 4.0 * DOUBT));
-        met & distance
-            .minus(radius)
-            .not_above(E::all(self.end + pyramid.slack))
+        let distance = length_sq(way).sqrt() * <F::F32>::splat(1.0 - 4.0 * DOUBT);
+        met & (distance - radius).le(<F::F32>::splat(self.end + pyramid.slack))
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
-use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight, with_widest};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -405,15 +405,12 @@ impl Node {
         (from, to): (f32, f32),
     ) -> ([f32; WIDTH], u32) {
         let node = self;
-        eight(
-            lanes,
-            &RayAndNode {
-                ray,
-                node,
-                from,
-                to,
-            },
-        )
+        lanes.run(RayAndNode {
+            ray,
+            node,
+            from,
+            to,
+        })
     }
 
     /// Which boxes share a point with a box, one bit each.
@@ -421,7 +418,7 @@ impl Node {
     pub(super) fn overlap(&self, cell: &Aabb32) -> u32 {
         with_widest(
             #[inline(always)]
-            |lanes| eight(lanes, &NodeAndBox { node: self, cell }),
+            |lanes| lanes.run(NodeAndBox { node: self, cell }),
         )
     }
 }
@@ -432,16 +429,16 @@ struct NodeAndBox<'a> {
     cell: &'a Aabb32,
 }
 
-impl Kernel for NodeAndBox<'_> {
-    type Answer = u32;
+impl SimdKernel for NodeAndBox<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
+    fn run<F: F64x4>(self) -> u32 {
         let mut shared = (1 << WIDTH) - 1;
         for axis in 0..3 {
             let [low, high] = &self.node.planes[axis];
-            shared &= E::load(low).not_above(E::all(self.cell.high[axis]));
-            shared &= E::all(self.cell.low[axis]).not_above(E::load(high));
+            shared &= <F::F32>::from_array(low).le(<F::F32>::splat(self.cell.high[axis]));
+            shared &= <F::F32>::splat(self.cell.low[axis]).le(<F::F32>::from_array(high));
         }
         shared
     }
@@ -455,27 +452,24 @@ struct RayAndNode<'a> {
     to: f32,
 }
 
-impl Kernel for RayAndNode<'_> {
-    type Answer = ([f32; WIDTH], u32);
+impl SimdKernel for RayAndNode<'_> {
+    type Output = ([f32; WIDTH], u32);
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> ([f32; WIDTH], u32) {
+    fn run<F: F64x4>(self) -> ([f32; WIDTH], u32) {
         let (ray, planes) = (self.ray, &self.node.planes);
-        let mut enter = E::all(self.from);
-        let mut leave = E::all(self.to);
+        let mut enter = <F::F32>::splat(self.from);
+        let mut leave = <F::F32>::splat(self.to);
         for (axis, [low, high]) in planes.iter().enumerate() {
-            let inverse = E::all(ray.inverse[axis]);
-            let to_low = E::load(low).minus(E::all(ray.high[axis])).times(inverse);
-            let to_high = E::load(high).minus(E::all(ray.low[axis])).times(inverse);
+            let inverse = <F::F32>::splat(ray.inverse[axis]);
+            let to_low = (<F::F32>::from_array(low) - <F::F32>::splat(ray.high[axis])) * inverse;
+            let to_high = (<F::F32>::from_array(high) - <F::F32>::splat(ray.low[axis])) * inverse;
             // Zero times infinity is none: it comes of a plane along the ray and beside it, so that the box is missed.
-            enter = to_low.smaller(to_high).larger(enter);
-            leave = to_low.larger(to_high).smaller(leave);
+            enter = to_low.lane_min(to_high).lane_max(enter);
+            leave = to_low.lane_max(to_high).lane_min(leave);
         }
-        let slack = leave
-            .size()
-            .times(E::all(ERROR))
-            .plus(E::all(f32::MIN_POSITIVE));
-        (enter.store(), enter.not_above(leave.plus(slack)))
+        let slack = leave.abs() * <F::F32>::splat(ERROR) + <F::F32>::splat(f32::MIN_POSITIVE);
+        (enter.to_array(), enter.le(leave + slack))
     }
 }
 

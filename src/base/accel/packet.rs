@@ -3,7 +3,7 @@
 
 use super::node::{Aabb32, larger, smaller};
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
-use crate::base::math::simd::{Eight, Kernel};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 use glam::{DVec3, Vec3};
 
 /// How many rays are tried at once.
@@ -131,19 +131,19 @@ pub(super) struct PacketAndSphere<'a> {
     pub(super) radius: f32,
 }
 
-impl Kernel for PacketAndSphere<'_> {
-    type Answer = u32;
+impl SimdKernel for PacketAndSphere<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let dir: [E; 3] = load(&self.group.dir);
+    fn run<F: F64x4>(self) -> u32 {
+        let dir: [F::F32; 3] = load(&self.group.dir);
         let centre = all(self.centre.to_array());
-        let radius = E::all(self.radius);
-        let limit = E::all(self.radius * self.radius * (1.0 + 4.0 * DOUBT));
+        let radius = <F::F32>::splat(self.radius);
+        let limit = <F::F32>::splat(self.radius * self.radius * (1.0 + 4.0 * DOUBT));
         let along = dot(dir, centre);
-        let is_near = length_sq(cross(dir, centre)).not_above(limit);
-        let is_ahead = E::all(0.0).not_above(along.plus(radius));
-        let is_before = along.minus(radius).not_above(E::load(&self.group.end));
+        let is_near = length_sq(cross(dir, centre)).le(limit);
+        let is_ahead = <F::F32>::splat(0.0).le(along + radius);
+        let is_before = (along - radius).le(<F::F32>::from_array(&self.group.end));
         is_near & is_ahead & is_before
     }
 }
@@ -154,35 +154,33 @@ pub(super) struct PacketAndBox<'a> {
     pub(super) slab: &'a ViewBox,
 }
 
-impl Kernel for PacketAndBox<'_> {
-    type Answer = u32;
+impl SimdKernel for PacketAndBox<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let dir: [E; 3] = load(&self.group.dir);
-        let one = E::all(1.0);
-        let inverse = [one.over(dir[0]), one.over(dir[1]), one.over(dir[2])];
-        meet_box(inverse, E::load(&self.group.end), self.slab)
+    fn run<F: F64x4>(self) -> u32 {
+        let dir: [F::F32; 3] = load(&self.group.dir);
+        let one = <F::F32>::splat(1.0);
+        let inverse = [one / dir[0], one / dir[1], one / dir[2]];
+        meet_box(inverse, <F::F32>::from_array(&self.group.end), self.slab)
     }
 }
 
 /// Which of eight rays of these inverse directions may meet a box before their ends, one bit each.
 #[inline(always)]
-pub(super) fn meet_box<E: Eight>(inverse: [E; 3], end: E, slab: &ViewBox) -> u32 {
+pub(super) fn meet_box<E: F32x8>(inverse: [E; 3], end: E, slab: &ViewBox) -> u32 {
     // A ray that is done ends at minus infinity: the slack would be infinite, and it would meet every box.
-    let end = end.larger(E::all(f32::MIN));
-    let (mut enter, mut leave) = (E::all(0.0), end);
+    let end = end.lane_max(E::splat(f32::MIN));
+    let (mut enter, mut leave) = (E::splat(0.0), end);
     for (axis, inverse) in inverse.into_iter().enumerate() {
-        let low = E::all(slab.low[axis]).times(inverse);
-        let high = E::all(slab.high[axis]).times(inverse);
+        let low = E::splat(slab.low[axis]) * inverse;
+        let high = E::splat(slab.high[axis]) * inverse;
         // The running bound where a plane says nothing (zero times infinity).
-        enter = low.smaller(high).larger(enter);
-        leave = high.larger(low).smaller(leave);
+        enter = low.lane_min(high).lane_max(enter);
+        leave = high.lane_max(low).lane_min(leave);
     }
-    let slack = E::all(4.0 * DOUBT).times(enter.size().plus(leave.size()));
-    enter
-        .minus(slack)
-        .not_above(leave.plus(E::all(f32::MIN_POSITIVE)))
+    let slack = E::splat(4.0 * DOUBT) * (enter.abs() + leave.abs());
+    (enter - slack).le(leave + E::splat(f32::MIN_POSITIVE))
 }
 
 /// The middle directions of eight groups, and how far a direction of the group can lie from it.
@@ -202,51 +200,53 @@ pub(super) struct ConesAndSphere<'a> {
     pub(super) distance: f32,
 }
 
-impl Kernel for ConesAndSphere<'_> {
-    type Answer = u32;
+impl SimdKernel for ConesAndSphere<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let middle: [E; 3] = load(&self.cones.middle);
+    fn run<F: F64x4>(self) -> u32 {
+        let middle: [F::F32; 3] = load(&self.cones.middle);
         let centre = all(self.centre.to_array());
-        let reach = E::all(self.distance).times(E::load(&self.cones.spread));
-        let limit = E::all(self.radius).plus(reach);
-        let limit_sq = limit.times(limit).times(E::all(1.0 + 4.0 * DOUBT));
-        let is_near = length_sq(cross(middle, centre)).not_above(limit_sq);
-        is_near & E::all(0.0).not_above(limit)
+        let reach = <F::F32>::splat(self.distance) * <F::F32>::from_array(&self.cones.spread);
+        let limit = <F::F32>::splat(self.radius) + reach;
+        let limit_sq = limit * limit * <F::F32>::splat(1.0 + 4.0 * DOUBT);
+        let is_near = length_sq(cross(middle, centre)).le(limit_sq);
+        is_near & <F::F32>::splat(0.0).le(limit)
     }
 }
 
 #[inline(always)]
-pub(super) fn dot<E: Eight>(a: [E; 3], b: [E; 3]) -> E {
-    a[0].times(b[0])
-        .plus(a[1].times(b[1]))
-        .plus(a[2].times(b[2]))
+pub(super) fn dot<E: F32x8>(a: [E; 3], b: [E; 3]) -> E {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-pub(super) fn cross<E: Eight>(a: [E; 3], b: [E; 3]) -> [E; 3] {
+pub(super) fn cross<E: F32x8>(a: [E; 3], b: [E; 3]) -> [E; 3] {
     [
-        a[1].times(b[2]).minus(a[2].times(b[1])),
-        a[2].times(b[0]).minus(a[0].times(b[2])),
-        a[0].times(b[1]).minus(a[1].times(b[0])),
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
     ]
 }
 
 // A closure would not take part in the wide lanes of its caller, so these are spelt out.
 
 #[inline(always)]
-pub(super) fn load<E: Eight>(from: &[[f32; LANES]; 3]) -> [E; 3] {
-    [E::load(&from[0]), E::load(&from[1]), E::load(&from[2])]
+pub(super) fn load<E: F32x8>(from: &[[f32; LANES]; 3]) -> [E; 3] {
+    [
+        E::from_array(&from[0]),
+        E::from_array(&from[1]),
+        E::from_array(&from[2]),
+    ]
 }
 
 #[inline(always)]
-pub(super) fn all<E: Eight>(of: [f32; 3]) -> [E; 3] {
-    [E::all(of[0]), E::all(of[1]), E::all(of[2])]
+pub(super) fn all<E: F32x8>(of: [f32; 3]) -> [E; 3] {
+    [E::splat(of[0]), E::splat(of[1]), E::splat(of[2])]
 }
 
 #[inline(always)]
-pub(super) fn length_sq<E: Eight>(a: [E; 3]) -> E {
+pub(super) fn length_sq<E: F32x8>(a: [E; 3]) -> E {
     dot(a, a)
 }
 

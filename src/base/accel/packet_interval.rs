@@ -4,7 +4,7 @@
 use super::frustum::Frustum;
 use super::node::{Node, WIDTH, larger, smaller};
 use super::packet::{DOUBT, LANES, RayPacket8, ViewBox, load, meet_box};
-use crate::base::math::simd::{Eight, Kernel};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel};
 
 /// Between which bounds the directions of a group of rays lie, made ready for boxes.
 #[derive(Clone, Copy, Debug)]
@@ -78,16 +78,16 @@ pub(super) struct NodeBoxes<'a> {
     pub(super) node: &'a Node,
 }
 
-impl Kernel for NodeBoxes<'_> {
-    type Answer = ViewedBoxes;
+impl SimdKernel for NodeBoxes<'_> {
+    type Output = ViewedBoxes;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> ViewedBoxes {
+    fn run<F: F64x4>(self) -> ViewedBoxes {
         let mut seen = ViewedBoxes([[[0.0; WIDTH]; 2]; 3]);
         for (axis, [low, high]) in self.node.planes().iter().enumerate() {
             let (below, above) = (self.pyramid.low[axis], self.pyramid.high[axis]);
-            seen.0[axis][0] = E::load(low).minus(E::all(above)).store();
-            seen.0[axis][1] = E::load(high).minus(E::all(below)).store();
+            seen.0[axis][0] = (<F::F32>::from_array(low) - <F::F32>::splat(above)).to_array();
+            seen.0[axis][1] = (<F::F32>::from_array(high) - <F::F32>::splat(below)).to_array();
         }
         seen
     }
@@ -100,27 +100,27 @@ pub(super) struct IntervalAndBoxes<'a> {
     pub(super) end: f32,
 }
 
-impl Kernel for IntervalAndBoxes<'_> {
-    type Answer = u32;
+impl SimdKernel for IntervalAndBoxes<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
+    fn run<F: F64x4>(self) -> u32 {
         let beam = self.beam;
-        let mut enter = E::all(0.0);
-        let mut leave = E::all(self.end);
+        let mut enter = <F::F32>::splat(0.0);
+        let mut leave = <F::F32>::splat(self.end);
         for (axis, [low, high]) in self.boxes.0.iter().enumerate() {
-            let (low, high) = (E::load(low), E::load(high));
+            let (low, high) = (<F::F32>::from_array(low), <F::F32>::from_array(high));
             // The running bound where a plane says nothing (zero times infinity).
-            enter = low.times(E::all(beam.up[axis])).larger(enter);
-            enter = high.times(E::all(beam.down[axis])).larger(enter);
-            let last = high.times(E::all(beam.least[axis]));
-            let last = low.times(E::all(beam.most[axis])).larger(last);
-            leave = E::all(beam.open[axis]).larger(last).smaller(leave);
+            enter = (low * <F::F32>::splat(beam.up[axis])).lane_max(enter);
+            enter = (high * <F::F32>::splat(beam.down[axis])).lane_max(enter);
+            let last = high * <F::F32>::splat(beam.least[axis]);
+            let last = (low * <F::F32>::splat(beam.most[axis])).lane_max(last);
+            leave = <F::F32>::splat(beam.open[axis])
+                .lane_max(last)
+                .lane_min(leave);
         }
-        let latest = leave.times(E::all(1.0 + 4.0 * DOUBT));
-        enter
-            .times(E::all(1.0 - 4.0 * DOUBT))
-            .not_above(latest.plus(E::all(f32::MIN_POSITIVE)))
+        let latest = leave * <F::F32>::splat(1.0 + 4.0 * DOUBT);
+        (enter * <F::F32>::splat(1.0 - 4.0 * DOUBT)).le(latest + <F::F32>::splat(f32::MIN_POSITIVE))
     }
 }
 
@@ -131,13 +131,13 @@ pub(super) struct IntervalAndBox<'a> {
     pub(super) slab: &'a ViewBox,
 }
 
-impl Kernel for IntervalAndBox<'_> {
-    type Answer = u32;
+impl SimdKernel for IntervalAndBox<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let inverse: [E; 3] = load(&self.beam.inverse);
-        meet_box(inverse, E::load(&self.group.end), self.slab)
+    fn run<F: F64x4>(self) -> u32 {
+        let inverse: [F::F32; 3] = load(&self.beam.inverse);
+        meet_box(inverse, <F::F32>::from_array(&self.group.end), self.slab)
     }
 }
 
@@ -146,7 +146,7 @@ mod tests {
     use super::*;
     use crate::base::math::rounding::nearest;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{SimdLevel, eight};
+    use crate::base::math::simd::SimdLevel;
     use glam::DVec3;
 
     /// Rays about a direction, some of them along axes, in narrow and in wide beams.
@@ -209,12 +209,12 @@ mod tests {
                     boxes: &boxes,
                     end: group.farthest(),
                 };
-                eight(lanes, &asked)
+                lanes.run(asked)
             });
             assert_eq!(some[0], some[1]);
             for place in 0..WIDTH {
                 let (group, beam, slab) = (&group, &beam, &boxes.slab(place));
-                let rays = eight(SimdLevel::widest(), &IntervalAndBox { group, beam, slab });
+                let rays = SimdLevel::widest().run(IntervalAndBox { group, beam, slab });
                 let mut is_any = false;
                 for lane in (0..LANES).filter(|&lane| is_met(group, lane, slab)) {
                     assert!(rays >> lane & 1 == 1, "{group:?} {slab:?}");

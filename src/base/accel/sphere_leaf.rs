@@ -6,7 +6,7 @@
 use super::bounding_sphere::BoundingSphere;
 use super::node::{Aabb32, FrameRay, WIDTH, larger};
 use super::packet::DOUBT;
-use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 
 /// Eight balls in the frame of the tree. The radius of an unused place is that of nothing, which no ray meets.
 #[derive(Clone, Debug)]
@@ -58,15 +58,12 @@ impl SphereLeaf {
         (from, to): (f32, f32),
     ) -> ([f32; WIDTH], u32) {
         let block = self;
-        eight(
-            lanes,
-            &RayAndSphereLeaf {
-                ray,
-                block,
-                from,
-                to,
-            },
-        )
+        lanes.run(RayAndSphereLeaf {
+            ray,
+            block,
+            from,
+            to,
+        })
     }
 
     /// Which balls may share a point with a box, one bit each.
@@ -91,40 +88,40 @@ struct RayAndSphereLeaf<'a> {
     to: f32,
 }
 
-impl Kernel for RayAndSphereLeaf<'_> {
-    type Answer = ([f32; WIDTH], u32);
+impl SimdKernel for RayAndSphereLeaf<'_> {
+    type Output = ([f32; WIDTH], u32);
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> ([f32; WIDTH], u32) {
+    fn run<F: F64x4>(self) -> ([f32; WIDTH], u32) {
         let (ray, block) = (self.ray, self.block);
         let [x, y, z] = &block.centre;
-        let x = E::load(x).minus(E::all(ray.middle[0]));
-        let y = E::load(y).minus(E::all(ray.middle[1]));
-        let z = E::load(z).minus(E::all(ray.middle[2]));
-        let [u, v, w] = [E::all(ray.dir[0]), E::all(ray.dir[1]), E::all(ray.dir[2])];
-        let doubt = x
-            .size()
-            .plus(y.size())
-            .plus(z.size())
-            .times(E::all(2.0 * DOUBT));
-        let doubt = doubt.plus(E::all(ray.slack));
-        let radius = E::load(&block.radius).plus(doubt);
+        let x = <F::F32>::from_array(x) - <F::F32>::splat(ray.middle[0]);
+        let y = <F::F32>::from_array(y) - <F::F32>::splat(ray.middle[1]);
+        let z = <F::F32>::from_array(z) - <F::F32>::splat(ray.middle[2]);
+        let [u, v, w] = [
+            <F::F32>::splat(ray.dir[0]),
+            <F::F32>::splat(ray.dir[1]),
+            <F::F32>::splat(ray.dir[2]),
+        ];
+        let doubt = (x.abs() + y.abs() + z.abs()) * <F::F32>::splat(2.0 * DOUBT);
+        let doubt = doubt + <F::F32>::splat(ray.slack);
+        let radius = <F::F32>::from_array(&block.radius) + doubt;
         // Balls are tried at the size of the direction: that saves a division.
-        let along = x.times(u).plus(y.times(v)).plus(z.times(w));
-        let a = y.times(w).minus(z.times(v));
-        let b = z.times(u).minus(x.times(w));
-        let c = x.times(v).minus(y.times(u));
-        let off = a.times(a).plus(b.times(b)).plus(c.times(c));
-        let reach = radius.times(radius).times(E::all(ray.speed_sq));
+        let along = x * u + y * v + z * w;
+        let a = y * w - z * v;
+        let b = z * u - x * w;
+        let c = x * v - y * u;
+        let off = a * a + b * b + c * c;
+        let reach = radius * radius * <F::F32>::splat(ray.speed_sq);
         // Where both are without end, their difference is not a number and counts as nothing: such a ball is out of reach.
-        let half = reach.minus(off).larger(E::all(0.0)).root();
-        let per_speed_sq = E::all(1.0 / ray.speed_sq);
-        let enter = along.minus(half).times(per_speed_sq).minus(doubt);
-        let leave = along.plus(half).times(per_speed_sq).plus(doubt);
-        let met = E::all(0.0).not_above(radius)
-            & off.not_above(reach)
-            & enter.not_above(E::all(self.to))
-            & E::all(self.from).not_above(leave);
-        (enter.store(), met)
+        let half = (reach - off).lane_max(<F::F32>::splat(0.0)).sqrt();
+        let per_speed_sq = <F::F32>::splat(1.0 / ray.speed_sq);
+        let enter = (along - half) * per_speed_sq - doubt;
+        let leave = (along + half) * per_speed_sq + doubt;
+        let met = <F::F32>::splat(0.0).le(radius)
+            & off.le(reach)
+            & enter.le(<F::F32>::splat(self.to))
+            & <F::F32>::splat(self.from).le(leave);
+        (enter.to_array(), met)
     }
 }

@@ -8,7 +8,7 @@ mod lattice;
 mod perlin;
 mod tables;
 
-use super::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
+use super::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec3;
 pub use perlin::Perlin;
 
@@ -94,7 +94,7 @@ impl NoiseGenerator {
             #[inline(always)]
             |lanes| match self {
                 NoiseGenerator::Perlin(perlin) => self.scaled(perlin.noise(point)),
-                _ => self.scaled(four(lanes, &Scalar(point))),
+                _ => self.scaled(lanes.run(Scalar(point))),
             },
         )
     }
@@ -116,7 +116,7 @@ impl NoiseGenerator {
         };
         with_widest(
             #[inline(always)]
-            |lanes| four(lanes, &octaves),
+            |lanes| lanes.run(octaves),
         )
     }
 
@@ -149,7 +149,7 @@ impl NoiseGenerator {
                 if let NoiseGenerator::Perlin(perlin) = self {
                     self.summed(octaves, |frequency| perlin.noise(point * frequency))
                 } else {
-                    four(lanes, &Turbulence(self, point, octaves))
+                    lanes.run(Turbulence(self, point, octaves))
                 }
             },
         )
@@ -169,11 +169,11 @@ impl NoiseGenerator {
 /// A sum of the lattice.
 struct Scalar(DVec3);
 
-impl FourKernel for Scalar {
-    type Answer = f64;
+impl SimdKernel for Scalar {
+    type Output = f64;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> f64 {
+    fn run<F: F64x4>(self) -> f64 {
         lattice::scalar(lattice::spread::<F>(self.0))
     }
 }
@@ -187,11 +187,11 @@ struct HalvedOctaves<T> {
     each: T,
 }
 
-impl<T: Fn(f64) -> f64> FourKernel for HalvedOctaves<T> {
-    type Answer = f64;
+impl<T: Fn(f64) -> f64> SimdKernel for HalvedOctaves<T> {
+    type Output = f64;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> f64 {
+    fn run<F: F64x4>(self) -> f64 {
         let point = lattice::spread::<F>(self.point);
         let (mut size, mut frequency) = (1.0, self.frequency);
         let mut sum = 0.0;
@@ -211,13 +211,13 @@ impl<T: Fn(f64) -> f64> FourKernel for HalvedOctaves<T> {
 /// Octaves of noise.
 struct Turbulence<'a>(NoiseGenerator, DVec3, &'a Octaves);
 
-impl FourKernel for Turbulence<'_> {
-    type Answer = f64;
+impl SimdKernel for Turbulence<'_> {
+    type Output = f64;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> f64 {
+    fn run<F: F64x4>(self) -> f64 {
         let Turbulence(generator, point, octaves) = self;
-        let point = lattice::spread::<F>(*point);
+        let point = lattice::spread::<F>(point);
         generator.summed(
             octaves,
             #[inline(always)]
@@ -231,7 +231,7 @@ impl FourKernel for Turbulence<'_> {
 pub fn vector_noise(point: DVec3) -> DVec3 {
     with_widest(
         #[inline(always)]
-        |lanes| four(lanes, &Vector(point)),
+        |lanes| lanes.run(Vector(point)),
     )
 }
 
@@ -240,18 +240,18 @@ pub fn vector_noise(point: DVec3) -> DVec3 {
 pub fn vector_turbulence(point: DVec3, octaves: &Octaves) -> DVec3 {
     with_widest(
         #[inline(always)]
-        |lanes| four(lanes, &VectorTurbulence(point, octaves)),
+        |lanes| lanes.run(VectorTurbulence(point, octaves)),
     )
 }
 
 /// The vector of a lattice.
 struct Vector(DVec3);
 
-impl FourKernel for Vector {
-    type Answer = DVec3;
+impl SimdKernel for Vector {
+    type Output = DVec3;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> DVec3 {
+    fn run<F: F64x4>(self) -> DVec3 {
         of_lanes(lattice::vector(lattice::spread::<F>(self.0)))
     }
 }
@@ -259,17 +259,17 @@ impl FourKernel for Vector {
 /// Octaves of vectors.
 struct VectorTurbulence<'a>(DVec3, &'a Octaves);
 
-impl FourKernel for VectorTurbulence<'_> {
-    type Answer = DVec3;
+impl SimdKernel for VectorTurbulence<'_> {
+    type Output = DVec3;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> DVec3 {
+    fn run<F: F64x4>(self) -> DVec3 {
         let VectorTurbulence(point, octaves) = self;
-        let point = lattice::spread::<F>(*point);
+        let point = lattice::spread::<F>(point);
         let mut sum = lattice::vector(point);
         for (size, frequency) in octaves.above_the_first() {
             let octave = lattice::vector(lattice::at_frequency(point, frequency));
-            sum = sum.plus(F::all(size).times(octave));
+            sum = sum + F::splat(size) * octave;
         }
         of_lanes(sum)
     }
@@ -277,7 +277,7 @@ impl FourKernel for VectorTurbulence<'_> {
 
 #[inline(always)]
 fn of_lanes<F: F64Lanes>(lanes: F) -> DVec3 {
-    let [x, y, z, _] = lanes.store();
+    let [x, y, z, _] = lanes.to_array();
     DVec3::new(x, y, z)
 }
 

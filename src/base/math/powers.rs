@@ -45,55 +45,55 @@ pub(crate) fn power<F: F64Lanes>(x: F, p: f64) -> F {
     } else {
         f64::INFINITY
     };
-    let is_zero = x.below(F::all(LEAST));
-    let power = two_to(log2(x.larger(F::all(LEAST))).times(F::all(p)));
-    F::pick(is_zero, F::all(of_zero), power)
+    let is_zero = x.lt(F::splat(LEAST));
+    let power = two_to(log2(x.lane_max(F::splat(LEAST))) * F::splat(p));
+    F::select(is_zero, F::splat(of_zero), power)
 }
 
 #[inline(always)]
 fn log2<F: F64Lanes>(x: F) -> F {
-    let [exponent, mantissa] = x.split();
-    let is_large = F::all(SQRT_2).below(mantissa);
-    let mantissa = F::pick(is_large, mantissa.times(F::all(0.5)), mantissa);
-    let exponent = F::pick(is_large, exponent.plus(F::all(1.0)), exponent);
-    let one = F::all(1.0);
-    let s = mantissa.minus(one).over(mantissa.plus(one));
-    let square = s.times(s);
-    let mut sum = F::all(1.0 / 13.0);
+    let [exponent, mantissa] = x.exponent_and_mantissa();
+    let is_large = F::splat(SQRT_2).lt(mantissa);
+    let mantissa = F::select(is_large, mantissa * F::splat(0.5), mantissa);
+    let exponent = F::select(is_large, exponent + F::splat(1.0), exponent);
+    let one = F::splat(1.0);
+    let s = (mantissa - one) / (mantissa + one);
+    let square = s * s;
+    let mut sum = F::splat(1.0 / 13.0);
     for odd in [11.0, 9.0, 7.0, 5.0, 3.0, 1.0] {
-        sum = sum.times(square).plus(F::all(1.0 / odd));
+        sum = sum * square + F::splat(1.0 / odd);
     }
-    exponent.plus(s.times(sum).times(F::all(2.0 / LN_2)))
+    exponent + s * sum * F::splat(2.0 / LN_2)
 }
 
 /// `2^y`.
 #[inline(always)]
 fn two_to<F: F64Lanes>(y: F) -> F {
     let y = y
-        .larger(F::all(LEAST_EXPONENT))
-        .smaller(F::all(MOST_EXPONENT));
-    let whole = y.plus(F::all(ROUNDER)).minus(F::all(ROUNDER));
-    let x = y.minus(whole).times(F::all(LN_2));
-    let mut sum = F::all(1.0 / 362_880.0);
+        .lane_max(F::splat(LEAST_EXPONENT))
+        .lane_min(F::splat(MOST_EXPONENT));
+    let whole = y + F::splat(ROUNDER) - F::splat(ROUNDER);
+    let x = (y - whole) * F::splat(LN_2);
+    let mut sum = F::splat(1.0 / 362_880.0);
     for factorial in [40_320.0, 5_040.0, 720.0, 120.0, 24.0, 6.0, 2.0, 1.0, 1.0] {
-        sum = sum.times(x).plus(F::all(1.0 / factorial));
+        sum = sum * x + F::splat(1.0 / factorial);
     }
-    sum.times(whole.power_of_two())
+    sum * whole.exp2()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
+    use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 
     struct Powers([f64; 4], f64);
 
-    impl FourWork for Powers {
-        type Answer = [f64; 4];
+    impl SimdKernel for Powers {
+        type Output = [f64; 4];
         #[inline(always)]
         fn run<F: F64x4>(self) -> [f64; 4] {
-            power(F::load(&self.0), self.1).store()
+            power(F::from_array(&self.0), self.1).to_array()
         }
     }
 
@@ -130,9 +130,9 @@ mod tests {
         for _ in 0..10_000 {
             let x = [(); 4].map(|()| rng.share() * 10.0_f64.powf(20.0 * rng.share() - 10.0));
             let p = 8.0 * rng.share() - 4.0;
-            let wide = with_widest(|lanes| fours(lanes, Powers(x, p)));
+            let wide = with_widest(|lanes| lanes.run(Powers(x, p)));
             assert_eq!(wide, x.map(|x| power(x, p)));
-            assert_eq!(wide, power::<[f64; 4]>(x, p));
+            assert_eq!(wide, SimdLevel::NARROW.run(Powers(x, p)));
         }
     }
 }

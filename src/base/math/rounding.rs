@@ -71,11 +71,11 @@ pub(crate) fn floor(x: f64) -> f64 {
 /// [`floor`] of four numbers.
 #[inline(always)]
 pub(crate) fn floor_of<F: F64Lanes>(x: F) -> F {
-    let whole = F::all(WHOLE);
-    let away = F::pick(x.below(F::all(0.0)), whole.negated(), whole);
-    let near = x.plus(away).minus(away);
-    let below = F::pick(x.below(near), near.minus(F::all(1.0)), near);
-    F::pick(x.size().below(whole), below, x)
+    let whole = F::splat(WHOLE);
+    let away = F::select(x.lt(F::splat(0.0)), -whole, whole);
+    let near = x + away - away;
+    let below = F::select(x.lt(near), near - F::splat(1.0), near);
+    F::select(x.abs().lt(whole), below, x)
 }
 
 /// What is left of `x` after whole multiples of a whole number `m` up to 1,024: `x.rem_euclid(m)`, but for the sign of

@@ -3,7 +3,7 @@
 use super::{ENDLESS, GRADE_CARE, Graded, Scale};
 use crate::base::film::Pixel;
 use crate::base::math::powers::power;
-use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
+use crate::base::math::simd::{F64x4, SimdKernel, with_widest};
 
 /// The pixels of a tile, with the row above and the column left of it, numbered row by row.
 pub(super) struct Centres {
@@ -72,7 +72,7 @@ impl Centres {
         let colors = &mut self.grades[..3];
         with_widest(
             #[inline(always)]
-            |lanes| fours(lanes, Grading(colors, scale.exponent)),
+            |lanes| lanes.run(Grading(colors, scale.exponent)),
         );
     }
 
@@ -88,7 +88,7 @@ impl Centres {
                     threshold,
                     apart: &mut apart,
                 };
-                fours(lanes, work);
+                lanes.run(work);
             },
         );
         apart
@@ -103,15 +103,15 @@ impl Centres {
 /// Makes estimates of the powers of values out of the values.
 struct Grading<'a>(&'a mut [Vec<f64>], f64);
 
-impl FourWork for Grading<'_> {
-    type Answer = ();
+impl SimdKernel for Grading<'_> {
+    type Output = ();
 
     #[inline(always)]
     fn run<F: F64x4>(self) {
         let Grading(channels, exponent) = self;
         for channel in channels {
             for values in channel.as_chunks_mut::<4>().0 {
-                *values = power(F::load(values), exponent).store();
+                *values = power(F::from_array(values), exponent).to_array();
             }
         }
     }
@@ -129,30 +129,27 @@ impl Comparing<'_> {
     /// Tells of four pixels which are sure to differ from those so far before them, and of which that is unsure.
     #[inline(always)]
     fn four<F: F64x4>(&self, at: usize, before: usize) -> (u32, u32) {
-        let (mut size, mut difference) = (F::all(0.0), F::all(0.0));
+        let (mut size, mut difference) = (F::splat(0.0), F::splat(0.0));
         for channel in &self.centres.grades[..self.scale.channels()] {
             let four = |at: usize| {
                 let first = channel.get(at..).and_then(|rest| rest.first_chunk());
-                first.map_or(F::all(0.0), F::load)
+                first.map_or(F::splat(0.0), F::from_array)
             };
             let (a, b) = (four(at), four(at - before));
-            size = size.plus(a.plus(b));
-            difference = difference.plus(a.minus(b).size());
+            size = size + (a + b);
+            difference = difference + (a - b).abs();
         }
         let [share, more] = GRADE_CARE;
-        let threshold = F::all(self.threshold);
-        let care = F::all(share).times(size).plus(F::all(more));
-        let is_sure = F::both(
-            size.below(F::all(ENDLESS)),
-            care.below(difference.minus(threshold).size()),
-        );
-        let differ = F::bits(F::both(is_sure, threshold.below(difference)));
-        (differ, 0b1111 & !F::bits(is_sure))
+        let threshold = F::splat(self.threshold);
+        let care = F::splat(share) * size + F::splat(more);
+        let is_sure = size.lt(F::splat(ENDLESS)) & care.lt((difference - threshold).abs());
+        let differ = F::bitmask(is_sure & threshold.lt(difference));
+        (differ, 0b1111 & !F::bitmask(is_sure))
     }
 }
 
-impl FourWork for Comparing<'_> {
-    type Answer = ();
+impl SimdKernel for Comparing<'_> {
+    type Output = ();
 
     #[inline(always)]
     fn run<F: F64x4>(self) {

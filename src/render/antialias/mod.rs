@@ -20,7 +20,7 @@ use crate::base::color::Gamma;
 use crate::base::film::Pixel;
 use crate::base::math::jitter;
 use crate::base::math::powers::{POWER_ERROR, power};
-use crate::base::math::simd::{F64x4, FourWork, fours, with_widest};
+use crate::base::math::simd::{F64x4, SimdKernel, with_widest};
 use crate::base::options::{Antialias, Method, RenderOptions};
 use crate::render::shade::{BLOCK, BlockScratch, Sample, Tracer};
 use corners::Corners;
@@ -115,7 +115,7 @@ impl Scale {
             let values = self.values(pixel);
             let [r, g, b, _] = with_widest(
                 #[inline(always)]
-                |lanes| fours(lanes, Powers(values, self.exponent)),
+                |lanes| lanes.run(Powers(values, self.exponent)),
             );
             [r, g, b, values[3]]
         } else {
@@ -144,13 +144,13 @@ impl Scale {
 /// Estimates of powers of four values.
 struct Powers([f64; 4], f64);
 
-impl FourWork for Powers {
-    type Answer = [f64; 4];
+impl SimdKernel for Powers {
+    type Output = [f64; 4];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [f64; 4] {
         let Powers(values, exponent) = self;
-        power(F::load(&values), exponent).store()
+        power(F::from_array(&values), exponent).to_array()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where photons lie, number by number, so that the distances of many are worked out together.
 
 use super::Photon;
-use crate::base::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec3;
 
 /// By this the distance of photons counts more that lie above or below the surface.
@@ -80,7 +80,7 @@ impl Columns {
                     normal,
                     reach_sq,
                 };
-                four(lanes, &measuring)
+                lanes.run(measuring)
             },
         )
     }
@@ -100,11 +100,11 @@ struct Measuring<'c> {
     reach_sq: f64,
 }
 
-impl FourKernel for Measuring<'_> {
-    type Answer = Distances;
+impl SimdKernel for Measuring<'_> {
+    type Output = Distances;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> Distances {
+    fn run<F: F64x4>(self) -> Distances {
         let mut answer = Distances {
             squares: [0.0; BLOCK],
             near: 0,
@@ -112,7 +112,7 @@ impl FourKernel for Measuring<'_> {
         let point = self.point.to_array();
         let mut first = 0;
         while first < BLOCK {
-            let mut to_photon = [F::all(0.0); 3];
+            let mut to_photon = [F::splat(0.0); 3];
             let mut axis = 0;
             while axis < 3 {
                 let x = self.places[axis];
@@ -122,12 +122,12 @@ impl FourKernel for Measuring<'_> {
                     f64::from(x[first + 2]),
                     f64::from(x[first + 3]),
                 ];
-                to_photon[axis] = F::load(&places).minus(F::all(point[axis]));
+                to_photon[axis] = F::from_array(&places) - F::splat(point[axis]);
                 axis += 1;
             }
             let square = measured(to_photon, self.normal);
-            answer.squares[first..first + 4].copy_from_slice(&square.store());
-            answer.near |= F::bits(square.below(F::all(self.reach_sq))) << first;
+            answer.squares[first..first + 4].copy_from_slice(&square.to_array());
+            answer.near |= F::bitmask(square.lt(F::splat(self.reach_sq))) << first;
             first += 4;
         }
         answer
@@ -137,10 +137,10 @@ impl FourKernel for Measuring<'_> {
 /// The square of a distance, larger above or below the surface.
 #[inline(always)]
 fn measured<F: F64Lanes>([x, y, z]: [F; 3], normal: DVec3) -> F {
-    let square = x.times(x).plus(y.times(y)).plus(z.times(z));
-    let [a, b, c] = [F::all(normal.x), F::all(normal.y), F::all(normal.z)];
-    let above = a.times(x).plus(b.times(y)).plus(c.times(z)).size();
-    square.times(F::all(1.0).plus(F::all(FLATTENING).times(above)))
+    let square = x * x + y * y + z * z;
+    let [a, b, c] = [F::splat(normal.x), F::splat(normal.y), F::splat(normal.z)];
+    let above = (a * x + b * y + c * z).abs();
+    square * (F::splat(1.0) + F::splat(FLATTENING) * above)
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::perspective::NOISE;
 use super::{Camera, Frame, Projection};
-use crate::base::math::simd::three::{Vec3Lanes, dot, plus, same, scaled, sizes, store};
-use crate::base::math::simd::{F64Lanes, F64x4, FourWork, SimdLevel, fours};
+use crate::base::math::simd::vec3::{Vec3Lanes, abs, add, dot, scale, splat, to_arrays};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 
 /// The directions of four rays.
 type FourDirs = [[f64; 4]; 3];
@@ -17,8 +17,8 @@ struct Points<'a, T> {
     take: T,
 }
 
-impl<T: FnMut(usize, FourDirs)> FourWork for Points<'_, T> {
-    type Answer = bool;
+impl<T: FnMut(usize, FourDirs)> SimdKernel for Points<'_, T> {
+    type Output = bool;
 
     /// Hands the directions to `take`; false as soon as one needs care.
     #[inline(always)]
@@ -28,11 +28,11 @@ impl<T: FnMut(usize, FourDirs)> FourWork for Points<'_, T> {
             for lane in 0..4 {
                 (x[lane], y[lane]) = places[lane.min(places.len() - 1)];
             }
-            let (dir, is_sure) = self.dirs(F::load(&x), F::load(&y));
-            if F::bits(is_sure) != 0b1111 {
+            let (dir, is_sure) = self.dirs(F::from_array(&x), F::from_array(&y));
+            if F::bitmask(is_sure) != 0b1111 {
                 return false;
             }
-            (self.take)(number, store(dir));
+            (self.take)(number, to_arrays(dir));
         }
         true
     }
@@ -42,33 +42,24 @@ impl<T> Points<'_, T> {
     /// The directions, and which of them need no care.
     #[inline(always)]
     fn dirs<F: F64Lanes>(&self, x: F, y: F) -> (Vec3Lanes<F>, F::Mask) {
-        let half = F::all(0.5);
-        let (width, height) = (F::all(self.width), F::all(self.height));
-        let u = x.plus(half).over(width).minus(half);
-        let down = y.minus(half);
-        let v = F::all(self.height - 1.0)
-            .minus(down)
-            .over(height)
-            .minus(half);
-        let right = scaled(same(self.frame.right), u);
-        let up = scaled(same(self.frame.up), v);
-        let dir = plus(plus(same(self.frame.direction), right), up);
-        let terms = plus(
-            plus(sizes(same(self.frame.direction)), sizes(right)),
-            sizes(up),
-        );
-        let noise = scaled(terms, F::all(NOISE));
+        let half = F::splat(0.5);
+        let (width, height) = (F::splat(self.width), F::splat(self.height));
+        let u = (x + half) / width - half;
+        let down = y - half;
+        let v = (F::splat(self.height - 1.0) - down) / height - half;
+        let right = scale(splat(self.frame.right), u);
+        let up = scale(splat(self.frame.up), v);
+        let dir = add(add(splat(self.frame.direction), right), up);
+        let terms = add(add(abs(splat(self.frame.direction)), abs(right)), abs(up));
+        let noise = scale(terms, F::splat(NOISE));
         let dir = [
-            F::pick(dir[0].size().below(noise[0]), F::all(0.0), dir[0]),
-            F::pick(dir[1].size().below(noise[1]), F::all(0.0), dir[1]),
-            F::pick(dir[2].size().below(noise[2]), F::all(0.0), dir[2]),
+            F::select(dir[0].abs().lt(noise[0]), F::splat(0.0), dir[0]),
+            F::select(dir[1].abs().lt(noise[1]), F::splat(0.0), dir[1]),
+            F::select(dir[2].abs().lt(noise[2]), F::splat(0.0), dir[2]),
         ];
-        let length = dot(dir, dir).root();
-        let is_normal = F::both(
-            F::all(f64::MIN_POSITIVE).not_above(length),
-            length.below(F::all(f64::INFINITY)),
-        );
-        (scaled(dir, F::all(1.0).over(length)), is_normal)
+        let length = dot(dir, dir).sqrt();
+        let is_normal = F::splat(f64::MIN_POSITIVE).le(length) & length.lt(F::splat(f64::INFINITY));
+        (scale(dir, F::splat(1.0) / length), is_normal)
     }
 }
 
@@ -94,7 +85,7 @@ impl Camera {
             height: f64::from(height),
             take,
         };
-        fours(lanes, points)
+        lanes.run(points)
     }
 }
 

@@ -17,7 +17,7 @@ use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::base::accel::Bvh;
 use crate::base::args::{Args, Parse, Word, declared};
 use crate::base::math::conditioning::power_of_two;
-use crate::base::math::simd::{SimdLevel, four, with_widest};
+use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::watertight::{
     RayFrame, RayFrames4, RaysAndTriangle, TriangleHit, TriangleHits4,
 };
@@ -141,7 +141,7 @@ impl Mesh {
         face: u32,
     ) -> TriangleHits4 {
         let corners = &self.0.corners(face);
-        four(lanes, &RaysAndTriangle { rays, corners })
+        lanes.run(RaysAndTriangle { rays, corners })
     }
 
     /// The root of a patch on a triangle.

@@ -1,10 +1,10 @@
 //! Which places on four rays lie clearly outside of a solid: where one does, no end of the solid's span is needed to know
 //! that the solid does not take it away.
 
-use super::packet::{RayPacket, across, dot, minus, plus, same, scaled};
+use super::packet::{RayPacket, across, add, dot, scale, splat, sub};
 use super::{Cuboid, Shape};
 use crate::base::math::simd::F64Lanes;
-use crate::base::math::simd::three::Vec3Lanes;
+use crate::base::math::simd::vec3::Vec3Lanes;
 use glam::DVec3;
 
 /// Outside of a solid by this share of its size a point is outside by any rounding, if neither the point nor the start of
@@ -21,17 +21,15 @@ impl Shape {
             Shape::Sphere(sphere) => {
                 let (p, place) = seen_from(rays, t, sphere.centre);
                 let size = sphere.radius;
-                F::both(
-                    F::all(size * size * (1.0 + CLEARLY)).below(dot(place, place)),
-                    are_near(p, place, size),
-                )
+                F::splat(size * size * (1.0 + CLEARLY)).lt(dot(place, place))
+                    & are_near(p, place, size)
             }
             Shape::Cylinder(cylinder) => {
                 let (base, unit, size) = cylinder.rod();
                 let (p, place) = seen_from(rays, t, base);
-                let aside = across(same(unit), place);
-                let is_beside = F::all(size * size * (1.0 + CLEARLY)).below(dot(aside, aside));
-                F::both(is_beside, are_near(p, place, size))
+                let aside = across(splat(unit), place);
+                let is_beside = F::splat(size * size * (1.0 + CLEARLY)).lt(dot(aside, aside));
+                is_beside & are_near(p, place, size)
             }
             Shape::Cuboid(Cuboid { min, max }) => {
                 let (p, place) = seen_from(rays, t, *min);
@@ -39,13 +37,13 @@ impl Shape {
                 let (below, above) = (-CLEARLY * size, *max - *min + CLEARLY * size);
                 let is_beside = |axis: usize| {
                     let place = place[axis];
-                    let is_above = F::all(above[axis]).below(place);
-                    F::either(place.below(F::all(below)), is_above)
+                    let is_above = F::splat(above[axis]).lt(place);
+                    place.lt(F::splat(below)) | is_above
                 };
-                let is_beside = F::either(F::either(is_beside(0), is_beside(1)), is_beside(2));
-                F::both(is_beside, are_near(p, place, size))
+                let is_beside = (is_beside(0) | is_beside(1)) | is_beside(2);
+                is_beside & are_near(p, place, size)
             }
-            _ => F::mask(0),
+            _ => F::mask_from_bits(0),
         }
     }
 }
@@ -53,17 +51,17 @@ impl Shape {
 /// Where four rays start, and where they are at `t`, both from a point.
 #[inline(always)]
 fn seen_from<F: F64Lanes>(rays: &RayPacket<F>, t: F, from: DVec3) -> (Vec3Lanes<F>, Vec3Lanes<F>) {
-    let p = minus(rays.origin, same(from));
-    (p, plus(p, scaled(rays.dir, t)))
+    let p = sub(rays.origin, splat(from));
+    (p, add(p, scale(rays.dir, t)))
 }
 
 /// Whether four rays start, and places on them lie, near enough to a solid of this size for [`CLEARLY`] to hold.
 #[inline(always)]
 fn are_near<F: F64Lanes>(start: Vec3Lanes<F>, place: Vec3Lanes<F>, size: f64) -> F::Mask {
-    let limit = F::all(NEAR_ENOUGH * size);
-    let farther = dot(start, start).larger(dot(place, place));
+    let limit = F::splat(NEAR_ENOUGH * size);
+    let farther = dot(start, start).lane_max(dot(place, place));
     // Not a number is not near: it comes out of `larger` if it is the second, and the start is a number.
-    farther.below(limit.times(limit))
+    farther.lt(limit * limit)
 }
 
 #[cfg(test)]
@@ -72,23 +70,24 @@ mod tests {
     use crate::base::args::text::TextArgs;
     use crate::base::math::Ray;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{FourKernel, SimdLevel, four};
+    use crate::base::math::simd::{SimdKernel, SimdLevel};
     use crate::scene::shape::{Cylinder, Geometry, Sphere};
 
     /// Asks which places on four rays lie clearly outside.
+    #[derive(Clone, Copy)]
     struct Clear<'a> {
         shape: &'a Shape,
         rays: [Ray; 4],
         t: [f64; 4],
     }
 
-    impl FourKernel for Clear<'_> {
-        type Answer = u32;
+    impl SimdKernel for Clear<'_> {
+        type Output = u32;
 
-        fn run<F: F64Lanes>(&self) -> u32 {
-            F::bits(
+        fn run<F: F64Lanes>(self) -> u32 {
+            F::bitmask(
                 self.shape
-                    .four_clear(&RayPacket::<F>::of_each(&self.rays), F::load(&self.t)),
+                    .four_clear(&RayPacket::<F>::of_each(&self.rays), F::from_array(&self.t)),
             )
         }
     }
@@ -116,8 +115,8 @@ mod tests {
                     root.map_or_else(|| 2.0 * rng.share(), |root| root.t)
                 });
                 let asked = Clear { shape, rays, t };
-                let found = four(SimdLevel::widest(), &asked);
-                assert_eq!(found, four(SimdLevel::NARROW, &asked));
+                let found = SimdLevel::widest().run(asked);
+                assert_eq!(found, SimdLevel::NARROW.run(asked));
                 for lane in 0..4 {
                     let ray = &rays[lane];
                     let is_inside = shape.contains(ray.at(t[lane]));

@@ -6,8 +6,8 @@ use crate::base::math::Ray;
 use crate::base::math::conditioning::{COMFORTABLE_SQUARE, FAR_SQUARE, is_comfortable_size};
 use crate::base::math::roots::ray_sphere::MARGIN;
 use crate::base::math::simd::F64Lanes;
-pub(crate) use crate::base::math::simd::three::Vec3Lanes;
-pub(super) use crate::base::math::simd::three::{dot, minus, plus, same, scaled};
+pub(crate) use crate::base::math::simd::vec3::Vec3Lanes;
+pub(super) use crate::base::math::simd::vec3::{add, dot, scale, splat, sub};
 use glam::DAffine3;
 
 /// Places for roots: a torus has up to four on each of two stretches.
@@ -35,15 +35,16 @@ impl<F: F64Lanes> SpanPacket<F> {
     /// Spans of lines of which those with `is_known` need no care by this shape's own reckoning.
     #[inline(always)]
     pub(super) fn new((enter, leave): (F, F), is_met: F::Mask, is_known: F::Mask) -> Self {
-        let endless = F::all(f64::INFINITY);
-        let is_finite = F::both(enter.size().below(endless), leave.size().below(endless));
+        let endless = F::splat(f64::INFINITY);
+        let is_finite = enter.abs().lt(endless) & leave.abs().lt(endless);
         // A span without length is left to the rules of single rays, too.
-        let is_plain = F::both(is_finite, F::either(enter.below(leave), leave.below(enter)));
+        let is_plain = is_finite & (enter.lt(leave) | leave.lt(enter));
         SpanPacket {
             enter,
             leave,
-            is_met: F::both(is_met, enter.below(leave)),
-            unknown: 0b1111 & (!F::bits(is_known) | (F::bits(is_met) & !F::bits(is_plain))),
+            is_met: is_met & enter.lt(leave),
+            unknown: 0b1111
+                & (!F::bitmask(is_known) | (F::bitmask(is_met) & !F::bitmask(is_plain))),
         }
     }
 }
@@ -52,15 +53,15 @@ impl<F: F64Lanes> SpanPacket<F> {
     /// The first ends with `from < t <= far`.
     #[inline(always)]
     pub(super) fn nearest(&self, from: F, far: F) -> NearestPacket<F> {
-        let within = F::both(from.below(self.enter), self.enter.not_above(far));
-        let enters = F::both(self.is_met, within);
-        let within = F::both(from.below(self.leave), self.leave.not_above(far));
-        let leaves = F::both(self.is_met, within);
-        let enters_bits = F::bits(enters);
+        let within = from.lt(self.enter) & self.enter.le(far);
+        let enters = self.is_met & within;
+        let within = from.lt(self.leave) & self.leave.le(far);
+        let leaves = self.is_met & within;
+        let enters_bits = F::bitmask(enters);
         NearestPacket {
-            t: F::pick(enters, self.enter, self.leave),
-            leaves: F::bits(leaves) & !enters_bits,
-            met: enters_bits | F::bits(leaves),
+            t: F::select(enters, self.enter, self.leave),
+            leaves: F::bitmask(leaves) & !enters_bits,
+            met: enters_bits | F::bitmask(leaves),
             unknown: self.unknown,
         }
     }
@@ -91,7 +92,7 @@ impl<F: F64Lanes> NearestPacket<F> {
     #[inline(always)]
     fn load(found: &FourFound) -> Self {
         NearestPacket {
-            t: F::load(&found.t),
+            t: F::from_array(&found.t),
             leaves: 0,
             met: found.met,
             unknown: found.unknown,
@@ -103,7 +104,7 @@ impl<F: F64Lanes> RootPacket<F> {
     #[inline(always)]
     pub(super) fn none(unknown: u32) -> Self {
         RootPacket {
-            t: [F::all(f64::INFINITY); MOST_ROOTS],
+            t: [F::splat(f64::INFINITY); MOST_ROOTS],
             met: [0; MOST_ROOTS],
             unknown,
         }
@@ -114,19 +115,19 @@ impl<F: F64Lanes> RootPacket<F> {
     #[inline(always)]
     pub(crate) fn nearest(&self, from: F, far: F, left: [u32; 2]) -> NearestPacket<F> {
         let mut nearest = NearestPacket {
-            t: F::all(f64::INFINITY),
+            t: F::splat(f64::INFINITY),
             leaves: 0,
             met: 0,
             unknown: self.unknown,
         };
-        let mut hidden = F::all(f64::NAN);
+        let mut hidden = F::splat(f64::NAN);
         if left != [0, 0] {
-            let mut size = F::all(f64::INFINITY);
+            let mut size = F::splat(f64::INFINITY);
             for place in 0..MOST_ROOTS {
-                let own = F::mask(self.met[place] & left[place % 2]);
-                let is_nearer = F::both(own, self.t[place].size().below(size));
-                size = F::pick(is_nearer, self.t[place].size(), size);
-                hidden = F::pick(is_nearer, self.t[place], hidden);
+                let own = F::mask_from_bits(self.met[place] & left[place % 2]);
+                let is_nearer = own & self.t[place].abs().lt(size);
+                size = F::select(is_nearer, self.t[place].abs(), size);
+                hidden = F::select(is_nearer, self.t[place], hidden);
             }
         }
         let mut passed = 0;
@@ -134,12 +135,12 @@ impl<F: F64Lanes> RootPacket<F> {
             if self.met[place] == 0 {
                 continue;
             }
-            let is_hidden = F::bits(self.t[place].equals(hidden)) & self.met[place];
+            let is_hidden = F::bitmask(self.t[place].eq(hidden)) & self.met[place];
             nearest.unknown |= is_hidden & passed;
             passed |= is_hidden;
-            let is_within = F::both(from.below(self.t[place]), self.t[place].not_above(far));
-            let new = F::bits(is_within) & self.met[place] & !is_hidden & !nearest.met;
-            nearest.t = F::pick(F::mask(new), self.t[place], nearest.t);
+            let is_within = from.lt(self.t[place]) & self.t[place].le(far);
+            let new = F::bitmask(is_within) & self.met[place] & !is_hidden & !nearest.met;
+            nearest.t = F::select(F::mask_from_bits(new), self.t[place], nearest.t);
             if place % 2 == 1 {
                 nearest.leaves |= new;
             }
@@ -154,7 +155,7 @@ impl<F: F64Lanes> RayPacket<F> {
     #[cfg(test)]
     pub(super) fn of_each(rays: &[Ray; 4]) -> Self {
         let axis = |of: fn(&Ray) -> glam::DVec3, axis: usize| {
-            F::load(&[0, 1, 2, 3].map(|i| of(&rays[i])[axis]))
+            F::from_array(&[0, 1, 2, 3].map(|i| of(&rays[i])[axis]))
         };
         RayPacket {
             origin: [0, 1, 2].map(|i| axis(|ray| ray.origin, i)),
@@ -180,7 +181,7 @@ impl<F: F64Lanes> RayPacket<F> {
     pub(crate) fn to_object(self, matrix: &DAffine3) -> Self {
         let turned = turned(self.origin, matrix);
         RayPacket {
-            origin: plus(turned, same(matrix.translation)),
+            origin: add(turned, splat(matrix.translation)),
             dir: self::turned(self.dir, matrix),
         }
     }
@@ -195,11 +196,11 @@ fn turned<F: F64Lanes>(v: Vec3Lanes<F>, matrix: &DAffine3) -> Vec3Lanes<F> {
         matrix.matrix3.z_axis,
     );
     let [x, y, z] = [
-        scaled(same(x), v[0]),
-        scaled(same(y), v[1]),
-        scaled(same(z), v[2]),
+        scale(splat(x), v[0]),
+        scale(splat(y), v[1]),
+        scale(splat(z), v[2]),
     ];
-    plus(plus(x, y), z)
+    add(add(x, y), z)
 }
 
 impl Shape {
@@ -270,12 +271,12 @@ impl Shape {
             Shape::Sphere(sphere) => sphere.four_left_behind(rays),
             Shape::Torus(torus) => torus.four_left_behind(rays),
             Shape::Superellipsoid(superellipsoid) => {
-                let none = F::all(0.0);
+                let none = F::splat(0.0);
                 let rays = FourAsked::new(rays, (none, none), [0, 0], 0b1111);
-                F::mask(superellipsoid.four_left_behind(&rays))
+                F::mask_from_bits(superellipsoid.four_left_behind(&rays))
             }
             Shape::Plane(plane) => plane.four_left_behind(rays),
-            _ => F::mask(0),
+            _ => F::mask_from_bits(0),
         }
     }
 
@@ -297,7 +298,7 @@ impl Shape {
                 let spans = sphere.four(rays);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
-                roots.met[0] = F::bits(spans.is_met);
+                roots.met[0] = F::bitmask(spans.is_met);
                 roots.met[1] = roots.met[0];
                 roots
             }
@@ -317,8 +318,12 @@ impl Shape {
             Shape::Plane(plane) => plane.four(rays),
             Shape::Quadric(quadric) => quadric.four(rays, within),
             _ => {
-                let nothing = F::all(0.0);
-                SpanPacket::new((nothing, nothing), F::mask(0), F::mask(0))
+                let nothing = F::splat(0.0);
+                SpanPacket::new(
+                    (nothing, nothing),
+                    F::mask_from_bits(0),
+                    F::mask_from_bits(0),
+                )
             }
         }
     }
@@ -327,18 +332,15 @@ impl Shape {
 /// The parts of four vectors across an axis.
 #[inline(always)]
 pub(super) fn across<F: F64Lanes>(unit: Vec3Lanes<F>, v: Vec3Lanes<F>) -> Vec3Lanes<F> {
-    minus(v, scaled(unit, dot(unit, v)))
+    sub(v, scale(unit, dot(unit, v)))
 }
 
 /// Whether four rays can be worked on without rescaling, besides the size of the body.
 #[inline(always)]
 pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
-    let least = F::all(1.0 / COMFORTABLE_SQUARE);
-    let is_way = F::both(
-        least.not_above(dir_sq),
-        dir_sq.below(F::all(COMFORTABLE_SQUARE)),
-    );
-    F::both(is_way, origin_sq.below(F::all(FAR_SQUARE)))
+    let least = F::splat(1.0 / COMFORTABLE_SQUARE);
+    let is_way = least.le(dir_sq) & dir_sq.lt(F::splat(COMFORTABLE_SQUARE));
+    is_way & origin_sq.lt(F::splat(FAR_SQUARE))
 }
 
 /// Four chords of a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds each: enter, leave, and which
@@ -352,26 +354,26 @@ pub(super) fn chords<F: F64Lanes>(
     let a = dot(dir, dir);
     let b = dot(p, dir);
     let from_centre_sq = dot(p, p);
-    let (r, r_sq) = (F::all(radius), F::all(radius * radius));
-    let size = from_centre_sq.times(a);
-    let off = size.minus(size.times(F::all(MARGIN))).minus(b.times(b));
-    let is_far = r_sq.times(a).below(off);
-    if F::bits(is_far) == 0b1111 {
-        return (a, a, F::mask(0));
+    let (r, r_sq) = (F::splat(radius), F::splat(radius * radius));
+    let size = from_centre_sq * a;
+    let off = size - size * F::splat(MARGIN) - b * b;
+    let is_far = (r_sq * a).lt(off);
+    if F::bitmask(is_far) == 0b1111 {
+        return (a, a, F::mask_from_bits(0));
     }
-    let along = b.negated().over(a);
-    let nearest = plus(p, scaled(dir, along));
+    let along = -b / a;
+    let nearest = add(p, scale(dir, along));
     let nearest_sq = dot(nearest, nearest);
-    let distance = nearest_sq.root();
-    let half_sq = r.minus(distance).times(r.plus(distance));
-    let from_centre = from_centre_sq.root();
-    let c = from_centre.minus(r).times(from_centre.plus(r));
-    let root = a.times(half_sq).root();
-    let is_ahead = b.below(F::all(0.0));
-    let q = F::pick(is_ahead, root.minus(b), root.plus(b).negated());
-    let (t, other) = (q.over(a), c.over(q));
-    let is_met = F::both(nearest_sq.below(r_sq), F::all(0.0).below(half_sq));
-    (t.smaller(other), t.larger(other), is_met)
+    let distance = nearest_sq.sqrt();
+    let half_sq = (r - distance) * (r + distance);
+    let from_centre = from_centre_sq.sqrt();
+    let c = (from_centre - r) * (from_centre + r);
+    let root = (a * half_sq).sqrt();
+    let is_ahead = b.lt(F::splat(0.0));
+    let q = F::select(is_ahead, root - b, -(root + b));
+    let (t, other) = (q / a, c / q);
+    let is_met = nearest_sq.lt(r_sq) & F::splat(0.0).lt(half_sq);
+    (t.lane_min(other), t.lane_max(other), is_met)
 }
 
 #[cfg(test)]
@@ -380,25 +382,26 @@ mod tests {
     use crate::base::args::text::TextArgs;
     use crate::base::math::Bounds;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{FourKernel, SimdLevel, four};
+    use crate::base::math::simd::{SimdKernel, SimdLevel};
     use crate::scene::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;
 
     /// What is known of the roots of four rays, as single rays know it.
+    #[derive(Clone, Copy)]
     struct Asked<'a> {
         shape: &'a Shape,
         rays: [Ray; 4],
     }
 
-    impl FourKernel for Asked<'_> {
-        type Answer = [Option<Vec<(f64, Crossing)>>; 4];
+    impl SimdKernel for Asked<'_> {
+        type Output = [Option<Vec<(f64, Crossing)>>; 4];
 
-        fn run<F: F64Lanes>(&self) -> Self::Answer {
+        fn run<F: F64Lanes>(self) -> Self::Output {
             let rays = RayPacket::<F>::of_each(&self.rays);
             let roots = if self.shape.has_four() {
-                let all = F::all(f64::INFINITY);
-                let spans = self.shape.four(&rays, (all.negated(), all));
-                let met = F::bits(spans.is_met);
+                let all = F::splat(f64::INFINITY);
+                let spans = self.shape.four(&rays, (-all, all));
+                let met = F::bitmask(spans.is_met);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
                 (roots.met[0], roots.met[1]) = (met, met);
@@ -410,7 +413,7 @@ mod tests {
                 let has = |bits: u32| bits >> lane & 1 == 1;
                 let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
                 let there = (0..MOST_ROOTS).filter(|&place| has(roots.met[place]));
-                let known = there.map(|place| (roots.t[place].store()[lane], crossing(place)));
+                let known = there.map(|place| (roots.t[place].to_array()[lane], crossing(place)));
                 let known = known.filter(|(t, _)| t.is_finite());
                 (!has(roots.unknown)).then(|| known.collect())
             })
@@ -444,10 +447,7 @@ mod tests {
             for _ in 0..4000 {
                 let rays = [(); 4].map(|()| rng.ray_near(&bounds));
                 let asked = Asked { shape, rays };
-                let (wide, narrow) = (
-                    four(SimdLevel::widest(), &asked),
-                    four(SimdLevel::NARROW, &asked),
-                );
+                let (wide, narrow) = (SimdLevel::widest().run(asked), SimdLevel::NARROW.run(asked));
                 assert_eq!(wide, narrow);
                 for (ray, found) in rays.iter().zip(wide) {
                     let Some(found) = found else { continue };
@@ -465,6 +465,7 @@ mod tests {
 
     /// Asks whether a ball lies on four rays, with and without its roots: `(met, unknown)` each, and whether the places
     /// that are told differ.
+    #[derive(Clone, Copy)]
     struct InTheWay<'a> {
         sphere: &'a Sphere,
         rays: [Ray; 4],
@@ -472,15 +473,15 @@ mod tests {
         far: [f64; 4],
     }
 
-    impl FourKernel for InTheWay<'_> {
-        type Answer = ([(u32, u32); 2], bool);
+    impl SimdKernel for InTheWay<'_> {
+        type Output = ([(u32, u32); 2], bool);
 
-        fn run<F: F64Lanes>(&self) -> Self::Answer {
+        fn run<F: F64Lanes>(self) -> Self::Output {
             let rays = RayPacket::<F>::of_each(&self.rays);
-            let (from, far) = (F::load(&self.from), F::load(&self.far));
+            let (from, far) = (F::from_array(&self.from), F::from_array(&self.far));
             let any = self.sphere.any_of_four(&rays, (from, far), 0b1111);
             let first = self.sphere.nearest_of_four(&rays, from, far);
-            let differs = any.t.store() != first.t.store() && any.met != 0;
+            let differs = any.t.to_array() != first.t.to_array() && any.met != 0;
             (
                 [(any.met, any.unknown), (first.met, first.unknown)],
                 differs,
@@ -516,10 +517,7 @@ mod tests {
                 from,
                 far,
             };
-            let (wide, narrow) = (
-                four(SimdLevel::widest(), &asked),
-                four(SimdLevel::NARROW, &asked),
-            );
+            let (wide, narrow) = (SimdLevel::widest().run(asked), SimdLevel::NARROW.run(asked));
             assert_eq!(wide, narrow);
             let ([any, first], differs) = wide;
             let known = 0b1111 & !any.1 & !first.1;

@@ -5,7 +5,7 @@ use super::Shape;
 use super::packet::RayPacket;
 use crate::base::math::Ray;
 use crate::base::math::simd::F64Lanes;
-use crate::base::math::simd::three::{load, store};
+use crate::base::math::simd::vec3::{from_arrays, to_arrays};
 use glam::DVec3;
 
 /// Four rays that look for the first root of a shape.
@@ -39,10 +39,10 @@ impl FourAsked {
         there: u32,
     ) -> Self {
         FourAsked {
-            origin: store(rays.origin),
-            dir: store(rays.dir),
-            from: from.store(),
-            far: far.store(),
+            origin: to_arrays(rays.origin),
+            dir: to_arrays(rays.dir),
+            from: from.to_array(),
+            far: far.to_array(),
             left: left[0] | left[1],
             there,
         }
@@ -51,8 +51,8 @@ impl FourAsked {
     #[inline(always)]
     pub(super) fn rays<F: F64Lanes>(&self) -> RayPacket<F> {
         RayPacket {
-            origin: load(&self.origin),
-            dir: load(&self.dir),
+            origin: from_arrays(&self.origin),
+            dir: from_arrays(&self.dir),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::base::accel::packet::{
     DOUBT, LANES, PacketAndBox, PacketAndSphere, RayPacket8, all, dot, frame_end, load,
 };
 use crate::base::math::rounding::nearest;
-use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use glam::{DVec3, Vec3};
 
 /// Adding and subtracting this rounds a small number, negative or not, to a whole one: 1.5 times 2 to the 23.
@@ -81,7 +81,7 @@ impl LightBuffer {
     ) -> u32 {
         let vista = self;
         let group = &rays.group;
-        let (cells, inside) = eight(lanes, &CellsOfRays { vista, group });
+        let (cells, inside) = lanes.run(CellsOfRays { vista, group });
         let there = rays.there;
         let mut left = inside & there;
         // One place that visits: what it does is compiled into it.
@@ -105,7 +105,7 @@ impl LightBuffer {
             }
             let cell = cells[left.trailing_zeros() as usize % LANES];
             let cells = &cells;
-            asked = left & eight(lanes, &EqualCells { cells, cell });
+            asked = left & lanes.run(EqualCells { cells, cell });
             left &= !asked;
             items = self.raster.items(number_of(cell));
         }
@@ -121,18 +121,18 @@ impl LightBuffer {
             centre: Vec3::from_array(known.centre),
             radius: known.radius,
         };
-        let mut may_meet = eight(lanes, &ball);
+        let mut may_meet = lanes.run(ball);
         if may_meet == 0 {
             return 0;
         }
         let form = self.form(item);
         if form.slab != NONE {
             let slab = &self.slabs[form.slab as usize];
-            may_meet &= eight(lanes, &PacketAndBox { group, slab });
+            may_meet &= lanes.run(PacketAndBox { group, slab });
         }
         if may_meet != 0 && form.rod != NONE {
             let rod = &self.rods[form.rod as usize];
-            may_meet &= eight(lanes, &PacketAndCylinder { group, rod });
+            may_meet &= lanes.run(PacketAndCylinder { group, rod });
         }
         may_meet
     }
@@ -216,29 +216,26 @@ struct CellsOfRays<'a> {
     group: &'a RayPacket8,
 }
 
-impl Kernel for CellsOfRays<'_> {
-    type Answer = ([f32; LANES], u32);
+impl SimdKernel for CellsOfRays<'_> {
+    type Output = ([f32; LANES], u32);
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> ([f32; LANES], u32) {
+    fn run<F: F64x4>(self) -> ([f32; LANES], u32) {
         let Grid { rate, start, size } = self.vista.raster.grid;
-        let dir: [E; 3] = load(&self.group.dir);
+        let dir: [F::F32; 3] = load(&self.group.dir);
         let depth = dot(all(self.vista.axes[2]), dir);
-        let mut inside = E::all(f32::MIN_POSITIVE).not_above(depth);
-        let mut cells = E::all(0.0);
+        let mut inside = <F::F32>::splat(f32::MIN_POSITIVE).le(depth);
+        let mut cells = <F::F32>::splat(0.0);
         for side in [1, 0] {
-            let slope = dot(all(self.vista.axes[side]), dir).over(depth);
-            let at = slope.times(E::all(rate[side])).plus(E::all(start[side]));
+            let slope = dot(all(self.vista.axes[side]), dir) / depth;
+            let at = slope * <F::F32>::splat(rate[side]) + <F::F32>::splat(start[side]);
             // Rounded to the nearest of the middles of cells; which of two at their edge does not matter.
-            let whole = at
-                .minus(E::all(0.5))
-                .plus(E::all(WHOLE))
-                .minus(E::all(WHOLE));
+            let whole = at - <F::F32>::splat(0.5) + <F::F32>::splat(WHOLE) - <F::F32>::splat(WHOLE);
             let size = as_number(size[side]);
-            inside &= E::all(0.0).not_above(whole) & whole.not_above(E::all(size - 1.0));
-            cells = cells.times(E::all(size)).plus(whole);
+            inside &= <F::F32>::splat(0.0).le(whole) & whole.le(<F::F32>::splat(size - 1.0));
+            cells = cells * <F::F32>::splat(size) + whole;
         }
-        (cells.store(), inside)
+        (cells.to_array(), inside)
     }
 }
 
@@ -248,13 +245,13 @@ struct EqualCells<'a> {
     cell: f32,
 }
 
-impl Kernel for EqualCells<'_> {
-    type Answer = u32;
+impl SimdKernel for EqualCells<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u32 {
-        let cells = E::load(self.cells);
-        let cell = E::all(self.cell);
-        cells.not_above(cell) & cell.not_above(cells)
+    fn run<F: F64x4>(self) -> u32 {
+        let cells = <F::F32>::from_array(self.cells);
+        let cell = <F::F32>::splat(self.cell);
+        cells.le(cell) & cell.le(cells)
     }
 }

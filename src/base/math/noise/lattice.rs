@@ -41,13 +41,13 @@ const fn vectors() -> [[f64; 4]; RANDOMS - 2 * COMPONENT] {
 /// A point as the lattice takes it, in front of its coordinates a half: what the constant of a corner is multiplied by.
 #[inline(always)]
 pub(super) fn spread<F: F64Lanes>(point: DVec3) -> F {
-    F::load(&[0.5, point.x, point.y, point.z])
+    F::from_array(&[0.5, point.x, point.y, point.z])
 }
 
 /// Such a point at another frequency.
 #[inline(always)]
 pub(super) fn at_frequency<F: F64Lanes>(point: F, frequency: f64) -> F {
-    point.times(F::pick(F::mask(HALF), F::all(1.0), F::all(frequency)))
+    point * F::select(F::mask_from_bits(HALF), F::splat(1.0), F::splat(frequency))
 }
 
 /// A point in a cell of the lattice. The bits of the number of a corner are x, y, z.
@@ -67,23 +67,23 @@ impl<F: F64Lanes> Place<F> {
     fn new(point: F) -> Self {
         let ([_, x, y, z], low) = cells(point);
         let of_high = smooth(low);
-        let [_, x0, y0, z0] = F::all(1.0).minus(of_high).store();
-        let [_, x1, y1, z1] = of_high.store();
-        let flat = F::load(&[x0, x1, x0, x1]).times(F::load(&[y0, y0, y1, y1]));
+        let [_, x0, y0, z0] = (F::splat(1.0) - of_high).to_array();
+        let [_, x1, y1, z1] = of_high.to_array();
+        let flat = F::from_array(&[x0, x1, x0, x1]) * F::from_array(&[y0, y0, y1, y1]);
         Place {
             first: choices([x, y, z]),
             low,
-            high: low.minus(F::load(&[0.0, 1.0, 1.0, 1.0])),
-            weights: [flat.times(F::all(z0)), flat.times(F::all(z1))],
+            high: low - F::from_array(&[0.0, 1.0, 1.0, 1.0]),
+            weights: [flat * F::splat(z0), flat * F::splat(z1)],
         }
     }
 
     /// The terms of the linear function of a corner.
     #[inline(always)]
     fn products<const CORNER: u32>(&self) -> F {
-        let is_high = F::mask(const { CORNER << 1 });
-        let place = F::pick(is_high, self.high, self.low);
-        coefficients::<F>(self.first[CORNER as usize]).times(place)
+        let is_high = F::mask_from_bits(const { CORNER << 1 });
+        let place = F::select(is_high, self.high, self.low);
+        coefficients::<F>(self.first[CORNER as usize]) * place
     }
 }
 
@@ -108,13 +108,13 @@ fn choices([x, y, z]: [usize; 3]) -> [usize; 8] {
 /// [`super::smooth`] in lanes.
 #[inline(always)]
 fn smooth<F: F64Lanes>(t: F) -> F {
-    t.times(t).times(F::all(3.0).minus(F::all(2.0).times(t)))
+    t * t * (F::splat(3.0) - F::splat(2.0) * t)
 }
 
 /// The coefficients of a corner: the constant, x, y, z.
 #[inline(always)]
 fn coefficients<F: F64Lanes>(first: usize) -> F {
-    F::load(RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]))
+    F::from_array(RANDOM[first..].first_chunk().unwrap_or(&[0.0; 4]))
 }
 
 /// An entry of the hash table; what goes in is below twice its size.
@@ -127,18 +127,18 @@ fn entry(number: usize) -> usize {
 // Arrays are not mapped here: where that is not inlined it costs as much as the noise.
 #[inline(always)]
 fn cells<F: F64Lanes>(point: F) -> ([usize; 4], F) {
-    let below = point.minus(F::all(1.0 - EPSILON));
-    let shifted = F::pick(point.below(F::all(0.0)), below, point);
-    if F::bits(shifted.size().below(F::all(FAR))) == 0b1111 {
-        let (whole, cells) = shifted.truncated();
+    let below = point - F::splat(1.0 - EPSILON);
+    let shifted = F::select(point.lt(F::splat(0.0)), below, point);
+    if F::bitmask(shifted.abs().lt(F::splat(FAR))) == 0b1111 {
+        let (whole, cells) = shifted.truncate();
         let mut moved = [0; 4];
         for (moved, cell) in moved.iter_mut().zip(cells) {
             *moved = wrapped(i64::from(cell.wrapping_add(ORIGIN)));
         }
-        (moved, point.minus(whole))
+        (moved, point - whole)
     } else {
-        let far = far_cells(point.store(), shifted.store());
-        (far.0, F::load(&far.1))
+        let far = far_cells(point.to_array(), shifted.to_array());
+        (far.0, F::from_array(&far.1))
     }
 }
 
@@ -157,31 +157,31 @@ fn far_cells(point: [f64; 4], shifted: [f64; 4]) -> ([usize; 4], [f64; 4]) {
 #[inline(always)]
 pub(super) fn scalar<F: F64x4>(point: F) -> f64 {
     let place = Place::new(point);
-    let near = F::turned([
+    let near = F::transpose([
         place.products::<0b000>(),
         place.products::<0b001>(),
         place.products::<0b010>(),
         place.products::<0b011>(),
     ]);
-    let far = F::turned([
+    let far = F::transpose([
         place.products::<0b100>(),
         place.products::<0b101>(),
         place.products::<0b110>(),
         place.products::<0b111>(),
     ]);
     let [low, high] = place.weights;
-    added(added(0.0, low.times(linear(near))), high.times(linear(far)))
+    added(added(0.0, low * linear(near)), high * linear(far))
 }
 
 #[inline(always)]
 fn linear<F: F64Lanes>([constant, x, y, z]: [F; 4]) -> F {
-    constant.plus(x).plus(y).plus(z)
+    constant + x + y + z
 }
 
 /// A sum with four more terms, one after the other.
 #[inline(always)]
 fn added<F: F64Lanes>(sum: f64, terms: F) -> f64 {
-    let [a, b, c, d] = terms.store();
+    let [a, b, c, d] = terms.to_array();
     sum + a + b + c + d
 }
 
@@ -192,17 +192,17 @@ pub(super) fn vector<F: F64Lanes>(point: F) -> F {
     let corners = Corners {
         first: place.first,
         ends: [doubled(place.low), doubled(place.high)],
-        weights: [place.weights[0].store(), place.weights[1].store()],
+        weights: [place.weights[0].to_array(), place.weights[1].to_array()],
     };
-    F::all(0.0)
-        .plus(corners.vector::<0b000>())
-        .plus(corners.vector::<0b001>())
-        .plus(corners.vector::<0b011>())
-        .plus(corners.vector::<0b010>())
-        .plus(corners.vector::<0b110>())
-        .plus(corners.vector::<0b111>())
-        .plus(corners.vector::<0b101>())
-        .plus(corners.vector::<0b100>())
+    F::splat(0.0)
+        + corners.vector::<0b000>()
+        + corners.vector::<0b001>()
+        + corners.vector::<0b011>()
+        + corners.vector::<0b010>()
+        + corners.vector::<0b110>()
+        + corners.vector::<0b111>()
+        + corners.vector::<0b101>()
+        + corners.vector::<0b100>()
 }
 
 /// The corners of the cell of a point, for the components of a vector side by side.
@@ -222,35 +222,35 @@ impl<F: F64Lanes> Corners<F> {
         let first = self.first[CORNER];
         let coefficients = VECTORS[first..].first_chunk().unwrap_or(&[[0.0; 4]; 4]);
         let [constant, of_x, of_y, of_z] = coefficients;
-        let linear = F::load(constant)
-            .plus(F::load(of_x).times(self.ends[dx][0]))
-            .plus(F::load(of_y).times(self.ends[dy][1]))
-            .plus(F::load(of_z).times(self.ends[dz][2]));
-        F::all(self.weights[dz][CORNER % 4]).times(linear)
+        let linear = F::from_array(constant)
+            + F::from_array(of_x) * self.ends[dx][0]
+            + F::from_array(of_y) * self.ends[dy][1]
+            + F::from_array(of_z) * self.ends[dz][2];
+        F::splat(self.weights[dz][CORNER % 4]) * linear
     }
 }
 
 /// Twice the coordinates of a place, each in all lanes.
 #[inline(always)]
 fn doubled<F: F64Lanes>(place: F) -> [F; 3] {
-    let [_, x, y, z] = place.plus(place).store();
-    [F::all(x), F::all(y), F::all(z)]
+    let [_, x, y, z] = (place + place).to_array();
+    [F::splat(x), F::splat(y), F::splat(z)]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{FourKernel, SimdLevel, four};
+    use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel};
 
     struct Both(DVec3);
 
-    impl FourKernel for Both {
-        type Answer = (f64, [f64; 4]);
+    impl SimdKernel for Both {
+        type Output = (f64, [f64; 4]);
         #[inline(always)]
-        fn run<F: F64x4>(&self) -> (f64, [f64; 4]) {
+        fn run<F: F64x4>(self) -> (f64, [f64; 4]) {
             let point = spread::<F>(self.0);
-            (scalar(point), vector(point).store())
+            (scalar(point), vector(point).to_array())
         }
     }
 
@@ -260,8 +260,8 @@ mod tests {
         let (narrow, widest) = (SimdLevel::NARROW, SimdLevel::widest());
         for round in 0..10_000 {
             let point = rng.vector(if round % 8 == 0 { 1e12 } else { 50.0 });
-            let bits = |lanes| {
-                let (scalar, vector) = four(lanes, &Both(point));
+            let bits = |lanes: SimdLevel| {
+                let (scalar, vector) = lanes.run(Both(point));
                 (scalar.to_bits(), vector.map(f64::to_bits))
             };
             assert_eq!(bits(narrow), bits(widest), "{point}");

@@ -1,8 +1,8 @@
 //! Four rays against a triangle at once: to the bit what [`RayFrame::hit`] says of each.
 
 use super::RayFrame;
-use crate::base::math::simd::three::{Vec3Lanes, load};
-use crate::base::math::simd::{F64Lanes, FourKernel};
+use crate::base::math::simd::vec3::{Vec3Lanes, from_arrays};
+use crate::base::math::simd::{F64Lanes, SimdKernel};
 use glam::DVec3;
 
 /// Four rays prepared for many triangles, if all are longest along the same axis.
@@ -70,11 +70,11 @@ impl RaysAndTriangle<'_> {
     #[inline(always)]
     fn sheared<F: F64Lanes>(&self, corner: DVec3, origin: &Vec3Lanes<F>) -> Sheared<F> {
         let RayFrames4 { shear, along, .. } = self.rays;
-        let away = |axis: usize| F::all(corner[axis % 3]).minus(origin[axis % 3]);
+        let away = |axis: usize| F::splat(corner[axis % 3]) - origin[axis % 3];
         let depth = away(*along);
         Sheared {
-            x: away(along + 1).minus(F::load(&shear[0]).times(depth)),
-            y: away(along + 2).minus(F::load(&shear[1]).times(depth)),
+            x: away(along + 1) - F::from_array(&shear[0]) * depth,
+            y: away(along + 2) - F::from_array(&shear[1]) * depth,
             depth,
         }
     }
@@ -82,32 +82,26 @@ impl RaysAndTriangle<'_> {
 
 #[inline(always)]
 fn edge<F: F64Lanes>(p: &Sheared<F>, q: &Sheared<F>) -> F {
-    p.x.times(q.y).minus(p.y.times(q.x))
+    p.x * q.y - p.y * q.x
 }
 
-impl FourKernel for RaysAndTriangle<'_> {
-    type Answer = TriangleHits4;
+impl SimdKernel for RaysAndTriangle<'_> {
+    type Output = TriangleHits4;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> TriangleHits4 {
+    fn run<F: F64Lanes>(self) -> TriangleHits4 {
         let [a, b, c] = *self.corners;
-        let origin: Vec3Lanes<F> = load(&self.rays.origin);
+        let origin: Vec3Lanes<F> = from_arrays(&self.rays.origin);
         let [p, q, r] = [
             self.sheared(a, &origin),
             self.sheared(b, &origin),
             self.sheared(c, &origin),
         ];
         let edges = [edge(&q, &r), edge(&r, &p), edge(&p, &q)];
-        let nothing = F::all(0.0);
-        let below = F::either(
-            F::either(edges[0].below(nothing), edges[1].below(nothing)),
-            edges[2].below(nothing),
-        );
-        let above = F::either(
-            F::either(nothing.below(edges[0]), nothing.below(edges[1])),
-            nothing.below(edges[2]),
-        );
-        let inside = 0b1111 & !F::bits(F::both(below, above));
+        let nothing = F::splat(0.0);
+        let below = (edges[0].lt(nothing) | edges[1].lt(nothing)) | edges[2].lt(nothing);
+        let above = (nothing.lt(edges[0]) | nothing.lt(edges[1])) | nothing.lt(edges[2]);
+        let inside = 0b1111 & !F::bitmask(below & above);
         if inside == 0 {
             return TriangleHits4 {
                 t: [0.0; 4],
@@ -115,25 +109,23 @@ impl FourKernel for RaysAndTriangle<'_> {
                 unknown: 0,
             };
         }
-        let endless = F::all(f64::INFINITY);
-        let sum = edges[0].plus(edges[1]).plus(edges[2]);
-        let size = sum.size();
-        let is_known = F::bits(F::both(nothing.below(size), size.below(endless)));
+        let endless = F::splat(f64::INFINITY);
+        let sum = edges[0] + edges[1] + edges[2];
+        let size = sum.abs();
+        let is_known = F::bitmask(nothing.lt(size) & size.lt(endless));
         let is_level = a.cmpeq(b) & a.cmpeq(c);
         let t = match (0..3).find(|&axis| is_level.test(axis)) {
-            Some(axis) => F::all(a[axis])
-                .minus(origin[axis])
-                .over(F::load(&self.rays.dir[axis])),
+            Some(axis) => (F::splat(a[axis]) - origin[axis]) / F::from_array(&self.rays.dir[axis]),
             None => {
-                let mean = edges[0].over(sum).times(p.depth);
-                let mean = mean.plus(edges[1].over(sum).times(q.depth));
-                let mean = mean.plus(edges[2].over(sum).times(r.depth));
-                mean.over(F::load(&self.rays.dir[self.rays.along]))
+                let mean = edges[0] / sum * p.depth;
+                let mean = mean + edges[1] / sum * q.depth;
+                let mean = mean + edges[2] / sum * r.depth;
+                mean / F::from_array(&self.rays.dir[self.rays.along])
             }
         };
-        let is_finite = F::bits(t.size().below(endless));
+        let is_finite = F::bitmask(t.abs().lt(endless));
         TriangleHits4 {
-            t: t.store(),
+            t: t.to_array(),
             met: inside & is_known & is_finite,
             unknown: inside & !is_known,
         }
@@ -145,7 +137,7 @@ mod tests {
     use super::*;
     use crate::base::math::Ray;
     use crate::base::math::sampling::random::Random;
-    use crate::base::math::simd::{SimdLevel, four};
+    use crate::base::math::simd::SimdLevel;
 
     #[test]
     fn four_rays_meet_what_each_meets() {
@@ -173,13 +165,10 @@ mod tests {
                 continue;
             };
             for lanes in [SimdLevel::widest(), SimdLevel::NARROW] {
-                let found = four(
-                    lanes,
-                    &RaysAndTriangle {
-                        rays: &rays,
-                        corners: &corners,
-                    },
-                );
+                let found = lanes.run(RaysAndTriangle {
+                    rays: &rays,
+                    corners: &corners,
+                });
                 unknown += found.unknown.count_ones();
                 for lane in (0..4).filter(|lane| found.unknown >> lane & 1 == 0) {
                     let alone = frames[lane].hit(&corners).map(|hit| hit.t);

@@ -4,10 +4,10 @@ use super::light::{LayerBsdf, LightContribution, ShadingPoint, is_nothing};
 use super::transmittance::{ShadowPath, shadow_query};
 use crate::base::color::Rgb;
 use crate::base::math::Ray;
-use crate::base::math::simd::three::{
-    Vec3Lanes, dot, largest, load, minus, over, plus, same, scaled, store,
+use crate::base::math::simd::vec3::{
+    Vec3Lanes, add, divide, dot, from_arrays, max_abs, scale, splat, sub, to_arrays,
 };
-use crate::base::math::simd::{F64x4, FourKernel, SimdLevel, four, with_widest};
+use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::Tracer;
 use crate::scene::light::{Area, Arrival, Axes, Light, Part};
 use crate::world::{HitPacket4, Scratch, ShadowPacket4};
@@ -41,25 +41,25 @@ struct Aiming<'a> {
     offset: &'a [[f64; 4]; 3],
 }
 
-impl FourKernel for Aiming<'_> {
+impl SimdKernel for Aiming<'_> {
     /// The ways, and the largest of their lengths and of the coordinates of where they end.
-    type Answer = (ShadowPacket4, [f64; 4]);
+    type Output = (ShadowPacket4, [f64; 4]);
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> (ShadowPacket4, [f64; 4]) {
-        let centre: Vec3Lanes<F> = plus(same(self.centre), load(self.offset));
-        let offset = minus(centre, same(self.point));
-        let distance = dot(offset, offset).root();
-        let to_light = over(offset, distance);
-        let end = plus(same(self.point), scaled(to_light, distance));
-        let cosine = dot(same(self.normal), to_light);
+    fn run<F: F64x4>(self) -> (ShadowPacket4, [f64; 4]) {
+        let centre: Vec3Lanes<F> = add(splat(self.centre), from_arrays(self.offset));
+        let offset = sub(centre, splat(self.point));
+        let distance = dot(offset, offset).sqrt();
+        let to_light = divide(offset, distance);
+        let end = add(splat(self.point), scale(to_light, distance));
+        let cosine = dot(splat(self.normal), to_light);
         let ways = ShadowPacket4 {
-            to_light: store(to_light),
-            distance: distance.store(),
-            goes_out: F::bits(F::all(0.0).below(cosine)),
+            to_light: to_arrays(to_light),
+            distance: distance.to_array(),
+            goes_out: F::bitmask(F::splat(0.0).lt(cosine)),
             ..ShadowPacket4::NOTHING
         };
-        (ways, largest(end).larger(distance).store())
+        (ways, max_abs(end).lane_max(distance).to_array())
     }
 }
 
@@ -222,7 +222,7 @@ impl Tracer<'_> {
             normal,
             offset: &offset,
         };
-        let (mut ways, size) = four(lanes, &aiming);
+        let (mut ways, size) = lanes.run(aiming);
         ways.far = self.world.reach_of_four(&ways.distance, &size);
         ways
     }

@@ -3,10 +3,10 @@
 
 use super::light::{MOST_TILTED, NOTHING};
 use crate::base::math::rounding::nearest;
-use crate::base::math::simd::three::{
-    Vec3Lanes, dot, load, minus, over, plus, same, scaled, store,
+use crate::base::math::simd::vec3::{
+    Vec3Lanes, add, divide, dot, from_arrays, scale, splat, sub, to_arrays,
 };
-use crate::base::math::simd::{F64Lanes, FourKernel, SimdLevel, four, with_widest};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel, with_widest};
 use crate::render::shade::Tracer;
 use crate::scene::light::{Arrival, Light};
 use crate::world::{HitPacket4, Occlusion, Scratch, ShadowPacket4, Surface};
@@ -76,28 +76,28 @@ struct ArrivedLight {
     nearly_faces: u32,
 }
 
-impl FourKernel for LightPacket<'_> {
-    type Answer = ArrivedLight;
+impl SimdKernel for LightPacket<'_> {
+    type Output = ArrivedLight;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> ArrivedLight {
-        let point: Vec3Lanes<F> = load(&self.hits.point);
-        let offset = minus(same(self.centre), point);
-        let distance = dot(offset, offset).root();
-        let to_light = over(offset, distance);
-        let cosine = dot(load(&self.hits.facing), to_light);
-        let end = plus(point, scaled(to_light, distance));
-        let [x, y, z] = [end[0].size(), end[1].size(), end[2].size()];
-        let is_finite = x.plus(y).plus(z).below(F::all(f64::INFINITY));
+    fn run<F: F64Lanes>(self) -> ArrivedLight {
+        let point: Vec3Lanes<F> = from_arrays(&self.hits.point);
+        let offset = sub(splat(self.centre), point);
+        let distance = dot(offset, offset).sqrt();
+        let to_light = divide(offset, distance);
+        let cosine = dot(from_arrays(&self.hits.facing), to_light);
+        let end = add(point, scale(to_light, distance));
+        let [x, y, z] = [end[0].abs(), end[1].abs(), end[2].abs()];
+        let is_finite = (x + y + z).lt(F::splat(f64::INFINITY));
         ArrivedLight {
-            to_light: store(to_light),
-            distance: distance.store(),
-            cosine: cosine.store(),
-            size: x.larger(y).larger(z).larger(distance).store(),
-            goes_out: F::bits(F::all(0.0).below(dot(load(&self.hits.normal), to_light))),
-            sure: F::bits(is_finite),
-            faces: F::bits(F::all(NOTHING).not_above(cosine)),
-            nearly_faces: F::bits(F::all(MOST_TILTED).below(cosine)),
+            to_light: to_arrays(to_light),
+            distance: distance.to_array(),
+            cosine: cosine.to_array(),
+            size: x.lane_max(y).lane_max(z).lane_max(distance).to_array(),
+            goes_out: F::bitmask(F::splat(0.0).lt(dot(from_arrays(&self.hits.normal), to_light))),
+            sure: F::bitmask(is_finite),
+            faces: F::bitmask(F::splat(NOTHING).le(cosine)),
+            nearly_faces: F::bitmask(F::splat(MOST_TILTED).lt(cosine)),
         }
     }
 }
@@ -264,7 +264,7 @@ impl Tracer<'_> {
             centre: light.centre,
             hits,
         };
-        let arrived = four(lanes, &arriving);
+        let arrived = lanes.run(arriving);
         ways.to_light = arrived.to_light;
         ways.distance = arrived.distance;
         ways.cosine = arrived.cosine;
@@ -339,15 +339,15 @@ struct ViewFromLight<'a> {
     up: DVec3,
 }
 
-impl FourKernel for ViewFromLight<'_> {
-    type Answer = [[f64; 4]; 2];
+impl SimdKernel for ViewFromLight<'_> {
+    type Output = [[f64; 4]; 2];
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> [[f64; 4]; 2] {
-        let to_light: Vec3Lanes<F> = load(&self.ways.to_light);
+    fn run<F: F64Lanes>(self) -> [[f64; 4]; 2] {
+        let to_light: Vec3Lanes<F> = from_arrays(&self.ways.to_light);
         [
-            dot(to_light, same(self.across)).store(),
-            dot(to_light, same(self.up)).store(),
+            dot(to_light, splat(self.across)).to_array(),
+            dot(to_light, splat(self.up)).to_array(),
         ]
     }
 }
@@ -360,7 +360,7 @@ impl LightSortedOrder {
         let (across, up) = axis.any_orthonormal_pair();
         self.seen.clear();
         for ways in ways {
-            let seen = four(lanes, &ViewFromLight { ways, across, up });
+            let seen = lanes.run(ViewFromLight { ways, across, up });
             // Spelt out: `map` is not always inlined.
             let mut rounded = [[0.0; 4]; 2];
             for axis in 0..2 {

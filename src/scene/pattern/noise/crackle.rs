@@ -8,7 +8,7 @@ use crate::base::math::noise::NoiseGenerator;
 use crate::base::math::powers::{POWER_ERROR, power};
 use crate::base::math::sampling::hash::hashed_cell;
 use crate::base::math::sampling::mersenne;
-use crate::base::math::simd::{F64Lanes, FourKernel, four, with_widest};
+use crate::base::math::simd::{F64Lanes, SimdKernel, with_widest};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 use metric::Metric;
@@ -164,58 +164,63 @@ impl About {
 }
 
 /// The lengths to points about a cell, four points at a time, and the three least of them. Of powers they are estimates.
+#[derive(Clone, Copy)]
 struct Least<'a> {
     about: &'a About,
     point: DVec3,
     metric: &'a Metric,
 }
 
-impl FourKernel for Least<'_> {
-    type Answer = ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]);
+impl SimdKernel for Least<'_> {
+    type Output = ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]);
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> Self::Answer {
+    fn run<F: F64Lanes>(self) -> Self::Output {
         let [x, y, z] = self.about.points.each_ref().map(|axis| axis.as_chunks().0);
         let DVec3 {
             x: px,
             y: py,
             z: pz,
         } = self.point;
-        let (px, py, pz) = (F::all(px), F::all(py), F::all(pz));
-        let endless = F::all(f64::INFINITY);
+        let (px, py, pz) = (F::splat(px), F::splat(py), F::splat(pz));
+        let endless = F::splat(f64::INFINITY);
         let mut least = [endless; 3];
         let mut lengths = [[0.0; 4]; (CELLS + 1) / 4];
         for four in 0..x.len() {
-            let dx = F::load(&x[four]).minus(px);
-            let dy = F::load(&y[four]).minus(py);
-            let dz = F::load(&z[four]).minus(pz);
+            let dx = F::from_array(&x[four]) - px;
+            let dy = F::from_array(&y[four]) - py;
+            let dz = F::from_array(&z[four]) - pz;
             let length = match self.metric {
                 Metric::Sizes(lift) => {
-                    let sum = dx.size().plus(dy.size()).plus(dz.size());
-                    sum.plus(F::all(*lift))
+                    let sum = dx.abs() + dy.abs() + dz.abs();
+                    sum + F::splat(*lift)
                 }
                 Metric::Squares(lift) => {
-                    let sum = dx.times(dx).plus(dy.times(dy)).plus(dz.times(dz));
-                    sum.plus(F::all(*lift))
+                    let sum = dx * dx + dy * dy + dz * dz;
+                    sum + F::splat(*lift)
                 }
                 Metric::Powers(exponent, lift) => {
-                    let of_x = power(dx.size(), *exponent);
-                    let of_y = power(dy.size(), *exponent);
-                    let of_z = power(dz.size(), *exponent);
-                    let sum = of_x.plus(of_y).plus(of_z).plus(F::all(*lift));
+                    let of_x = power(dx.abs(), *exponent);
+                    let of_y = power(dy.abs(), *exponent);
+                    let of_z = power(dz.abs(), *exponent);
+                    let sum = of_x + of_y + of_z + F::splat(*lift);
                     // A point that is nowhere.
-                    F::pick(dx.below(endless), sum, endless)
+                    F::select(dx.lt(endless), sum, endless)
                 }
                 Metric::Signed => endless,
             };
-            lengths[four] = length.store();
-            let second = length.larger(least[0]);
-            least[0] = length.smaller(least[0]);
-            let third = second.larger(least[1]);
-            least[1] = second.smaller(least[1]);
-            least[2] = third.smaller(least[2]);
+            lengths[four] = length.to_array();
+            let second = length.lane_max(least[0]);
+            least[0] = length.lane_min(least[0]);
+            let third = second.lane_max(least[1]);
+            least[1] = second.lane_min(least[1]);
+            least[2] = third.lane_min(least[2]);
         }
-        let [first, second, third] = [least[0].store(), least[1].store(), least[2].store()];
+        let [first, second, third] = [
+            least[0].to_array(),
+            least[1].to_array(),
+            least[2].to_array(),
+        ];
         let lanes = [0, 1, 2, 3];
         let [a, b, c, d] = lanes.map(
             #[inline(always)]
@@ -228,11 +233,11 @@ impl FourKernel for Least<'_> {
 /// The three least of two times three, all in order.
 #[inline(always)]
 fn merged(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let crossed = a[0].larger(b[1]).smaller(a[1].larger(b[0]));
+    let crossed = a[0].lane_max(b[1]).lane_min(a[1].lane_max(b[0]));
     [
-        a[0].smaller(b[0]),
-        a[0].larger(b[0]).smaller(a[1].smaller(b[1])),
-        a[2].smaller(b[2]).smaller(crossed),
+        a[0].lane_min(b[0]),
+        a[0].lane_max(b[0]).lane_min(a[1].lane_min(b[1])),
+        a[2].lane_min(b[2]).lane_min(crossed),
     ]
 }
 
@@ -283,7 +288,7 @@ impl Least<'_> {
     fn in_lanes(&self) -> ([f64; 3], [[f64; 4]; (CELLS + 1) / 4]) {
         with_widest(
             #[inline(always)]
-            |lanes| four(lanes, self),
+            |lanes| lanes.run(*self),
         )
     }
 

@@ -6,8 +6,8 @@ use crate::base::args::{Args, Parse};
 use crate::base::math::noise::vector_noise;
 use crate::base::math::rounding::floor_of;
 use crate::base::math::sampling::hash::{bits, next};
-use crate::base::math::simd::three::Vec3Lanes;
-use crate::base::math::simd::{F64x4, FourKernel, four, three, with_widest};
+use crate::base::math::simd::vec3::Vec3Lanes;
+use crate::base::math::simd::{F64x4, SimdKernel, vec3, with_widest};
 use crate::scene::pattern::{Pattern, PatternEval, Preparing, SurfacePoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -102,21 +102,21 @@ impl Prepared {
     #[inline(always)]
     fn rings_of<F: F64x4>(&self, sources: &Sources, point: DVec3) -> Four<F> {
         let [x, y, z, frequency] = sources;
-        let place = [F::load(x), F::load(y), F::load(z)];
-        let out = three::minus(three::same(point), place);
-        let length = three::dot(out, out).root();
-        let length = F::pick(length.equals(F::all(0.0)), F::all(1.0), length);
-        let own = F::load(frequency);
-        let index = length.times(F::all(self.frequency));
+        let place = [F::from_array(x), F::from_array(y), F::from_array(z)];
+        let out = vec3::sub(vec3::splat(point), place);
+        let length = vec3::dot(out, out).sqrt();
+        let length = F::select(length.eq(F::splat(0.0)), F::splat(1.0), length);
+        let own = F::from_array(frequency);
+        let index = length * F::splat(self.frequency);
         let index = match self.rings {
             Rings::Ripples => index,
-            Rings::Waves => index.times(own),
+            Rings::Waves => index * own,
         };
-        let index = index.plus(F::all(self.phase));
+        let index = index + F::splat(self.phase);
         // As `cycloidal` of each.
-        let size = index.size();
-        let angles = size.minus(floor_of(size)).times(F::all(TAU)).store();
-        let is_positive = F::bits(F::all(0.0).not_above(index));
+        let size = index.abs();
+        let angles = ((size - floor_of(size)) * F::splat(TAU)).to_array();
+        let is_positive = F::bitmask(F::splat(0.0).le(index));
         let mut heights = [0.0; 4];
         for (lane, (height, angle)) in heights.iter_mut().zip(angles).enumerate() {
             let sine = angle.sin();
@@ -127,7 +127,7 @@ impl Prepared {
             };
         }
         if let Rings::Waves = self.rings {
-            heights = F::load(&heights).over(own).store();
+            heights = (F::from_array(&heights) / own).to_array();
         }
         Four {
             heights,
@@ -140,12 +140,12 @@ impl Prepared {
 /// The sum of the heights of all rings at a point.
 struct Height<'a>(&'a Prepared, DVec3);
 
-impl FourKernel for Height<'_> {
-    type Answer = f64;
+impl SimdKernel for Height<'_> {
+    type Output = f64;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> f64 {
-        let Height(prepared, point) = *self;
+    fn run<F: F64x4>(self) -> f64 {
+        let Height(prepared, point) = self;
         let mut sum = 0.0;
         let mut left = prepared.count;
         for sources in &prepared.sources {
@@ -162,19 +162,19 @@ impl FourKernel for Height<'_> {
 /// How all rings together tilt a normal at a point.
 struct Tilt<'a>(&'a Prepared, DVec3);
 
-impl FourKernel for Tilt<'_> {
-    type Answer = DVec3;
+impl SimdKernel for Tilt<'_> {
+    type Output = DVec3;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> DVec3 {
-        let Tilt(prepared, point) = *self;
-        let count = F::all(prepared.count as f64);
+    fn run<F: F64x4>(self) -> DVec3 {
+        let Tilt(prepared, point) = self;
+        let count = F::splat(prepared.count as f64);
         let mut sum = DVec3::ZERO;
         let mut left = prepared.count;
         for sources in &prepared.sources {
             let rings = prepared.rings_of::<F>(sources, point);
-            let slope = F::load(&rings.heights).over(rings.length).over(count);
-            let [x, y, z] = three::store(three::scaled(rings.out, slope));
+            let slope = F::from_array(&rings.heights) / rings.length / count;
+            let [x, y, z] = vec3::to_arrays(vec3::scale(rings.out, slope));
             for lane in 0..left.min(4) {
                 sum += DVec3::new(x[lane], y[lane], z[lane]);
             }
@@ -188,7 +188,7 @@ impl PatternEval for Prepared {
     fn value(&self, point: DVec3, _spot: &SurfacePoint) -> f64 {
         let sum = with_widest(
             #[inline(always)]
-            |lanes| four(lanes, &Height(self, point)),
+            |lanes| lanes.run(Height(self, point)),
         );
         let mean = sum / self.count.max(1) as f64;
         match self.rings {
@@ -200,7 +200,7 @@ impl PatternEval for Prepared {
     fn tilt(&self, point: DVec3) -> Option<DVec3> {
         Some(with_widest(
             #[inline(always)]
-            |lanes| four(lanes, &Tilt(self, point)),
+            |lanes| lanes.run(Tilt(self, point)),
         ))
     }
 }

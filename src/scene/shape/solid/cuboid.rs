@@ -7,7 +7,7 @@
 use crate::base::args::{Args, Parse};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
-use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, minus, same};
+use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, splat, sub};
 use crate::scene::shape::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, first_visible, push_span, read,
     span,
@@ -110,24 +110,19 @@ impl Cuboid {
     /// The spans of four rays. Those along a face are unknown.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
-        let to_min = ways(minus(same(self.min), rays.origin), rays.dir);
-        let to_max = ways(minus(same(self.max), rays.origin), rays.dir);
+        let to_min = ways(sub(splat(self.min), rays.origin), rays.dir);
+        let to_max = ways(sub(splat(self.max), rays.origin), rays.dir);
         let [x, y, z] = [
             stretch(to_min[0], to_max[0]),
             stretch(to_min[1], to_max[1]),
             stretch(to_min[2], to_max[2]),
         ];
-        let enter = x.0.larger(y.0.larger(z.0));
-        let leave = x.1.smaller(y.1.smaller(z.1));
-        let none = F::all(0.0);
-        let is_off = F::both(
-            none.below(rays.dir[0].size()),
-            F::both(
-                none.below(rays.dir[1].size()),
-                none.below(rays.dir[2].size()),
-            ),
-        );
-        SpanPacket::new((enter, leave), enter.not_above(leave), is_off)
+        let enter = x.0.lane_max(y.0.lane_max(z.0));
+        let leave = x.1.lane_min(y.1.lane_min(z.1));
+        let none = F::splat(0.0);
+        let is_off =
+            none.lt(rays.dir[0].abs()) & (none.lt(rays.dir[1].abs()) & none.lt(rays.dir[2].abs()));
+        SpanPacket::new((enter, leave), enter.le(leave), is_off)
     }
 
     /// Where a point lies between the corners, 0 to 1 on each axis; an axis without thickness counts as 0.
@@ -143,12 +138,12 @@ impl Cuboid {
 
 #[inline(always)]
 fn ways<F: F64Lanes>(to: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> Vec3Lanes<F> {
-    [to[0].over(dir[0]), to[1].over(dir[1]), to[2].over(dir[2])]
+    [to[0] / dir[0], to[1] / dir[1], to[2] / dir[2]]
 }
 
 #[inline(always)]
 fn stretch<F: F64Lanes>(a: F, b: F) -> (F, F) {
-    (a.smaller(b), a.larger(b))
+    (a.lane_min(b), a.lane_max(b))
 }
 
 /// The axis on which `all` equals `one`; on an edge the one whose face the ray meets more squarely.

@@ -15,7 +15,7 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step};
 use crate::base::source::Diagnostic;
 use crate::scene::shape::packet;
-use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, minus, same};
+use crate::scene::shape::packet::{RayPacket, SpanPacket, across, chords, dot, splat, sub};
 use crate::scene::shape::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, first_visible, push_span, read, unease,
 };
@@ -144,28 +144,25 @@ impl Cylinder {
     /// The spans of four rays. Those along the axis or along the caps are unknown.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
-        let unit = same(self.axis.unit);
-        let p = minus(rays.origin, same(self.axis.base));
+        let unit = splat(self.axis.unit);
+        let p = sub(rays.origin, splat(self.axis.base));
         let is_known = packet::is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         let dir = across(unit, rays.dir);
         let (side_enter, side_leave, is_met) = chords(across(unit, p), dir, self.radius);
-        if F::bits(is_met) == 0 && F::bits(is_known) == 0b1111 {
-            let is_slanted = F::all(0.0).below(dot(dir, dir));
+        if F::bitmask(is_met) == 0 && F::bitmask(is_known) == 0b1111 {
+            let is_slanted = F::splat(0.0).lt(dot(dir, dir));
             return SpanPacket::new((side_enter, side_leave), is_met, is_slanted);
         }
         let slope = dot(unit, rays.dir);
-        let to_base = dot(unit, minus(same(self.axis.base), rays.origin)).over(slope);
-        let to_apex = dot(unit, minus(same(self.axis.apex), rays.origin)).over(slope);
-        let is_up = F::all(0.0).below(slope);
-        let first = F::pick(is_up, to_base, to_apex);
-        let last = F::pick(is_up, to_apex, to_base);
-        let enter = F::pick(side_enter.below(first), first, side_enter);
-        let leave = F::pick(last.below(side_leave), last, side_leave);
-        let is_slanted = F::both(
-            F::all(0.0).below(dot(dir, dir)),
-            F::all(0.0).below(slope.size()),
-        );
-        SpanPacket::new((enter, leave), is_met, F::both(is_known, is_slanted))
+        let to_base = dot(unit, sub(splat(self.axis.base), rays.origin)) / slope;
+        let to_apex = dot(unit, sub(splat(self.axis.apex), rays.origin)) / slope;
+        let is_up = F::splat(0.0).lt(slope);
+        let first = F::select(is_up, to_base, to_apex);
+        let last = F::select(is_up, to_apex, to_base);
+        let enter = F::select(side_enter.lt(first), first, side_enter);
+        let leave = F::select(last.lt(side_leave), last, side_leave);
+        let is_slanted = F::splat(0.0).lt(dot(dir, dir)) & F::splat(0.0).lt(slope.abs());
+        SpanPacket::new((enter, leave), is_met, is_known & is_slanted)
     }
 
     #[cold]

@@ -8,7 +8,7 @@ use crate::base::math::conditioning::{power_of_two, unit};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, normal_from_inverse, rotation};
 use crate::base::source::Diagnostic;
-use crate::scene::shape::packet::{RayPacket, RootPacket, SpanPacket, dot, same};
+use crate::scene::shape::packet::{RayPacket, RootPacket, SpanPacket, dot, splat};
 use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
 use glam::DVec3;
 
@@ -69,39 +69,39 @@ impl Plane {
     /// Where four lines are inside. Those along the plane are unknown.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
-        let normal = same(self.normal);
+        let normal = splat(self.normal);
         let slope = dot(normal, rays.dir);
-        let height = F::all(self.distance).minus(dot(normal, rays.origin));
-        let t = height.over(slope);
-        let endless = F::all(f64::INFINITY);
-        let is_left = F::all(0.0).below(slope);
+        let height = F::splat(self.distance) - dot(normal, rays.origin);
+        let t = height / slope;
+        let endless = F::splat(f64::INFINITY);
+        let is_left = F::splat(0.0).lt(slope);
         SpanPacket {
-            enter: F::pick(is_left, endless.negated(), t),
-            leave: F::pick(is_left, t, endless),
-            is_met: F::mask(0b1111),
-            unknown: 0b1111 & !F::bits(t.size().below(endless)),
+            enter: F::select(is_left, -endless, t),
+            leave: F::select(is_left, t, endless),
+            is_met: F::mask_from_bits(0b1111),
+            unknown: 0b1111 & !F::bitmask(t.abs().lt(endless)),
         }
     }
 
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
-        F::all(0.0).below(dot(same(self.normal), rays.dir))
+        F::splat(0.0).lt(dot(splat(self.normal), rays.dir))
     }
 
     /// The crossings of four lines.
     #[inline(always)]
     pub(crate) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
-        let normal = same(self.normal);
+        let normal = splat(self.normal);
         let slope = dot(normal, rays.dir);
-        let height = F::all(self.distance).minus(dot(normal, rays.origin));
-        let t = height.over(slope);
-        let nothing = F::all(0.0);
-        let is_finite = t.size().below(F::all(f64::INFINITY));
+        let height = F::splat(self.distance) - dot(normal, rays.origin);
+        let t = height / slope;
+        let nothing = F::splat(0.0);
+        let is_finite = t.abs().lt(F::splat(f64::INFINITY));
         let mut roots = RootPacket::none(0);
         (roots.t[0], roots.t[1]) = (t, t);
-        roots.met[0] = F::bits(F::both(slope.below(nothing), is_finite));
-        roots.met[1] = F::bits(F::both(nothing.below(slope), is_finite));
+        roots.met[0] = F::bitmask(slope.lt(nothing) & is_finite);
+        roots.met[1] = F::bitmask(nothing.lt(slope) & is_finite);
         roots
     }
 

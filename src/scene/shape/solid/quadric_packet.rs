@@ -6,10 +6,8 @@
 
 use super::quadric::{CLOSE, EVEN_SQUARES, NEAR_ENOUGH, Quadric};
 use crate::base::math::Ray;
-use crate::base::math::simd::{F64Lanes, FourKernel, four, with_widest};
-use crate::scene::shape::packet::{
-    RayPacket, SpanPacket, Vec3Lanes, dot, minus, plus, same, scaled,
-};
+use crate::base::math::simd::{F64Lanes, SimdKernel, with_widest};
+use crate::scene::shape::packet::{RayPacket, SpanPacket, Vec3Lanes, add, dot, scale, splat, sub};
 
 /// What holds at four points.
 #[derive(Clone, Copy)]
@@ -31,42 +29,39 @@ struct Refining<'a> {
 #[inline(always)]
 fn error_of_product<F: F64Lanes>((a, b): (F, F), product: F) -> F {
     let halves = |x: F| {
-        let large = x.times(F::all(134_217_729.0));
-        let high = large.minus(large.minus(x));
-        (high, x.minus(high))
+        let large = x * F::splat(134_217_729.0);
+        let high = large - (large - x);
+        (high, x - high)
     };
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
-    let rest = product.minus(a_high.times(b_high));
-    let rest = rest.minus(a_low.times(b_high)).minus(a_high.times(b_low));
-    a_low.times(b_low).minus(rest)
+    let rest = product - a_high * b_high;
+    let rest = rest - a_low * b_high - a_high * b_low;
+    a_low * b_low - rest
 }
 
 /// True where products of such numbers make [`error_of_product`] neither overflow nor underflow.
 #[inline(always)]
 fn has_error<F: F64Lanes>(x: F) -> F::Mask {
     const MOST: f64 = f64::from_bits((1023 + 400) << 52);
-    let size = x.size();
-    let is_even = F::both(
-        F::all(1.0 / MOST).not_above(size),
-        size.not_above(F::all(MOST)),
-    );
-    F::either(is_even, size.equals(F::all(0.0)))
+    let size = x.abs();
+    let is_even = F::splat(1.0 / MOST).le(size) & size.le(F::splat(MOST));
+    is_even | size.eq(F::splat(0.0))
 }
 
-impl FourKernel for Refining<'_> {
-    type Answer = [f64; 2];
+impl SimdKernel for Refining<'_> {
+    type Output = [f64; 2];
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> [f64; 2] {
+    fn run<F: F64Lanes>(self) -> [f64; 2] {
         let rays = RayPacket::<F> {
-            origin: same(self.line.origin),
-            dir: same(self.line.dir),
+            origin: splat(self.line.origin),
+            dir: splat(self.line.dir),
         };
         let [t, other] = self.places;
         let refined = self
             .quadric
-            .refined_of_four(&rays, F::load(&[t, other, t, other]));
-        let [t, other, ..] = refined.store();
+            .refined_of_four(&rays, F::from_array(&[t, other, t, other]));
+        let [t, other, ..] = refined.to_array();
         [t, other]
     }
 }
@@ -79,80 +74,65 @@ impl Quadric {
         rays: &RayPacket<F>,
         (low, high): (F, F),
     ) -> SpanPacket<F> {
-        let (zero, endless) = (F::all(0.0), F::all(f64::INFINITY));
+        let (zero, endless) = (F::splat(0.0), F::splat(f64::INFINITY));
         let dir_sq = dot(rays.dir, rays.dir);
-        let is_even = F::both(
-            F::all(EVEN_SQUARES.start).not_above(dir_sq),
-            dir_sq.below(F::all(EVEN_SQUARES.end)),
-        );
-        let ahead = dot(minus(same(self.middle), rays.origin), rays.dir).over(dir_sq);
+        let is_even =
+            F::splat(EVEN_SQUARES.start).le(dir_sq) & dir_sq.lt(F::splat(EVEN_SQUARES.end));
+        let ahead = dot(sub(splat(self.middle), rays.origin), rays.dir) / dir_sq;
         let a = dot(rays.dir, self.turned_of_four(rays.dir));
-        let near = self.at_four(plus(rays.origin, scaled(rays.dir, ahead)));
+        let near = self.at_four(add(rays.origin, scale(rays.dir, ahead)));
         let (b, c) = (dot(near.half_gradient, rays.dir), near.value);
-        let (b_sq, a_c) = (b.times(b), a.times(c));
-        let mut discriminant = b_sq.minus(a_c);
-        let is_apart = F::all(CLOSE)
-            .times(b)
-            .times(b)
-            .not_above(discriminant.size());
+        let (b_sq, a_c) = (b * b, a * c);
+        let mut discriminant = b_sq - a_c;
+        let is_apart = (F::splat(CLOSE) * b * b).le(discriminant.abs());
         // Little cancels.
-        let mut is_clear = F::all(0.5)
-            .times(b_sq.size().larger(a_c.size()))
-            .not_above(discriminant.size());
-        if F::bits(is_clear) != 0b1111 {
-            let rest = error_of_product((b, b), b_sq).minus(error_of_product((a, c), a_c));
-            discriminant = F::pick(is_clear, discriminant, discriminant.plus(rest));
-            is_clear = F::either(
-                is_clear,
-                F::both(F::both(has_error(a), has_error(b)), has_error(c)),
-            );
+        let mut is_clear = (F::splat(0.5) * b_sq.abs().lane_max(a_c.abs())).le(discriminant.abs());
+        if F::bitmask(is_clear) != 0b1111 {
+            let rest = error_of_product((b, b), b_sq) - error_of_product((a, c), a_c);
+            discriminant = F::select(is_clear, discriminant, discriminant + rest);
+            is_clear = is_clear | ((has_error(a) & has_error(b)) & has_error(c));
         }
-        let is_known = F::both(
-            F::both(is_even, zero.below(a.size())),
-            F::both(
-                F::both(is_clear, is_apart),
-                discriminant.size().below(endless),
-            ),
-        );
-        let is_met = zero.below(discriminant);
-        let is_open = a.below(zero);
-        if F::bits(is_met) == 0 {
+        let is_known =
+            (is_even & zero.lt(a.abs())) & ((is_clear & is_apart) & discriminant.abs().lt(endless));
+        let is_met = zero.lt(discriminant);
+        let is_open = a.lt(zero);
+        if F::bitmask(is_met) == 0 {
             return SpanPacket {
-                enter: endless.negated(),
+                enter: -endless,
                 leave: endless,
                 is_met: is_open,
-                unknown: 0b1111 & !F::bits(is_known),
+                unknown: 0b1111 & !F::bitmask(is_known),
             };
         }
-        let root = discriminant.root();
+        let root = discriminant.sqrt();
         // Zero has a sign, too.
-        let is_negative = F::either(b.below(zero), F::all(1.0).over(b).below(zero));
-        let q = b.plus(F::pick(is_negative, root.negated(), root)).negated();
-        let (t, other) = (q.over(a), c.over(q));
-        let places = [t.smaller(other).plus(ahead), t.larger(other).plus(ahead)];
+        let is_negative = b.lt(zero) | (F::splat(1.0) / b).lt(zero);
+        let q = -(b + F::select(is_negative, -root, root));
+        let (t, other) = (q / a, c / q);
+        let places = [t.lane_min(other) + ahead, t.lane_max(other) + ahead];
         let mut refined = places;
         for t in &mut refined {
             *t = self.refined_of_four(rays, *t);
         }
-        let is_ordered = refined[0].not_above(refined[1]);
-        let first = F::pick(is_ordered, refined[0], places[0]);
-        let second = F::pick(is_ordered, refined[1], places[1]);
-        let is_finite = F::both(first.size().below(endless), second.size().below(endless));
-        let is_span = F::both(is_finite, first.below(second));
+        let is_ordered = refined[0].le(refined[1]);
+        let first = F::select(is_ordered, refined[0], places[0]);
+        let second = F::select(is_ordered, refined[1], places[1]);
+        let is_finite = first.abs().lt(endless) & second.abs().lt(endless);
+        let is_span = is_finite & first.lt(second);
         // An open quadric: the first span ends before the interval, or the second begins behind it.
-        let is_outer = F::both(is_met, is_open);
-        let [is_over, is_to_come] = [first.below(low), high.below(second)];
-        let is_one = F::bits(F::either(is_over, is_to_come)) & !F::bits(first.equals(low));
-        let doubts = F::bits(is_met) & !F::bits(is_span) | F::bits(is_outer) & !is_one;
+        let is_outer = is_met & is_open;
+        let [is_over, is_to_come] = [first.lt(low), high.lt(second)];
+        let is_one = F::bitmask(is_over | is_to_come) & !F::bitmask(first.eq(low));
+        let doubts = F::bitmask(is_met) & !F::bitmask(is_span) | F::bitmask(is_outer) & !is_one;
         let (enter, leave) = (
-            F::pick(is_outer, F::pick(is_over, second, endless.negated()), first),
-            F::pick(is_outer, F::pick(is_over, endless, first), second),
+            F::select(is_outer, F::select(is_over, second, -endless), first),
+            F::select(is_outer, F::select(is_over, endless, first), second),
         );
         SpanPacket {
-            enter: F::pick(is_met, enter, endless.negated()),
-            leave: F::pick(is_met, leave, endless),
-            is_met: F::either(is_met, is_open),
-            unknown: 0b1111 & (!F::bits(is_known) | doubts),
+            enter: F::select(is_met, enter, -endless),
+            leave: F::select(is_met, leave, endless),
+            is_met: is_met | is_open,
+            unknown: 0b1111 & (!F::bitmask(is_known) | doubts),
         }
     }
 
@@ -166,35 +146,35 @@ impl Quadric {
         };
         with_widest(
             #[inline(always)]
-            |lanes| four(lanes, &refining),
+            |lanes| lanes.run(refining),
         )
     }
 
     /// The same on four lines.
     #[inline(always)]
     fn refined_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>, mut t: F) -> F {
-        let mut at = self.at_four(plus(rays.origin, scaled(rays.dir, t)));
-        let mut goes_on = F::mask(0b1111);
+        let mut at = self.at_four(add(rays.origin, scale(rays.dir, t)));
+        let mut goes_on = F::mask_from_bits(0b1111);
         for _ in 0..2 {
-            let enough = F::all(NEAR_ENOUGH * f64::EPSILON).times(at.size);
-            goes_on = F::both(goes_on, enough.below(at.value.size()));
-            if F::bits(goes_on) == 0 {
+            let enough = F::splat(NEAR_ENOUGH * f64::EPSILON) * at.size;
+            goes_on = goes_on & enough.lt(at.value.abs());
+            if F::bitmask(goes_on) == 0 {
                 break;
             }
             let slope = dot(at.half_gradient, rays.dir);
             // What is no number is not nearer.
-            let next = t.minus(F::all(0.5).times(at.value).over(slope));
-            let there = self.at_four(plus(rays.origin, scaled(rays.dir, next)));
-            goes_on = F::both(goes_on, there.value.size().below(at.value.size()));
-            t = F::pick(goes_on, next, t);
+            let next = t - F::splat(0.5) * at.value / slope;
+            let there = self.at_four(add(rays.origin, scale(rays.dir, next)));
+            goes_on = goes_on & there.value.abs().lt(at.value.abs());
+            t = F::select(goes_on, next, t);
             at = At {
-                value: F::pick(goes_on, there.value, at.value),
+                value: F::select(goes_on, there.value, at.value),
                 half_gradient: [
-                    F::pick(goes_on, there.half_gradient[0], at.half_gradient[0]),
-                    F::pick(goes_on, there.half_gradient[1], at.half_gradient[1]),
-                    F::pick(goes_on, there.half_gradient[2], at.half_gradient[2]),
+                    F::select(goes_on, there.half_gradient[0], at.half_gradient[0]),
+                    F::select(goes_on, there.half_gradient[1], at.half_gradient[1]),
+                    F::select(goes_on, there.half_gradient[2], at.half_gradient[2]),
                 ],
-                size: F::pick(goes_on, there.size, at.size),
+                size: F::select(goes_on, there.size, at.size),
             };
         }
         t
@@ -203,12 +183,12 @@ impl Quadric {
     #[inline(always)]
     fn at_four<F: F64Lanes>(&self, p: Vec3Lanes<F>) -> At<F> {
         let turned = self.turned_of_four(p);
-        let (square, linear) = (dot(p, turned), dot(same(self.linear), p));
-        let constant = F::all(self.constant);
+        let (square, linear) = (dot(p, turned), dot(splat(self.linear), p));
+        let constant = F::splat(self.constant);
         At {
-            value: square.plus(linear).plus(constant),
-            half_gradient: plus(turned, same(0.5 * self.linear)),
-            size: square.size().plus(linear.size()).plus(constant.size()),
+            value: square + linear + constant,
+            half_gradient: add(turned, splat(0.5 * self.linear)),
+            size: square.abs() + linear.abs() + constant.abs(),
         }
     }
 
@@ -216,11 +196,11 @@ impl Quadric {
     fn turned_of_four<F: F64Lanes>(&self, v: Vec3Lanes<F>) -> Vec3Lanes<F> {
         let matrix = &*self.matrix;
         let [x, y, z] = [
-            scaled(same(matrix.x_axis), v[0]),
-            scaled(same(matrix.y_axis), v[1]),
-            scaled(same(matrix.z_axis), v[2]),
+            scale(splat(matrix.x_axis), v[0]),
+            scale(splat(matrix.y_axis), v[1]),
+            scale(splat(matrix.z_axis), v[2]),
         ];
-        plus(plus(x, y), z)
+        add(add(x, y), z)
     }
 }
 
@@ -234,23 +214,24 @@ mod tests {
     use glam::DVec3;
 
     /// Asks where four rays are inside of a quadric.
+    #[derive(Clone, Copy)]
     struct Asked<'a> {
         quadric: &'a Quadric,
         rays: [Ray; 4],
         within: (f64, f64),
     }
 
-    impl FourKernel for Asked<'_> {
-        type Answer = [Option<(bool, f64, f64)>; 4];
+    impl SimdKernel for Asked<'_> {
+        type Output = [Option<(bool, f64, f64)>; 4];
 
-        fn run<F: F64Lanes>(&self) -> Self::Answer {
+        fn run<F: F64Lanes>(self) -> Self::Output {
             let spans = {
-                let (low, high) = (F::all(self.within.0), F::all(self.within.1));
+                let (low, high) = (F::splat(self.within.0), F::splat(self.within.1));
                 self.quadric
                     .four(&RayPacket::<F>::of_each(&self.rays), (low, high))
             };
-            let (enter, leave) = (spans.enter.store(), spans.leave.store());
-            let met = F::bits(spans.is_met);
+            let (enter, leave) = (spans.enter.to_array(), spans.leave.to_array());
+            let met = F::bitmask(spans.is_met);
             [0, 1, 2, 3].map(|lane| {
                 let is_known = spans.unknown >> lane & 1 == 0;
                 is_known.then(|| match met >> lane & 1 {
@@ -316,10 +297,7 @@ mod tests {
                 rays,
                 within,
             };
-            let (wide, narrow) = (
-                four(SimdLevel::widest(), &asked),
-                four(SimdLevel::NARROW, &asked),
-            );
+            let (wide, narrow) = (SimdLevel::widest().run(asked), SimdLevel::NARROW.run(asked));
             assert_eq!(wide, narrow);
             for (ray, found) in rays.iter().zip(wide) {
                 let Some(found) = found else { continue };

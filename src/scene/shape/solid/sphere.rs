@@ -13,8 +13,8 @@ use crate::base::math::roots::ray_sphere::{MARGIN, ball_chord};
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::{Bounds, Ray, Step, rotation};
 use crate::scene::shape::packet::{
-    NearestPacket, RayPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, minus,
-    same,
+    NearestPacket, RayPacket, SpanPacket, chords, dot, is_comfortable as are_comfortable, splat,
+    sub,
 };
 use crate::scene::shape::{
     Crossing, Geometry, Root, SURELY_ASIDE, Start, WELL_INSIDE, even_scale, first_visible,
@@ -74,7 +74,7 @@ impl Sphere {
     /// The spans of four rays.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
-        let p = minus(rays.origin, same(self.centre));
+        let p = sub(rays.origin, splat(self.centre));
         let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         SpanPacket::new((enter, leave), is_met, is_known)
@@ -100,34 +100,29 @@ impl Sphere {
         (from, far): (F, F),
         there: u32,
     ) -> NearestPacket<F> {
-        let p = minus(rays.origin, same(self.centre));
+        let p = sub(rays.origin, splat(self.centre));
         let (a, b, from_centre_sq) = (dot(rays.dir, rays.dir), dot(p, rays.dir), dot(p, p));
-        let r_sq = F::all(self.radius * self.radius);
-        let size = from_centre_sq.times(a);
-        let slack = size.times(F::all(MARGIN));
-        let (off, limit) = (size.minus(b.times(b)), r_sq.times(a));
-        let is_missed = limit.below(off.minus(slack));
+        let r_sq = F::splat(self.radius * self.radius);
+        let size = from_centre_sq * a;
+        let slack = size * F::splat(MARGIN);
+        let (off, limit) = (size - b * b, r_sq * a);
+        let is_missed = limit.lt(off - slack);
         // What starts outside and goes on to the middle of its chord enters before that, and no sooner than at c / 2|b|.
-        let ahead = b.negated();
-        let middle = ahead.over(a);
-        let soon = from.times(ahead).times(F::all(2.0 * SURELY_AFTER));
-        let is_outside = soon
-            .plus(from_centre_sq.times(F::all(MARGIN)))
-            .below(from_centre_sq.minus(r_sq));
-        let is_on_its_way = F::both(F::all(0.0).below(ahead), middle.below(far));
-        let is_entered = F::both(off.plus(slack).below(limit), is_outside);
-        let is_met = F::both(is_entered, is_on_its_way);
-        let is_clear = F::both(
-            F::either(is_missed, is_met),
-            are_comfortable(a, from_centre_sq),
-        );
-        if there & !F::bits(is_clear) != 0 {
+        let ahead = -b;
+        let middle = ahead / a;
+        let soon = from * ahead * F::splat(2.0 * SURELY_AFTER);
+        let is_outside = (soon + from_centre_sq * F::splat(MARGIN)).lt(from_centre_sq - r_sq);
+        let is_on_its_way = F::splat(0.0).lt(ahead) & middle.lt(far);
+        let is_entered = (off + slack).lt(limit) & is_outside;
+        let is_met = is_entered & is_on_its_way;
+        let is_clear = (is_missed | is_met) & are_comfortable(a, from_centre_sq);
+        if there & !F::bitmask(is_clear) != 0 {
             return self.nearest_of_four(rays, from, far);
         }
         NearestPacket {
             t: middle,
             leaves: 0,
-            met: F::bits(is_met),
+            met: F::bitmask(is_met),
             unknown: 0,
         }
     }
@@ -135,9 +130,9 @@ impl Sphere {
     /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
-        let p = minus(rays.origin, same(self.centre));
+        let p = sub(rays.origin, splat(self.centre));
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
-        F::both(is_known, F::all(0.0).below(dot(p, rays.dir)))
+        is_known & F::splat(0.0).lt(dot(p, rays.dir))
     }
 
     /// The root of a ray that starts on the surface and goes outward or inward besides the one it starts on.

@@ -10,9 +10,9 @@ use super::torus::{CLIP, REFINEMENT, Torus};
 use crate::base::math::conditioning::is_comfortable_size;
 use crate::base::math::simd::F64Lanes;
 use crate::scene::shape::packet::{
-    NearestPacket, RayPacket, RootPacket, Vec3Lanes, dot, is_comfortable, minus, plus,
+    NearestPacket, RayPacket, RootPacket, Vec3Lanes, add, dot, is_comfortable, sub,
 };
-use crate::scene::shape::packet::{same, scaled};
+use crate::scene::shape::packet::{scale, splat};
 
 /// Rays from farther away, in minor radii, are left to the careful way: what is rounded there is less than what
 /// [`CLIP`] allows for.
@@ -102,15 +102,15 @@ impl Torus {
     /// tangent plane.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
-        let p = minus(rays.origin, same(self.centre));
+        let p = sub(rays.origin, splat(self.centre));
         let is_known = is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
-        let across_sq = p[0].times(p[0]).plus(p[2].times(p[2]));
-        let is_outer = F::all(self.major * self.major).not_above(across_sq);
-        let is_known = F::both(is_known, is_outer);
+        let across_sq = p[0] * p[0] + p[2] * p[2];
+        let is_outer = F::splat(self.major * self.major).le(across_sq);
+        let is_known = is_known & is_outer;
         if self.has_four() {
             is_known
         } else {
-            F::mask(0)
+            F::mask_from_bits(0)
         }
     }
 
@@ -140,11 +140,11 @@ impl Torus {
             if asked == 0 {
                 continue;
             }
-            let is_ahead = F::bits(from.not_above(clipped.start[part]));
-            let is_over = F::bits(clipped.end[part].not_above(from));
+            let is_ahead = F::bitmask(from.le(clipped.start[part]));
+            let is_over = F::bitmask(clipped.end[part].le(from));
             begun |= asked & !is_ahead & !is_over;
             if left == [0, 0] {
-                let is_within = F::bits(clipped.start[part].not_above(far));
+                let is_within = F::bitmask(clipped.start[part].le(far));
                 clipped.asked[part] = asked & is_within & !is_over;
             }
         }
@@ -152,7 +152,7 @@ impl Torus {
             return self.all_roots(&rays, &clipped).nearest(from, far, left);
         }
         let mut nearest = NearestPacket {
-            t: F::all(f64::INFINITY),
+            t: F::splat(f64::INFINITY),
             leaves: 0,
             met: 0,
             unknown: clipped.unknown,
@@ -169,9 +169,9 @@ impl Torus {
             let mut asked = quartics.asked;
             if ANY {
                 // Somewhere inside, with room to both ends.
-                let is_clear = F::both(from.times(F::all(ROOM)).below(start), end.below(far));
-                let inside = quartics.inside() & asked & F::bits(is_clear);
-                nearest.t = F::pick(F::mask(inside), stretches.middle, nearest.t);
+                let is_clear = (from * F::splat(ROOM)).lt(start) & end.lt(far);
+                let inside = quartics.inside() & asked & F::bitmask(is_clear);
+                nearest.t = F::select(F::mask_from_bits(inside), stretches.middle, nearest.t);
                 nearest.met |= inside;
                 asked &= !inside;
             }
@@ -180,11 +180,11 @@ impl Torus {
             }
             let first = quartics.first(asked);
             let (x, refined) = stretches.refined(first.x);
-            let t = stretches.middle.plus(stretches.half.times(x));
+            let t = stretches.middle + stretches.half * x;
             nearest.unknown |= first.unknown | first.found & !refined;
-            let is_within = F::both(from.below(t), t.not_above(far));
-            let met = first.found & refined & F::bits(is_within);
-            nearest.t = F::pick(F::mask(met), t, nearest.t);
+            let is_within = from.lt(t) & t.le(far);
+            let met = first.found & refined & F::bitmask(is_within);
+            nearest.t = F::select(F::mask_from_bits(met), t, nearest.t);
             nearest.met |= met;
         }
         nearest
@@ -194,7 +194,7 @@ impl Torus {
     #[inline(always)]
     fn about<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RayPacket<F> {
         RayPacket {
-            origin: minus(rays.origin, same(self.centre)),
+            origin: sub(rays.origin, splat(self.centre)),
             dir: rays.dir,
         }
     }
@@ -203,7 +203,7 @@ impl Torus {
     #[inline(always)]
     fn clip_four<F: F64Lanes>(&self, rays: &RayPacket<F>, there: u32) -> Clipped<F> {
         let (origin, dir) = (rays.origin, rays.dir);
-        let none = F::all(0.0);
+        let none = F::splat(0.0);
         let (dir_sq, origin_sq) = (dot(dir, dir), dot(origin, origin));
         let mut clipped = Clipped {
             start: [none; 2],
@@ -213,53 +213,51 @@ impl Torus {
         };
         let height = self.minor * CLIP;
         let rim = self.major + height;
-        let across_sq = dir[0].times(dir[0]).plus(dir[2].times(dir[2]));
+        let across_sq = dir[0] * dir[0] + dir[2] * dir[2];
         let farthest = FARTHEST * self.minor;
-        let is_known = F::both(
-            is_comfortable(dir_sq, origin_sq),
-            origin_sq.below(F::all(farthest * farthest)),
-        );
-        clipped.unknown = there & !F::bits(is_known);
+        let is_known =
+            is_comfortable(dir_sq, origin_sq) & origin_sq.lt(F::splat(farthest * farthest));
+        clipped.unknown = there & !F::bitmask(is_known);
         // From the point nearest to the centre on.
-        let nearest = dot(origin, dir).negated().over(dir_sq);
-        let p = plus(origin, scaled(dir, nearest));
-        let is_near = dot(p, p).below(F::all(rim * rim + height * height));
-        if F::bits(is_near) & there & !clipped.unknown == 0 {
+        let nearest = -dot(origin, dir) / dir_sq;
+        let p = add(origin, scale(dir, nearest));
+        let is_near = dot(p, p).lt(F::splat(rim * rim + height * height));
+        if F::bitmask(is_near) & there & !clipped.unknown == 0 {
             return clipped;
         }
-        let is_flat = dir_sq.times(F::all(STEEPEST_SQUARE)).below(across_sq);
-        let inverse = F::all(1.0).over(across_sq);
-        let axis = p[0].times(dir[0]).plus(p[2].times(dir[2]));
-        let axis = axis.times(inverse).negated();
-        let (x, z) = (p[0].plus(axis.times(dir[0])), p[2].plus(axis.times(dir[2])));
-        let distance = x.times(x).plus(z.times(z)).root();
+        let is_flat = (dir_sq * F::splat(STEEPEST_SQUARE)).lt(across_sq);
+        let inverse = F::splat(1.0) / across_sq;
+        let axis = p[0] * dir[0] + p[2] * dir[2];
+        let axis = -(axis * inverse);
+        let (x, z) = (p[0] + axis * dir[0], p[2] + axis * dir[2]);
+        let distance = (x * x + z * z).sqrt();
         let in_rim = within(rim, distance);
-        let reach = in_rim.times(inverse).root();
-        let rise = F::all(1.0).over(dir[1]);
-        let down = F::all(-height).minus(p[1]).times(rise);
-        let up = F::all(height).minus(p[1]).times(rise);
-        let is_slanted = F::both(down.equals(down), up.equals(up));
-        let first = down.smaller(up).larger(axis.minus(reach));
-        let last = down.larger(up).smaller(axis.plus(reach));
-        let is_met = F::both(none.below(in_rim), first.below(last));
-        clipped.unknown |= there & F::bits(is_near) & !F::bits(F::both(is_flat, is_slanted));
-        let asked = there & F::bits(F::both(is_near, is_met)) & !clipped.unknown;
+        let reach = (in_rim * inverse).sqrt();
+        let rise = F::splat(1.0) / dir[1];
+        let down = (F::splat(-height) - p[1]) * rise;
+        let up = (F::splat(height) - p[1]) * rise;
+        let is_slanted = down.eq(down) & up.eq(up);
+        let first = down.lane_min(up).lane_max(axis - reach);
+        let last = down.lane_max(up).lane_min(axis + reach);
+        let is_met = none.lt(in_rim) & first.lt(last);
+        clipped.unknown |= there & F::bitmask(is_near) & !F::bitmask(is_flat & is_slanted);
+        let asked = there & F::bitmask(is_near & is_met) & !clipped.unknown;
         // The hole parts the stretch in two.
         let (mut part_end, mut part_start) = (last, last);
         let hole = self.major - height;
         if hole > 0.0 {
             let in_hole = within(hole, distance);
-            let reach = in_hole.times(inverse).root();
-            let is_in_hole = none.below(in_hole);
-            part_end = F::pick(is_in_hole, axis.minus(reach).smaller(last), last);
-            part_start = F::pick(is_in_hole, axis.plus(reach).larger(first), last);
+            let reach = (in_hole * inverse).sqrt();
+            let is_in_hole = none.lt(in_hole);
+            part_end = F::select(is_in_hole, (axis - reach).lane_min(last), last);
+            part_start = F::select(is_in_hole, (axis + reach).lane_max(first), last);
         }
         clipped.asked = [
-            asked & F::bits(first.below(part_end)),
-            asked & F::bits(part_start.below(last)),
+            asked & F::bitmask(first.lt(part_end)),
+            asked & F::bitmask(part_start.lt(last)),
         ];
-        clipped.start = [nearest.plus(first), nearest.plus(part_start)];
-        clipped.end = [nearest.plus(part_end), nearest.plus(last)];
+        clipped.start = [nearest + first, nearest + part_start];
+        clipped.end = [nearest + part_end, nearest + last];
         clipped
     }
 
@@ -279,7 +277,7 @@ impl Torus {
                 continue;
             }
             let places = quartics.all();
-            let mut last = F::all(-1.0);
+            let mut last = F::splat(-1.0);
             for (place, places) in places.into_iter().enumerate() {
                 roots.unknown |= places.unknown;
                 if places.found == 0 {
@@ -288,10 +286,10 @@ impl Torus {
                 let (x, refined) = stretches.refined(places.x);
                 roots.unknown |= places.found & !refined;
                 // Of a pair that is closer than can be told the second is drawn to the first.
-                let x = x.larger(last);
-                last = F::pick(F::mask(places.found), x, last);
+                let x = x.lane_max(last);
+                last = F::select(F::mask_from_bits(places.found), x, last);
                 let at = 4 * part + place;
-                roots.t[at] = stretches.middle.plus(stretches.half.times(x));
+                roots.t[at] = stretches.middle + stretches.half * x;
                 roots.met[at] = places.found;
             }
         }
@@ -300,16 +298,16 @@ impl Torus {
 
     #[inline(always)]
     fn stretches<F: F64Lanes>(&self, rays: &RayPacket<F>, from: F, to: F) -> Stretches<F> {
-        let middle = F::all(0.5).times(from.plus(to));
-        let half = F::all(0.5).times(to.minus(from));
+        let middle = F::splat(0.5) * (from + to);
+        let half = F::splat(0.5) * (to - from);
         let unit = 1.0 / self.minor;
-        let place = plus(rays.origin, scaled(rays.dir, middle));
+        let place = add(rays.origin, scale(rays.dir, middle));
         Stretches {
             middle,
             half,
-            place: scaled(place, F::all(unit)),
-            way: scaled(rays.dir, half.times(F::all(unit))),
-            major: F::all(self.major / self.minor),
+            place: scale(place, F::splat(unit)),
+            way: scale(rays.dir, half * F::splat(unit)),
+            major: F::splat(self.major / self.minor),
         }
     }
 }
@@ -319,28 +317,22 @@ impl<F: F64Lanes> Stretches<F> {
     #[inline(always)]
     fn quartics(&self, asked: u32) -> Quartics<F> {
         let (p, v) = (self.place, self.way);
-        let (one, two) = (F::all(1.0), F::all(2.0));
-        let inverse = one.over(self.major);
-        let half_inverse = F::all(0.5).times(inverse);
-        let both = dot(p, p).minus(self.major.times(self.major).plus(one));
+        let (one, two) = (F::splat(1.0), F::splat(2.0));
+        let inverse = one / self.major;
+        let half_inverse = F::splat(0.5) * inverse;
+        let both = dot(p, p) - (self.major * self.major + one);
         let s = [
-            both.times(half_inverse),
-            dot(p, v).times(inverse),
-            dot(v, v).times(half_inverse),
+            both * half_inverse,
+            dot(p, v) * inverse,
+            dot(v, v) * half_inverse,
         ];
-        let b = [
-            p[1].minus(one).times(p[1].plus(one)),
-            p[1].times(v[1]),
-            v[1].times(v[1]),
-        ];
+        let b = [(p[1] - one) * (p[1] + one), p[1] * v[1], v[1] * v[1]];
         let c = [
-            s[0].times(s[0]).plus(b[0]),
-            two.times(s[0].times(s[1]).plus(b[1])),
-            s[1].times(s[1])
-                .plus(two.times(s[0]).times(s[2]))
-                .plus(b[2]),
-            two.times(s[1]).times(s[2]),
-            s[2].times(s[2]),
+            s[0] * s[0] + b[0],
+            two * (s[0] * s[1] + b[1]),
+            s[1] * s[1] + two * s[0] * s[2] + b[2],
+            two * s[1] * s[2],
+            s[2] * s[2],
         ];
         Quartics::new(c, asked)
     }
@@ -355,33 +347,33 @@ impl<F: F64Lanes> Stretches<F> {
 
     #[inline(always)]
     fn refine(&self, x: F) -> (F, u32) {
-        let p = plus(self.place, scaled(self.way, x));
-        let axis_distance = p[0].times(p[0]).plus(p[2].times(p[2])).root();
-        let across = axis_distance.minus(self.major);
-        let outward = p[0].times(self.way[0]).plus(p[2].times(self.way[2]));
-        let outward = across.times(outward).over(axis_distance);
-        let slope = outward.plus(p[1].times(self.way[1]));
-        let from_middle = across.times(across).plus(p[1].times(p[1])).root();
-        let distance = from_middle.minus(F::all(1.0));
-        let step = distance.times(from_middle).over(slope);
-        let is_small = step.size().below(F::all(REFINEMENT));
-        (x.minus(step), F::bits(is_small))
+        let p = add(self.place, scale(self.way, x));
+        let axis_distance = (p[0] * p[0] + p[2] * p[2]).sqrt();
+        let across = axis_distance - self.major;
+        let outward = p[0] * self.way[0] + p[2] * self.way[2];
+        let outward = across * outward / axis_distance;
+        let slope = outward + p[1] * self.way[1];
+        let from_middle = (across * across + p[1] * p[1]).sqrt();
+        let distance = from_middle - F::splat(1.0);
+        let step = distance * from_middle / slope;
+        let is_small = step.abs().lt(F::splat(REFINEMENT));
+        (x - step, F::bitmask(is_small))
     }
 }
 
 impl<F: F64Lanes> Quartics<F> {
     #[inline(always)]
     fn new(c: [F; 5], asked: u32) -> Self {
-        let (none, one) = (F::all(0.0), F::all(1.0));
+        let (none, one) = (F::splat(0.0), F::splat(1.0));
         // As [`crate::base::math::roots::polynomial::is_quartic_positive`].
-        let (even, odd) = (c[0].plus(c[2]).plus(c[4]), c[1].plus(c[3]));
-        let inner_even = c[0].minus(c[4]);
-        let inner_odd = F::all(0.5).times(c[1].minus(c[3]));
-        let middle = c[0].minus(c[2].times(F::all(1.0 / 3.0))).plus(c[4]);
-        let ends = odd.size().below(even);
-        let inner = F::both(inner_odd.size().below(inner_even), none.below(middle));
-        let unknown = asked & !F::bits(ends);
-        let asked = asked & F::bits(ends) & !F::bits(inner);
+        let (even, odd) = (c[0] + c[2] + c[4], c[1] + c[3]);
+        let inner_even = c[0] - c[4];
+        let inner_odd = F::splat(0.5) * (c[1] - c[3]);
+        let middle = c[0] - c[2] * F::splat(1.0 / 3.0) + c[4];
+        let ends = odd.abs().lt(even);
+        let inner = inner_odd.abs().lt(inner_even) & none.lt(middle);
+        let unknown = asked & !F::bitmask(ends);
+        let asked = asked & F::bitmask(ends) & !F::bitmask(inner);
         let mut quartics = Quartics {
             c,
             low: one,
@@ -395,26 +387,24 @@ impl<F: F64Lanes> Quartics<F> {
             return quartics;
         }
         // Half the second derivative.
-        let three_c3 = F::all(3.0).times(c[3]);
-        let six_c4 = F::all(6.0).times(c[4]);
-        let mut bends = F::both(three_c3.size().below(c[2].plus(six_c4)), six_c4.below(c[2]));
-        let lowest = c[1].over(c[2]).times(F::all(-0.5));
+        let three_c3 = F::splat(3.0) * c[3];
+        let six_c4 = F::splat(6.0) * c[4];
+        let mut bends = three_c3.abs().lt(c[2] + six_c4) & six_c4.lt(c[2]);
+        let lowest = c[1] / c[2] * F::splat(-0.5);
         let lowest = on_stretch(lowest);
         (quartics.low, quartics.high) = (lowest, lowest);
-        if asked & !F::bits(bends) != 0 {
+        if asked & !F::bitmask(bends) != 0 {
             // Where half the second derivative is zero.
-            let discriminant = three_c3
-                .times(three_c3)
-                .minus(F::all(24.0).times(c[2]).times(c[4]));
-            bends = F::either(bends, discriminant.not_above(none));
-            let root = discriminant.root();
-            let is_right = three_c3.below(none);
-            let sum = F::pick(is_right, three_c3.minus(root), three_c3.plus(root));
-            let sum = sum.times(F::all(-0.5));
-            let (x, other) = (sum.over(six_c4), c[2].over(sum));
-            let (low, high) = (on_stretch(x.smaller(other)), on_stretch(x.larger(other)));
-            quartics.low = F::pick(bends, lowest, low);
-            quartics.high = F::pick(bends, lowest, high);
+            let discriminant = three_c3 * three_c3 - F::splat(24.0) * c[2] * c[4];
+            bends = bends | discriminant.le(none);
+            let root = discriminant.sqrt();
+            let is_right = three_c3.lt(none);
+            let sum = F::select(is_right, three_c3 - root, three_c3 + root);
+            let sum = sum * F::splat(-0.5);
+            let (x, other) = (sum / six_c4, c[2] / sum);
+            let (low, high) = (on_stretch(x.lane_min(other)), on_stretch(x.lane_max(other)));
+            quartics.low = F::select(bends, lowest, low);
+            quartics.high = F::select(bends, lowest, high);
             quartics.at_high = quartics.level(quartics.high);
             quartics.at_low = quartics.level(quartics.low);
         } else {
@@ -423,29 +413,29 @@ impl<F: F64Lanes> Quartics<F> {
         }
         // Above their tangents all along.
         let at = &quartics.at_low;
-        let drop = at.slope.size().times(one.plus(lowest.size()));
-        let is_above = F::both(bends, drop.below(at.value));
-        quartics.asked &= !F::bits(is_above);
+        let drop = at.slope.abs() * (one + lowest.abs());
+        let is_above = bends & drop.lt(at.value);
+        quartics.asked &= !F::bitmask(is_above);
         quartics
     }
 
     #[inline(always)]
     fn value_and_slope(&self, x: F) -> (F, F) {
         let c = &self.c;
-        let (a, da) = (c[4].times(x).plus(c[3]), c[4]);
-        let (b, db) = (a.times(x).plus(c[2]), da.times(x).plus(a));
-        let (d, dd) = (b.times(x).plus(c[1]), db.times(x).plus(b));
-        (d.times(x).plus(c[0]), dd.times(x).plus(d))
+        let (a, da) = (c[4] * x + c[3], c[4]);
+        let (b, db) = (a * x + c[2], da * x + a);
+        let (d, dd) = (b * x + c[1], db * x + b);
+        (d * x + c[0], dd * x + d)
     }
 
     #[inline(always)]
     fn level(&self, x: F) -> Level<F> {
-        let none = F::all(0.0);
+        let none = F::splat(0.0);
         let (value, slope) = self.value_and_slope(x);
         Level {
-            is_negative: F::bits(value.below(none)),
-            rises: F::bits(none.below(slope)),
-            falls: F::bits(slope.below(none)),
+            is_negative: F::bitmask(value.lt(none)),
+            rises: F::bitmask(none.lt(slope)),
+            falls: F::bitmask(slope.lt(none)),
             value,
             slope,
         }
@@ -466,7 +456,7 @@ impl<F: F64Lanes> Quartics<F> {
         let behind = asked & !low.is_negative & !places.found & (high.is_negative | high.falls);
         if behind != 0 {
             let later = self.enter_last(behind);
-            places.x = F::pick(F::mask(behind), later.x, places.x);
+            places.x = F::select(F::mask_from_bits(behind), later.x, places.x);
             places.found |= later.found;
             places.unknown |= later.unknown;
         }
@@ -480,22 +470,22 @@ impl<F: F64Lanes> Quartics<F> {
     fn all(&self) -> [Places<F>; 4] {
         let asked = self.asked;
         let (low, high) = (&self.at_low, &self.at_high);
-        let one = F::all(1.0);
+        let one = F::splat(1.0);
         let mut first = self.enter_first(asked & (low.is_negative | low.rises));
         let mut last = self.walk::<false>(&Quest {
             start: one,
             limit: self.high,
-            heading: one.negated(),
+            heading: -one,
             asked: asked & (high.is_negative | high.falls),
         });
         // Between the two turns, if it is below zero at both, it may rise above.
         let both = low.is_negative & high.is_negative & low.rises & high.falls;
         let from_low = asked & low.is_negative & (both | !high.is_negative);
         let from_above = first.found & !low.is_negative;
-        let heading = F::pick(F::mask(from_low), one, one.negated());
+        let heading = F::select(F::mask_from_bits(from_low), one, -one);
         let mut second = self.walk::<false>(&Quest {
             start: self.low,
-            limit: F::pick(F::mask(from_low), self.high, one.negated()),
+            limit: F::select(F::mask_from_bits(from_low), self.high, -one),
             heading,
             asked: from_low | from_above,
         });
@@ -515,9 +505,9 @@ impl<F: F64Lanes> Quartics<F> {
     /// The roots that enter where the quartics bend up first.
     #[inline(always)]
     fn enter_first(&self, asked: u32) -> Places<F> {
-        let one = F::all(1.0);
+        let one = F::splat(1.0);
         self.walk::<true>(&Quest {
-            start: one.negated(),
+            start: -one,
             limit: self.low,
             heading: one,
             asked,
@@ -527,12 +517,12 @@ impl<F: F64Lanes> Quartics<F> {
     /// The roots that enter where they bend down, or behind that where they bend up again.
     #[inline(always)]
     fn enter_last(&self, asked: u32) -> Places<F> {
-        let one = F::all(1.0);
-        let bends_down = F::mask(self.at_high.is_negative);
+        let one = F::splat(1.0);
+        let bends_down = F::mask_from_bits(self.at_high.is_negative);
         self.walk::<true>(&Quest {
             start: self.high,
-            limit: F::pick(bends_down, self.low, one),
-            heading: F::pick(bends_down, one.negated(), one),
+            limit: F::select(bends_down, self.low, one),
+            heading: F::select(bends_down, -one, one),
             asked,
         })
     }
@@ -541,9 +531,9 @@ impl<F: F64Lanes> Quartics<F> {
     #[inline(always)]
     fn walk<const ENTERS: bool>(&self, quest: &Quest<F>) -> Places<F> {
         let mut x = quest.start;
-        let none = F::all(0.0);
-        let mut found = F::mask(0);
-        let mut walking = F::mask(quest.asked);
+        let none = F::splat(0.0);
+        let mut found = F::mask_from_bits(0);
+        let mut walking = F::mask_from_bits(quest.asked);
         let mut left = quest.asked;
         for _ in 0..MAX_STEPS {
             if left == 0 {
@@ -553,29 +543,29 @@ impl<F: F64Lanes> Quartics<F> {
             let (slope, side) = if ENTERS {
                 (slope, quest.heading)
             } else {
-                (slope, quest.heading.negated())
+                (slope, -quest.heading)
             };
-            let height = value.times(side);
+            let height = value * side;
             let is_on_its_way = if ENTERS {
-                slope.below(none)
+                slope.lt(none)
             } else {
-                none.below(slope)
+                none.lt(slope)
             };
-            let next = x.minus(value.over(slope));
-            let is_within = next.minus(quest.limit).times(quest.heading).not_above(none);
-            let moves = F::both(F::both(none.below(height), is_on_its_way), is_within);
-            let moves = F::both(walking, moves);
-            let step = next.minus(x).size();
-            let is_last = F::both(moves, step.below(F::all(LAST_STEP)));
-            let has_arrived = F::both(walking, height.not_above(none));
-            found = F::either(found, F::either(has_arrived, is_last));
-            x = F::pick(moves, next, x);
-            walking = F::both(moves, F::all(LAST_STEP).not_above(step));
-            left = F::bits(walking);
+            let next = x - value / slope;
+            let is_within = ((next - quest.limit) * quest.heading).le(none);
+            let moves = (none.lt(height) & is_on_its_way) & is_within;
+            let moves = walking & moves;
+            let step = (next - x).abs();
+            let is_last = moves & step.lt(F::splat(LAST_STEP));
+            let has_arrived = walking & height.le(none);
+            found = found | (has_arrived | is_last);
+            x = F::select(moves, next, x);
+            walking = moves & F::splat(LAST_STEP).le(step);
+            left = F::bitmask(walking);
         }
         Places {
             x,
-            found: F::bits(found),
+            found: F::bitmask(found),
             unknown: left,
         }
     }
@@ -584,15 +574,15 @@ impl<F: F64Lanes> Quartics<F> {
 /// The difference of the squares of a radius and of distances.
 #[inline(always)]
 fn within<F: F64Lanes>(radius: f64, distance: F) -> F {
-    let radius = F::all(radius);
-    radius.minus(distance).times(radius.plus(distance))
+    let radius = F::splat(radius);
+    (radius - distance) * (radius + distance)
 }
 
 /// The nearest place of a stretch.
 #[inline(always)]
 fn on_stretch<F: F64Lanes>(x: F) -> F {
-    let one = F::all(1.0);
-    x.larger(one.negated()).smaller(one)
+    let one = F::splat(1.0);
+    x.lane_max(-one).lane_min(one)
 }
 
 impl<F: F64Lanes> Level<F> {
@@ -603,8 +593,8 @@ impl<F: F64Lanes> Level<F> {
             is_negative: 0,
             rises: 0,
             falls: 0,
-            value: F::all(0.0),
-            slope: F::all(0.0),
+            value: F::splat(0.0),
+            slope: F::splat(0.0),
         }
     }
 }

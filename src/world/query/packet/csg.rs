@@ -10,7 +10,7 @@
 
 use super::csg_tree::CsgTreePacket;
 use super::rays::{RayPacket4, RayStream};
-use crate::base::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root, SpanPacket};
 use crate::world::compiled::World;
 use crate::world::csg::program::{Combine, CsgProgram, RawHit, hide_departure};
@@ -85,28 +85,28 @@ impl<F: F64Lanes> End<F> {
     #[inline(always)]
     fn at(t: f64) -> Self {
         End {
-            t: F::all(t),
-            operand: F::all(-1.0),
-            tied: F::all(0.0),
+            t: F::splat(t),
+            operand: F::splat(-1.0),
+            tied: F::splat(0.0),
         }
     }
 
     /// Takes in the end of an operand, which counts where `is_new`.
     #[inline(always)]
     fn take(&mut self, t: F, operand: F, is_new: F::Mask) {
-        let [zero, one] = [F::all(0.0), F::all(1.0)];
-        let tied = F::pick(t.equals(self.t), one, self.tied);
-        self.tied = F::pick(is_new, zero, tied);
-        self.operand = F::pick(is_new, operand, self.operand);
-        self.t = F::pick(is_new, t, self.t);
+        let [zero, one] = [F::splat(0.0), F::splat(1.0)];
+        let tied = F::select(t.eq(self.t), one, self.tied);
+        self.tied = F::select(is_new, zero, tied);
+        self.operand = F::select(is_new, operand, self.operand);
+        self.t = F::select(is_new, t, self.t);
     }
 
     /// Where it may be shown: infinitely far where it only clips.
     #[inline(always)]
     fn shown(&self) -> F {
-        let zero = F::all(0.0);
-        let is_shown = F::either(zero.not_above(self.operand), zero.below(self.tied));
-        F::pick(is_shown, self.t, F::all(f64::INFINITY))
+        let zero = F::splat(0.0);
+        let is_shown = zero.le(self.operand) | zero.lt(self.tied);
+        F::select(is_shown, self.t, F::splat(f64::INFINITY))
     }
 }
 
@@ -168,34 +168,34 @@ impl CsgProgram {
         }
         passing.others = &others;
         match way {
-            PacketStrategy::Tree => four(lanes, &CsgTreePacket(passing)),
-            PacketStrategy::Intersection | PacketStrategy::Scalar => four(lanes, &passing),
+            PacketStrategy::Tree => lanes.run(CsgTreePacket(passing)),
+            PacketStrategy::Intersection | PacketStrategy::Scalar => lanes.run(passing),
         }
     }
 }
 
-impl FourKernel for ClipKernel<'_> {
-    type Answer = ([[f64; 4]; 2], u32);
+impl SimdKernel for ClipKernel<'_> {
+    type Output = ([[f64; 4]; 2], u32);
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> ([[f64; 4]; 2], u32) {
+    fn run<F: F64Lanes>(self) -> ([[f64; 4]; 2], u32) {
         match self.0.narrowed(&self.0.rays.load::<F>()) {
             None => ([[0.0; 4]; 2], 0),
             Some(ClipInterval {
                 low, high, unknown, ..
             }) => {
-                let left = F::bits(low.not_above(high)) | unknown;
-                ([low.store(), high.store()], left & self.0.there)
+                let left = F::bitmask(low.le(high)) | unknown;
+                ([low.to_array(), high.to_array()], left & self.0.there)
             }
         }
     }
 }
 
-impl FourKernel for CsgPacket<'_> {
-    type Answer = CsgPacketHits;
+impl SimdKernel for CsgPacket<'_> {
+    type Output = CsgPacketHits;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> CsgPacketHits {
+    fn run<F: F64Lanes>(self) -> CsgPacketHits {
         let rays = self.rays.load::<F>();
         let Some(held) = self.narrowed(&rays) else {
             return CsgPacketHits::NOTHING;
@@ -203,9 +203,9 @@ impl FourKernel for CsgPacket<'_> {
         if let Some(found) = self.found_at_once(&held, &rays) {
             return found;
         }
-        let endless = F::all(f64::INFINITY);
+        let endless = F::splat(f64::INFINITY);
         let mut unknown = held.unknown;
-        let mut ends = [(endless, endless.negated()); MOST_OPERANDS];
+        let mut ends = [(endless, -endless); MOST_OPERANDS];
         for (ends, &number) in ends.iter_mut().zip(self.others) {
             let (own, own_unknown) = self.ends(number, &rays, (held.low, held.high));
             *ends = own;
@@ -222,12 +222,12 @@ impl FourKernel for CsgPacket<'_> {
         }
         let mut at = NearestEnd::none();
         for end in [&held.enter, &held.leave] {
-            at.is_met_twice(F::both(F::all(0.0).below(end.tied), end.t.equals(best)));
-            at.meet(end.t.equals(best), end.operand);
+            at.is_met_twice(F::splat(0.0).lt(end.tied) & end.t.eq(best));
+            at.meet(end.t.eq(best), end.operand);
         }
         for (ends, &number) in cuts.iter().zip(self.others) {
-            at.meet(ends.0.equals(best), F::all(f64::from(number)));
-            at.meet(ends.1.equals(best), F::all(f64::from(number)));
+            at.meet(ends.0.eq(best), F::splat(f64::from(number)));
+            at.meet(ends.1.eq(best), F::splat(f64::from(number)));
         }
         at.answer(best, unknown, self.there)
     }
@@ -244,32 +244,32 @@ impl<F: F64Lanes> NearestEnd<F> {
     #[inline(always)]
     pub(in crate::world) fn none() -> Self {
         NearestEnd {
-            operand: F::all(0.0),
-            once: F::mask(0),
-            twice: F::mask(0),
+            operand: F::splat(0.0),
+            once: F::mask_from_bits(0),
+            twice: F::mask_from_bits(0),
         }
     }
 
     #[inline(always)]
     pub(in crate::world) fn meet(&mut self, is_best: F::Mask, operand: F) {
-        self.twice = F::either(self.twice, F::both(self.once, is_best));
-        self.once = F::either(self.once, is_best);
-        self.operand = F::pick(is_best, operand, self.operand);
+        self.twice = self.twice | (self.once & is_best);
+        self.once = self.once | is_best;
+        self.operand = F::select(is_best, operand, self.operand);
     }
 
     #[inline(always)]
     fn is_met_twice(&mut self, is_tied: F::Mask) {
-        self.twice = F::either(self.twice, is_tied);
+        self.twice = self.twice | is_tied;
     }
 
     /// What is found where the first surface shown is at `best`, or infinitely far.
     #[inline(always)]
     pub(in crate::world) fn answer(&self, best: F, unknown: u32, there: u32) -> CsgPacketHits {
-        let met = F::bits(best.below(F::all(f64::INFINITY))) & there;
-        let unknown = unknown | F::bits(self.twice) & met;
+        let met = F::bitmask(best.lt(F::splat(f64::INFINITY))) & there;
+        let unknown = unknown | F::bitmask(self.twice) & met;
         CsgPacketHits {
-            t: best.store(),
-            operand: self.operand.store(),
+            t: best.to_array(),
+            operand: self.operand.to_array(),
             met: met & !unknown,
             unknown,
         }
@@ -293,8 +293,8 @@ impl CsgPacket<'_> {
         rays: &RayPacket<F>,
     ) -> Option<ClipInterval<F>> {
         let mut held = ClipInterval {
-            low: F::load(&self.rays.from),
-            high: F::load(&self.rays.far),
+            low: F::from_array(&self.rays.from),
+            high: F::from_array(&self.rays.far),
             enter: End::at(f64::NEG_INFINITY),
             leave: End::at(f64::INFINITY),
             unknown: 0,
@@ -307,12 +307,12 @@ impl CsgPacket<'_> {
             } else {
                 f64::from(number)
             };
-            let operand = F::all(operand);
-            held.enter.take(enter, operand, held.enter.t.below(enter));
-            held.leave.take(leave, operand, leave.below(held.leave.t));
-            held.low = held.low.larger(enter);
-            held.high = held.high.smaller(leave);
-            let is_open = F::bits(held.low.not_above(held.high)) | held.unknown;
+            let operand = F::splat(operand);
+            held.enter.take(enter, operand, held.enter.t.lt(enter));
+            held.leave.take(leave, operand, leave.lt(held.leave.t));
+            held.low = held.low.lane_max(enter);
+            held.high = held.high.lane_min(leave);
+            let is_open = F::bitmask(held.low.le(held.high)) | held.unknown;
             if is_open & self.there == 0 {
                 return None;
             }
@@ -329,26 +329,24 @@ impl CsgPacket<'_> {
         rays: &RayPacket<F>,
     ) -> Option<CsgPacketHits> {
         let t = held.enter.shown();
-        let passes = F::bits(held.high.below(held.low));
-        let is_plain = F::both(
-            F::both(F::load(&self.rays.from).below(t), t.below(held.high)),
-            F::both(t.equals(held.low), held.enter.tied.equals(F::all(0.0))),
-        );
-        let mut clear = F::bits(is_plain) & !passes;
+        let passes = F::bitmask(held.high.lt(held.low));
+        let is_plain = (F::from_array(&self.rays.from).lt(t) & t.lt(held.high))
+            & (t.eq(held.low) & held.enter.tied.eq(F::splat(0.0)));
+        let mut clear = F::bitmask(is_plain) & !passes;
         for &number in self.others {
             if (clear | passes) & self.there != self.there {
                 break;
             }
             let leaf = &self.leaves[(self.program.first + number) as usize];
-            clear &= F::bits(match &leaf.object_from_world {
+            clear &= F::bitmask(match &leaf.object_from_world {
                 None => leaf.shape.four_clear(rays, t),
                 Some(matrix) => leaf.shape.four_clear(&rays.to_object(matrix), t),
             });
         }
         let is_known = held.unknown == 0 && (clear | passes) & self.there == self.there;
         is_known.then(|| CsgPacketHits {
-            t: t.store(),
-            operand: held.enter.operand.store(),
+            t: t.to_array(),
+            operand: held.enter.operand.to_array(),
             met: clear & self.there,
             unknown: 0,
         })
@@ -358,16 +356,16 @@ impl CsgPacket<'_> {
     /// would not take part in the wide lanes.
     #[inline(always)]
     fn nearer<F: F64Lanes>(&self, held: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
-        let from = F::load(&self.rays.from);
-        let is_within = F::both(held.low.not_above(t), t.not_above(held.high));
-        let mut is_shown = F::both(F::both(from.below(t), is_within), t.below(best));
-        if F::bits(is_shown) & self.there == 0 {
+        let from = F::from_array(&self.rays.from);
+        let is_within = held.low.le(t) & t.le(held.high);
+        let mut is_shown = (from.lt(t) & is_within) & t.lt(best);
+        if F::bitmask(is_shown) & self.there == 0 {
             return best;
         }
         for (enter, leave) in cuts {
-            is_shown = F::both(is_shown, F::either(t.not_above(*enter), leave.not_above(t)));
+            is_shown = is_shown & (t.le(*enter) | leave.le(t));
         }
-        F::pick(is_shown, t, best)
+        F::select(is_shown, t, best)
     }
 
     /// Entry and exit of each ray into an operand, and the lanes that take the scalar path; ends outside of the intervals
@@ -380,10 +378,10 @@ impl CsgPacket<'_> {
         within: (F, F),
     ) -> ((F, F), u32) {
         let spans = self.spans(number, rays, within);
-        let endless = F::all(f64::INFINITY);
+        let endless = F::splat(f64::INFINITY);
         let ends = (
-            F::pick(spans.is_met, spans.enter, endless),
-            F::pick(spans.is_met, spans.leave, endless.negated()),
+            F::select(spans.is_met, spans.enter, endless),
+            F::select(spans.is_met, spans.leave, -endless),
         );
         (ends, spans.unknown)
     }
@@ -413,7 +411,7 @@ impl CsgPacket<'_> {
         let Some(boxed) = boxed.filter(|boxed| !boxed.bounded.is_empty()) else {
             return Some(());
         };
-        let ([low, high], left) = four(lanes, &ClipKernel(*self));
+        let ([low, high], left) = lanes.run(ClipKernel(*self));
         self.there = left;
         let room = match self.program.nodes.len() {
             1 => MOST_OPERANDS,

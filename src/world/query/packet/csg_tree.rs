@@ -1,7 +1,7 @@
 //! Combinations of combinations, for four rays at once: as `four`, with the formula of the whole tree for each end.
 
 use super::csg::{CsgPacket, CsgPacketHits, MOST_NODES, MOST_OPERANDS, NearestEnd};
-use crate::base::math::simd::{F64Lanes, FourKernel};
+use crate::base::math::simd::{F64Lanes, SimdKernel};
 use crate::world::csg::program::{Combine, NONE};
 
 /// Four rays on their way through a combination of combinations.
@@ -33,7 +33,7 @@ impl<F: F64Lanes> InsideMasks<F> {
     /// Where a combination of nothing is.
     #[inline(always)]
     fn of_nothing(combine: Combine) -> Self {
-        let (all, none) = (F::mask(0b1111), F::mask(0));
+        let (all, none) = (F::mask_from_bits(0b1111), F::mask_from_bits(0));
         match combine {
             Combine::Intersection => InsideMasks {
                 inside: all,
@@ -51,12 +51,12 @@ impl<F: F64Lanes> InsideMasks<F> {
     fn add(&mut self, combine: Combine, part: Self) {
         match combine {
             Combine::Intersection => {
-                self.inside = F::both(self.inside, part.inside);
-                self.outside = F::either(self.outside, part.outside);
+                self.inside = self.inside & part.inside;
+                self.outside = self.outside | part.outside;
             }
             Combine::Union | Combine::Merge => {
-                self.inside = F::either(self.inside, part.inside);
-                self.outside = F::both(self.outside, part.outside);
+                self.inside = self.inside | part.inside;
+                self.outside = self.outside & part.outside;
             }
         }
     }
@@ -74,11 +74,11 @@ impl<F: F64Lanes> InsideMasks<F> {
     }
 }
 
-impl FourKernel for CsgTreePacket<'_> {
-    type Answer = CsgPacketHits;
+impl SimdKernel for CsgTreePacket<'_> {
+    type Output = CsgPacketHits;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> CsgPacketHits {
+    fn run<F: F64Lanes>(self) -> CsgPacketHits {
         let CsgTreePacket(passing) = self;
         let rays = passing.rays.load::<F>();
         let Some(held) = passing.narrowed(&rays) else {
@@ -100,26 +100,26 @@ impl FourKernel for CsgTreePacket<'_> {
         }
         let parts = &parts[..count];
         let apart = self.apart(parts);
-        let from = F::load(&passing.rays.from);
-        let mut best = F::all(f64::INFINITY);
+        let from = F::from_array(&passing.rays.from);
+        let mut best = F::splat(f64::INFINITY);
         for (place, part) in parts.iter().enumerate() {
             if passing.program.operands[part.number as usize].is_hidden {
                 continue;
             }
             for t in [part.ends.0, part.ends.1] {
-                let is_within = F::both(held.low.not_above(t), t.not_above(held.high));
-                let is_next = F::both(F::both(from.below(t), is_within), t.below(best));
-                if F::bits(is_next) & passing.there != 0 {
+                let is_within = held.low.le(t) & t.le(held.high);
+                let is_next = (from.lt(t) & is_within) & t.lt(best);
+                if F::bitmask(is_next) & passing.there != 0 {
                     let is_covered = self.is_covered((parts, place), t, &apart);
-                    best = F::pick(is_next, F::pick(is_covered, best, t), best);
+                    best = F::select(is_next, F::select(is_covered, best, t), best);
                 }
             }
         }
         let mut at = NearestEnd::none();
         for part in parts {
-            let number = F::all(f64::from(part.number));
-            at.meet(part.ends.0.equals(best), number);
-            at.meet(part.ends.1.equals(best), number);
+            let number = F::splat(f64::from(part.number));
+            at.meet(part.ends.0.eq(best), number);
+            at.meet(part.ends.1.eq(best), number);
         }
         at.answer(best, unknown, passing.there)
     }
@@ -172,14 +172,14 @@ impl CsgTreePacket<'_> {
             let operand = &program.operands[part.number as usize];
             let (enter, leave) = part.ends;
             let side = InsideMasks {
-                inside: F::both(enter.below(t), t.below(leave)),
-                outside: F::either(t.below(enter), leave.below(t)),
+                inside: enter.lt(t) & t.lt(leave),
+                outside: t.lt(enter) | leave.lt(t),
             };
             let combine = program.nodes[operand.parent as usize].combine;
             let parent = operand.parent as usize % MOST_NODES;
             sides[parent].add(combine, side.exchanged(operand.is_inverse));
         }
-        let mut is_covered = F::mask(0);
+        let mut is_covered = F::mask_from_bits(0);
         let mut above = program.operands[parts[place].number as usize].parent;
         for (at, node) in nodes.rev() {
             let own = sides[at];
@@ -194,8 +194,8 @@ impl CsgTreePacket<'_> {
             above = node.parent;
             is_covered = match node.combine {
                 Combine::Union => is_covered,
-                Combine::Merge => F::either(is_covered, own.inside),
-                Combine::Intersection => F::either(is_covered, own.outside),
+                Combine::Merge => is_covered | own.inside,
+                Combine::Intersection => is_covered | own.outside,
             };
         }
         is_covered

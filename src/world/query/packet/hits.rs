@@ -1,8 +1,10 @@
 //! What many rays meet, and how light of a lamp comes to it: four by four, in the form in which lanes work on them.
 
 use crate::base::math::Ray;
-use crate::base::math::simd::three::{Vec3Lanes, dot, largest, load, minus, plus, scaled, store};
-use crate::base::math::simd::{F64Lanes, F64x4, FourWork, SimdLevel, fours};
+use crate::base::math::simd::vec3::{
+    Vec3Lanes, add, dot, from_arrays, max_abs, scale, sub, to_arrays,
+};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, SimdLevel};
 use crate::base::memory::prefetch;
 use crate::scene::shape::{Crossing, Shape};
 use crate::world::compiled::World;
@@ -276,32 +278,30 @@ struct HitsOnSpheres<'a> {
     centre: [[f64; 4]; 3],
 }
 
-impl FourWork for HitsOnSpheres<'_> {
+impl SimdKernel for HitsOnSpheres<'_> {
     /// Whose numbers need no care, one bit each: first of the points, then of the normals.
-    type Answer = [u32; 2];
+    type Output = [u32; 2];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [u32; 2] {
         let hits = self.hits;
-        let (dir, t) = (load(&hits.dir), F::load(&hits.t));
-        let point = plus(load(self.origin), scaled(dir, t));
-        let size = largest(point).larger(t);
-        let [x, y, z] = [point[0].size(), point[1].size(), point[2].size()];
-        let is_finite = x.plus(y).plus(z).below(F::all(f64::INFINITY));
-        let normal = minus(point, load(&self.centre));
+        let (dir, t) = (from_arrays(&hits.dir), F::from_array(&hits.t));
+        let point = add(from_arrays(self.origin), scale(dir, t));
+        let size = max_abs(point).lane_max(t);
+        let [x, y, z] = [point[0].abs(), point[1].abs(), point[2].abs()];
+        let is_finite = (x + y + z).lt(F::splat(f64::INFINITY));
+        let normal = sub(point, from_arrays(&self.centre));
         let length_sq = dot(normal, normal);
-        let is_normal = F::both(
-            F::all(f64::MIN_POSITIVE).not_above(length_sq),
-            length_sq.below(F::all(f64::INFINITY)),
-        );
-        let normal = scaled(normal, F::all(1.0).over(length_sq.root()));
+        let is_normal =
+            F::splat(f64::MIN_POSITIVE).le(length_sq) & length_sq.lt(F::splat(f64::INFINITY));
+        let normal = scale(normal, F::splat(1.0) / length_sq.sqrt());
         let (facing, turned) = facing(normal, dir);
-        hits.point = store(point);
-        hits.blur = F::all(BLUR).times(size).store();
-        hits.normal = store(normal);
-        hits.facing = store(facing);
+        hits.point = to_arrays(point);
+        hits.blur = (F::splat(BLUR) * size).to_array();
+        hits.normal = to_arrays(normal);
+        hits.facing = to_arrays(facing);
         hits.turned = turned;
-        [F::bits(is_finite), F::bits(is_normal)]
+        [F::bitmask(is_finite), F::bitmask(is_normal)]
     }
 }
 
@@ -310,14 +310,14 @@ struct FaceForward<'a> {
     hits: &'a mut HitPacket4,
 }
 
-impl FourWork for FaceForward<'_> {
-    type Answer = ();
+impl SimdKernel for FaceForward<'_> {
+    type Output = ();
 
     #[inline(always)]
     fn run<F: F64x4>(self) {
-        let normal: Vec3Lanes<F> = load(&self.hits.facing);
-        let (facing, turned) = facing(normal, load(&self.hits.dir));
-        self.hits.facing = store(facing);
+        let normal: Vec3Lanes<F> = from_arrays(&self.hits.facing);
+        let (facing, turned) = facing(normal, from_arrays(&self.hits.dir));
+        self.hits.facing = to_arrays(facing);
         self.hits.turned = turned;
     }
 }
@@ -325,13 +325,13 @@ impl FourWork for FaceForward<'_> {
 /// Four normals on the side from which rays of these directions come, and which of them are turned for that, one bit each.
 #[inline(always)]
 fn facing<F: F64Lanes>(normal: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> (Vec3Lanes<F>, u32) {
-    let is_turned = F::all(0.0).below(dot(normal, dir));
+    let is_turned = F::splat(0.0).lt(dot(normal, dir));
     let turned = [
-        F::pick(is_turned, normal[0].negated(), normal[0]),
-        F::pick(is_turned, normal[1].negated(), normal[1]),
-        F::pick(is_turned, normal[2].negated(), normal[2]),
+        F::select(is_turned, -normal[0], normal[0]),
+        F::select(is_turned, -normal[1], normal[1]),
+        F::select(is_turned, -normal[2], normal[2]),
     ];
-    (turned, F::bits(is_turned))
+    (turned, F::bitmask(is_turned))
 }
 
 impl World {
@@ -367,7 +367,7 @@ impl World {
             hits,
             centre,
         };
-        let sure = fours(lanes, on_balls);
+        let sure = lanes.run(on_balls);
         let mut left = met & !(balls & sure[0] & sure[1]);
         if left == 0 {
             return;
@@ -381,7 +381,7 @@ impl World {
                 self.note_hit(origin, found, sure[0] >> lane & 1 == 1, hits, lane);
             }
         }
-        fours(lanes, FaceForward { hits });
+        lanes.run(FaceForward { hits });
     }
 
     /// Notes what one of four rays has met. If that is a ball it is marked, and the centre given.

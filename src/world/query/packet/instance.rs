@@ -3,7 +3,7 @@
 use super::csg::may_be_left;
 use super::hits::NO_LEAF;
 use super::rays::{RayPacket4, RayStream};
-use crate::base::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{RayPacket, Root, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
@@ -31,16 +31,16 @@ struct NearestInInstance {
     unknown: u32,
 }
 
-impl<const ANY: bool> FourKernel for InstancePacket<'_, ANY> {
-    type Answer = NearestInInstance;
+impl<const ANY: bool> SimdKernel for InstancePacket<'_, ANY> {
+    type Output = NearestInInstance;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> NearestInInstance {
+    fn run<F: F64Lanes>(self) -> NearestInInstance {
         let rays: RayPacket<F> = self.rays.load();
         let rays = rays.to_object(&self.copy.object_from_world);
-        let from = F::load(&self.rays.from);
-        let mut far = F::load(&self.rays.far);
-        let (mut t, mut leaf) = (F::all(f64::INFINITY), F::all(0.0));
+        let from = F::from_array(&self.rays.from);
+        let mut far = F::from_array(&self.rays.far);
+        let (mut t, mut leaf) = (F::splat(f64::INFINITY), F::splat(0.0));
         let (mut leaves, mut met, mut unknown) = (0, 0, 0);
         for (number, own) in (0u32..).zip(&self.copy.model.leaves) {
             let mut asked = self.there & !unknown;
@@ -60,7 +60,7 @@ impl<const ANY: bool> FourKernel for InstancePacket<'_, ANY> {
             }
             has_left &= asked;
             if has_left != 0 {
-                let gone = F::bits(ball.four_left_behind(&rays)) & self.rays.goes_out;
+                let gone = F::bitmask(ball.four_left_behind(&rays)) & self.rays.goes_out;
                 unknown |= has_left & !gone;
                 asked &= !has_left;
             }
@@ -71,17 +71,17 @@ impl<const ANY: bool> FourKernel for InstancePacket<'_, ANY> {
                 continue;
             }
             // Which of two at the same distance comes first single rays know.
-            unknown |= F::bits(nearest.t.equals(t)) & met & new;
-            let is_new = F::mask(new);
-            t = F::pick(is_new, nearest.t, t);
-            far = F::pick(is_new, nearest.t, far);
-            leaf = F::pick(is_new, F::all(f64::from(number)), leaf);
+            unknown |= F::bitmask(nearest.t.eq(t)) & met & new;
+            let is_new = F::mask_from_bits(new);
+            t = F::select(is_new, nearest.t, t);
+            far = F::select(is_new, nearest.t, far);
+            leaf = F::select(is_new, F::splat(f64::from(number)), leaf);
             leaves = leaves & !new | nearest.leaves & new;
             met |= new;
         }
         NearestInInstance {
-            t: t.store(),
-            leaf: leaf.store(),
+            t: t.to_array(),
+            leaf: leaf.to_array(),
             leaves,
             met,
             unknown: unknown & self.there,
@@ -115,7 +115,7 @@ impl World {
             left,
             there,
         };
-        let found = four(lanes, &asked);
+        let found = lanes.run(asked);
         let mut unknown = found.unknown;
         let mut met = found.met & !unknown;
         while met != 0 {

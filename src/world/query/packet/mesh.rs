@@ -4,8 +4,8 @@ use super::bundle::each_bit;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::accel::Bundle;
 use crate::base::math::Ray;
-use crate::base::math::simd::three::{Vec3Lanes, dot, minus, over, same, scaled, store};
-use crate::base::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
+use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot, scale, splat, sub, to_arrays};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::base::math::watertight::{RayFrame, RayFrames4};
 use crate::scene::shape::{Mesh, Shape};
 use crate::world::bvh_items::IndexedItem;
@@ -87,26 +87,26 @@ struct MeshEntry<'a> {
     sign: f64,
 }
 
-impl FourKernel for MeshEntry<'_> {
-    type Answer = MeshPacket;
+impl SimdKernel for MeshEntry<'_> {
+    type Output = MeshPacket;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> MeshPacket {
+    fn run<F: F64Lanes>(self) -> MeshPacket {
         let mut rays = self.queries.load::<F>();
-        let mut speed = F::all(1.0);
+        let mut speed = F::splat(1.0);
         let mut unit_dir = rays.dir;
         if let Some(matrix) = self.matrix {
             rays = rays.to_object(matrix);
-            speed = dot(rays.dir, rays.dir).root();
-            unit_dir = over(rays.dir, speed);
+            speed = dot(rays.dir, rays.dir).sqrt();
+            unit_dir = divide(rays.dir, speed);
         }
-        let way: Vec3Lanes<F> = minus(rays.origin, same(self.origin));
+        let way: Vec3Lanes<F> = sub(rays.origin, splat(self.origin));
         MeshPacket {
-            origin: store(rays.origin),
-            dir: store(rays.dir),
-            unit_dir: store(scaled(unit_dir, F::all(self.sign))),
-            speed: speed.store(),
-            distance: dot(way, way).root().store(),
+            origin: to_arrays(rays.origin),
+            dir: to_arrays(rays.dir),
+            unit_dir: to_arrays(scale(unit_dir, F::splat(self.sign))),
+            speed: speed.to_array(),
+            distance: dot(way, way).sqrt().to_array(),
         }
     }
 }
@@ -313,7 +313,7 @@ impl MeshQuery<'_> {
                 origin,
                 sign,
             };
-            own.rays.push(four(lanes, &entering));
+            own.rays.push(lanes.run(entering));
             own.frames.push(None);
         }
         let rays = &own.rays;

@@ -2,7 +2,7 @@
 
 use super::csg::may_be_left;
 use super::rays::{RayPacket4, RayStream};
-use crate::base::math::simd::{F64Lanes, FourKernel, SimdLevel, four};
+use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
@@ -27,22 +27,25 @@ struct NearestRoots {
     unknown: u32,
 }
 
-impl<const ANY: bool> FourKernel for PrimitivePacket<'_, ANY> {
-    type Answer = NearestRoots;
+impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
+    type Output = NearestRoots;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> NearestRoots {
+    fn run<F: F64Lanes>(self) -> NearestRoots {
         let mut rays: RayPacket<F> = self.rays.load();
         if let Some(matrix) = &self.leaf.object_from_world {
             rays = rays.to_object(matrix);
         }
-        let (from, far) = (F::load(&self.rays.from), F::load(&self.rays.far));
+        let (from, far) = (
+            F::from_array(&self.rays.from),
+            F::from_array(&self.rays.far),
+        );
         let nearest =
             self.leaf
                 .shape
                 .nearest_of_four::<F, ANY>(&rays, (from, far), self.left, self.there);
         NearestRoots {
-            t: nearest.t.store(),
+            t: nearest.t.to_array(),
             leaves: nearest.leaves,
             met: nearest.met,
             unknown: nearest.unknown,
@@ -56,16 +59,16 @@ struct ExitedLanes<'a> {
     rays: &'a RayPacket4,
 }
 
-impl FourKernel for ExitedLanes<'_> {
-    type Answer = u32;
+impl SimdKernel for ExitedLanes<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<F: F64Lanes>(&self) -> u32 {
+    fn run<F: F64Lanes>(self) -> u32 {
         let mut rays: RayPacket<F> = self.rays.load();
         if let Some(matrix) = &self.leaf.object_from_world {
             rays = rays.to_object(matrix);
         }
-        F::bits(self.leaf.shape.four_left_behind(&rays))
+        F::bitmask(self.leaf.shape.four_left_behind(&rays))
     }
 }
 
@@ -96,7 +99,7 @@ impl World {
         let mut own = rays.have_left(number) & there;
         let is_told = leaf.shape.tells_left_behind();
         if own & rays.goes_out != 0 && is_told {
-            let gone = own & rays.goes_out & four(lanes, &ExitedLanes { leaf, rays });
+            let gone = own & rays.goes_out & lanes.run(ExitedLanes { leaf, rays });
             there &= !gone;
             own &= !gone;
         }
@@ -119,7 +122,7 @@ impl World {
             return 0;
         }
         asked.there = there;
-        let found = four(lanes, &asked);
+        let found = lanes.run(asked);
         let mut unknown = (found.unknown | unclear) & there;
         let mut met = found.met & there & !unknown;
         while met != 0 {

@@ -3,7 +3,7 @@
 use super::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
 use crate::base::math::Ray;
 use crate::base::math::simd::F64Lanes;
-use crate::base::math::simd::three::load;
+use crate::base::math::simd::vec3::from_arrays;
 use crate::scene::shape::RayPacket;
 use crate::world::query::Query;
 use glam::DVec3;
@@ -215,8 +215,8 @@ impl RayPacket4 {
     #[inline(always)]
     pub(in crate::world) fn load<F: F64Lanes>(&self) -> RayPacket<F> {
         RayPacket {
-            origin: load(&self.origin),
-            dir: load(&self.dir),
+            origin: from_arrays(&self.origin),
+            dir: from_arrays(&self.dir),
         }
     }
 

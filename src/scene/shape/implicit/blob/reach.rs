@@ -4,7 +4,7 @@
 //! size, so that what is worked out is of size 1 and its error far below [`SLACK`].
 
 use super::component::Component;
-use crate::base::math::simd::{Eight, Kernel, SimdLevel, eight};
+use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
@@ -81,7 +81,7 @@ impl Reach {
             origin: single(nearest),
             dir: single(dir),
         };
-        !eight(lanes, &line)
+        !lanes.run(line)
     }
 }
 
@@ -103,28 +103,28 @@ impl Balls {
     }
 }
 
-impl Kernel for Line<'_> {
-    type Answer = u64;
+impl SimdKernel for Line<'_> {
+    type Output = u64;
 
     /// Which balls are missed.
     #[inline(always)]
-    fn run<E: Eight>(&self) -> u64 {
+    fn run<F: F64x4>(self) -> u64 {
         let [dx, dy, dz] = [
-            E::all(self.dir[0]),
-            E::all(self.dir[1]),
-            E::all(self.dir[2]),
+            <F::F32>::splat(self.dir[0]),
+            <F::F32>::splat(self.dir[1]),
+            <F::F32>::splat(self.dir[2]),
         ];
-        let slack = E::all(SLACK);
+        let slack = <F::F32>::splat(SLACK);
         let mut missed = 0;
         for (balls, first) in self.balls.iter().zip((0_u32..).step_by(LANES)) {
-            let x = E::load(&balls.centre[0]).minus(E::all(self.origin[0]));
-            let y = E::load(&balls.centre[1]).minus(E::all(self.origin[1]));
-            let z = E::load(&balls.centre[2]).minus(E::all(self.origin[2]));
-            let along = x.times(dx).plus(y.times(dy)).plus(z.times(dz));
-            let away_sq = x.times(x).plus(y.times(y)).plus(z.times(z));
-            let from_line_sq = away_sq.minus(along.times(along));
-            let reached = E::load(&balls.radius_sq).plus(slack);
-            missed |= u64::from(reached.not_above(from_line_sq)) << first;
+            let x = <F::F32>::from_array(&balls.centre[0]) - <F::F32>::splat(self.origin[0]);
+            let y = <F::F32>::from_array(&balls.centre[1]) - <F::F32>::splat(self.origin[1]);
+            let z = <F::F32>::from_array(&balls.centre[2]) - <F::F32>::splat(self.origin[2]);
+            let along = x * dx + y * dy + z * dz;
+            let away_sq = x * x + y * y + z * z;
+            let from_line_sq = away_sq - along * along;
+            let reached = <F::F32>::from_array(&balls.radius_sq) + slack;
+            missed |= u64::from(reached.le(from_line_sq)) << first;
         }
         missed
     }

@@ -6,9 +6,9 @@
 use super::complex::Function;
 use super::places::{Orbit, Pair, Places, Quaternion};
 use super::{Fractal, JuliaFractal, LEAST_WAY, Rule, TOLERANCE, unit};
-use crate::base::math::simd::three::{Vec3Lanes, dot, over};
-use crate::base::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
-use crate::scene::shape::packet::{plus, scaled};
+use crate::base::math::simd::vec3::{Vec3Lanes, divide, dot};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
+use crate::scene::shape::packet::{add, scale};
 use crate::scene::shape::packet_search::{FourAsked, FourFound};
 
 /// What a length may lose by rounding.
@@ -34,15 +34,15 @@ impl JuliaFractal {
     /// Where those of four rays that are asked for enter it.
     pub(crate) fn nearest_of_four(&self, asked: &FourAsked) -> FourFound {
         let fractal = &self.0;
-        with_widest(|lanes| four(lanes, &Following { fractal, asked }))
+        with_widest(|lanes| lanes.run(Following { fractal, asked }))
     }
 }
 
-impl FourKernel for Following<'_> {
-    type Answer = FourFound;
+impl SimdKernel for Following<'_> {
+    type Output = FourFound;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> FourFound {
+    fn run<F: F64x4>(self) -> FourFound {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.follow::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.follow::<F, Quaternion<F, 3>>(),
@@ -60,37 +60,41 @@ impl Following<'_> {
     fn follow<F: F64Lanes, O: Orbit<F>>(&self) -> FourFound {
         let (fractal, asked) = (self.fractal, self.asked);
         let rays = asked.rays::<F>();
-        let length = dot(rays.dir, rays.dir).root();
+        let length = dot(rays.dir, rays.dir).sqrt();
         let rays = Rays {
             origin: rays.origin,
-            dir: over(rays.dir, length),
+            dir: divide(rays.dir, length),
         };
-        let middle = dot(rays.origin, rays.dir).negated();
-        let nearest = plus(rays.origin, scaled(rays.dir, middle));
-        let half_sq = F::all(fractal.radius * fractal.radius).minus(dot(nearest, nearest));
-        let half = half_sq.root();
-        let (enter, leave) = (middle.minus(half), middle.plus(half));
-        let (least, from) = (F::all(TOLERANCE), F::load(&asked.from));
-        let start = F::pick(F::mask(asked.left), least, from.times(length).larger(least));
-        let mut depth = enter.larger(start);
+        let middle = -dot(rays.origin, rays.dir);
+        let nearest = add(rays.origin, scale(rays.dir, middle));
+        let half_sq = F::splat(fractal.radius * fractal.radius) - dot(nearest, nearest);
+        let half = half_sq.sqrt();
+        let (enter, leave) = (middle - half, middle + half);
+        let (least, from) = (F::splat(TOLERANCE), F::from_array(&asked.from));
+        let start = F::select(
+            F::mask_from_bits(asked.left),
+            least,
+            (from * length).lane_max(least),
+        );
+        let mut depth = enter.lane_max(start);
         let mut found = FourFound {
             t: [f64::INFINITY; 4],
             met: 0,
             // Those whose start is no number go back to all that is behind them.
-            unknown: asked.there & !F::bits(F::all(f64::NEG_INFINITY).below(from)),
+            unknown: asked.there & !F::bitmask(F::splat(f64::NEG_INFINITY).lt(from)),
         };
-        let is_met = F::both(F::all(0.0).below(half_sq), depth.below(leave));
-        let mut going = F::bits(is_met) & asked.there & !found.unknown;
+        let is_met = F::splat(0.0).lt(half_sq) & depth.lt(leave);
+        let mut going = F::bitmask(is_met) & asked.there & !found.unknown;
         // Behind this no root is wanted.
-        let end = F::load(&asked.far).times(length).times(F::all(1.0 + LOSS));
+        let end = F::from_array(&asked.far) * length * F::splat(1.0 + LOSS);
         let mut places = self.places::<F, O>(&rays, depth, going);
         found.unknown |= places.inside();
         going &= !places.inside();
         while going != 0 {
             let step = self.steps(&places, going);
-            let next = depth.plus(F::load(&step));
-            let is_over = F::either(leave.below(next), next.equals(depth));
-            going &= !F::bits(F::either(is_over, end.below(depth)));
+            let next = depth + F::from_array(&step);
+            let is_over = leave.lt(next) | next.eq(depth);
+            going &= !F::bitmask(is_over | end.lt(depth));
             if going == 0 {
                 break;
             }
@@ -102,8 +106,8 @@ impl Following<'_> {
                 changing &= changing - 1;
                 self.meet(
                     lane,
-                    (depth.store()[lane], step[lane]),
-                    enter.store()[lane],
+                    (depth.to_array()[lane], step[lane]),
+                    enter.to_array()[lane],
                     &mut found,
                 );
             }
@@ -116,14 +120,14 @@ impl Following<'_> {
     #[inline(always)]
     fn places<F: F64Lanes, O: Orbit<F>>(&self, rays: &Rays<F>, depth: F, going: u32) -> Places {
         let fractal = self.fractal;
-        let [x, y, z] = plus(rays.origin, scaled(rays.dir, depth));
+        let [x, y, z] = add(rays.origin, scale(rays.dir, depth));
         let slope = fractal.slope;
-        let slope = [F::all(slope.x), F::all(slope.y), F::all(slope.z)];
-        let w = F::all(fractal.offset).plus(dot(slope, [x, y, z]));
+        let slope = [F::splat(slope.x), F::splat(slope.y), F::splat(slope.z)];
+        let w = F::splat(fractal.offset) + dot(slope, [x, y, z]);
         // As two complex numbers; the fourth coordinate is taken as if it stood still.
         let [i, j, k] = rays.dir;
-        let none = F::all(0.0);
-        let along = [[i.minus(none), j.plus(k)], [i.plus(none), j.minus(k)]];
+        let none = F::splat(0.0);
+        let along = [[i - none, j + k], [i + none, j - k]];
         fractal.iterate([O::start(fractal, [x, y, z, w], along)], going)
     }
 

@@ -4,7 +4,7 @@
 use super::complex::{Complex, Function};
 use super::{Fractal, MOST_LEAST_STEPS, Rule, TOLERANCE};
 use crate::base::math::Ray;
-use crate::base::math::simd::{F64Lanes, F64x4, FourKernel, four, with_widest};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use glam::DVec4;
 
 /// So many places are looked at together.
@@ -85,7 +85,7 @@ impl Fractal {
                     starts: &starts,
                     along,
                 };
-                four(lanes, &iterating)
+                lanes.run(iterating)
             },
         )
     }
@@ -196,7 +196,7 @@ impl Iterating<'_> {
     #[inline(always)]
     fn four<F: F64Lanes>(&self, axis: usize, first: usize) -> F {
         let row = &self.starts[axis];
-        F::load(&[row[first], row[first + 1], row[first + 2], row[first + 3]])
+        F::from_array(&[row[first], row[first + 1], row[first + 2], row[first + 3]])
     }
 
     #[inline(always)]
@@ -215,7 +215,10 @@ impl Iterating<'_> {
             self.four(2, first),
             self.four(3, first),
         ];
-        let along = [[F::all(i.re), F::all(i.im)], [F::all(k.re), F::all(k.im)]];
+        let along = [
+            [F::splat(i.re), F::splat(i.im)],
+            [F::splat(k.re), F::splat(k.im)],
+        ];
         O::start(self.fractal, z, along)
     }
 }
@@ -229,7 +232,7 @@ impl Fractal {
         marked: u32,
     ) -> Places {
         let ball = self.radius * self.radius;
-        let exit = F::all(ball + O::BEYOND);
+        let exit = F::splat(ball + O::BEYOND);
         let mut places = Places {
             staying: marked,
             ..Places::NOTHING
@@ -243,11 +246,11 @@ impl Fractal {
                 let orbit = &mut orbits[part];
                 let norm = orbit.norm();
                 orbit.passes(norm);
-                let staying = F::bits(norm.not_above(exit));
+                let staying = F::bitmask(norm.le(exit));
                 let leaving = places.staying >> (4 * part) & 0b1111 & !staying;
                 if leaving != 0 {
                     places.staying &= !(leaving << (4 * part));
-                    let (norms, told) = (norm.store(), orbit.told().store());
+                    let (norms, told) = (norm.to_array(), orbit.told().to_array());
                     let mut lane = 0;
                     while lane < 4 {
                         if leaving >> lane & 1 == 1 {
@@ -274,11 +277,11 @@ impl Fractal {
     }
 }
 
-impl FourKernel for Iterating<'_> {
-    type Answer = Places;
+impl SimdKernel for Iterating<'_> {
+    type Output = Places;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> Places {
+    fn run<F: F64x4>(self) -> Places {
         match self.fractal.rule {
             Rule::QuaternionSquare => self.iterate::<F, Quaternion<F, 2>>(),
             Rule::QuaternionCube => self.iterate::<F, Quaternion<F, 3>>(),
@@ -305,21 +308,21 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
         let c = fractal.c;
         Quaternion {
             z,
-            c: [F::all(c.x), F::all(c.y), F::all(c.z), F::all(c.w)],
-            passed: F::all(1.0),
+            c: [F::splat(c.x), F::splat(c.y), F::splat(c.z), F::splat(c.w)],
+            passed: F::splat(1.0),
         }
     }
 
     #[inline(always)]
     fn norm(&self) -> F {
         let [x, y, z, w] = self.z;
-        let flat = x.times(x).plus(y.times(y));
-        flat.plus(z.times(z)).plus(w.times(w))
+        let flat = x * x + y * y;
+        flat + z * z + w * w
     }
 
     #[inline(always)]
     fn passes(&mut self, norm: F) {
-        self.passed = self.passed.times(norm);
+        self.passed = self.passed * norm;
     }
 
     #[inline(always)]
@@ -330,21 +333,21 @@ impl<F: F64Lanes, const DEGREE: u8> Orbit<F> for Quaternion<F, DEGREE> {
     #[inline(always)]
     fn next(self) -> Self {
         let [x, y, z, w] = self.z;
-        let x_sq = x.times(x);
-        let v_sq = y.times(y).plus(z.times(z)).plus(w.times(w));
+        let x_sq = x * x;
+        let v_sq = y * y + z * z + w * w;
         let (real, factor) = if DEGREE == 2 {
-            (x_sq.minus(v_sq), F::all(2.0).times(x))
+            (x_sq - v_sq, F::splat(2.0) * x)
         } else {
-            let three = F::all(3.0);
-            let real = x.times(x_sq.minus(three.times(v_sq)));
-            (real, three.times(x_sq).minus(v_sq))
+            let three = F::splat(3.0);
+            let real = x * (x_sq - three * v_sq);
+            (real, three * x_sq - v_sq)
         };
         Quaternion {
             z: [
-                real.plus(self.c[0]),
-                factor.times(y).plus(self.c[1]),
-                factor.times(z).plus(self.c[2]),
-                factor.times(w).plus(self.c[3]),
+                real + self.c[0],
+                factor * y + self.c[1],
+                factor * z + self.c[2],
+                factor * w + self.c[3],
             ],
             ..self
         }
@@ -368,8 +371,11 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
     fn start(fractal: &Fractal, [x, y, z, w]: [F; 4], along: [[F; 2]; 2]) -> Self {
         let [a, b] = split(fractal.c);
         Pair {
-            z: [[x.minus(w), y.plus(z)], [x.plus(w), y.minus(z)]],
-            c: [[F::all(a.re), F::all(a.im)], [F::all(b.re), F::all(b.im)]],
+            z: [[x - w, y + z], [x + w, y - z]],
+            c: [
+                [F::splat(a.re), F::splat(a.im)],
+                [F::splat(b.re), F::splat(b.im)],
+            ],
             along,
         }
     }
@@ -377,9 +383,9 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
     #[inline(always)]
     fn norm(&self) -> F {
         let [[a, b], [c, d]] = self.z;
-        let first = a.times(a).plus(b.times(b));
-        let second = c.times(c).plus(d.times(d));
-        F::all(0.5).times(first.plus(second))
+        let first = a * a + b * b;
+        let second = c * c + d * d;
+        F::splat(0.5) * (first + second)
     }
 
     #[inline(always)]
@@ -390,9 +396,9 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
     fn told(&self) -> F {
         let [[a, b], [c, d]] = self.z;
         let [[e, f], [g, h]] = self.along;
-        let first = a.times(e).plus(b.times(f)).negated();
-        let second = c.times(g).plus(d.times(h)).negated();
-        first.plus(second)
+        let first = -(a * e + b * f);
+        let second = -(c * g + d * h);
+        first + second
     }
 
     #[inline(always)]
@@ -410,20 +416,14 @@ impl<F: F64Lanes> Orbit<F> for Pair<F> {
 
 #[inline(always)]
 fn squared<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
-    let across = re.times(im);
-    [
-        re.times(re).minus(im.times(im)).plus(a),
-        across.plus(across).plus(b),
-    ]
+    let across = re * im;
+    [re * re - im * im + a, across + across + b]
 }
 
 #[inline(always)]
 fn carried<F: F64Lanes>([re, im]: [F; 2], [a, b]: [F; 2]) -> [F; 2] {
-    let (re, im) = (re.plus(re), im.plus(im));
-    [
-        re.times(a).minus(im.times(b)),
-        re.times(b).plus(im.times(a)),
-    ]
+    let (re, im) = (re + re, im + im);
+    [re * a - im * b, re * b + im * a]
 }
 
 #[cfg(test)]

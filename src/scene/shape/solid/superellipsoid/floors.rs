@@ -4,7 +4,7 @@ use super::Superellipsoid;
 use super::norms::{norm, norm_and_shares};
 use super::rough::{Rough, SLACK};
 use crate::base::math::Ray;
-use crate::base::math::simd::{F64Lanes, F64x4, FourWork, fours, with_widest};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use smallvec::SmallVec;
 
 /// The least power for which a rounding of a coordinate, of zero too, moves the size by less than 1e-7.
@@ -24,15 +24,15 @@ struct Floors<'s> {
     places: [[f64; 4]; 3],
 }
 
-impl FourWork for Floors<'_> {
-    type Answer = [[f64; 4]; 2];
+impl SimdKernel for Floors<'_> {
+    type Output = [[f64; 4]; 2];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [[f64; 4]; 2] {
         let Superellipsoid { across, along } = *self.rough.shape;
         let [from, touch, to] = &self.places;
         let [from, to] = [self.points::<F>(from), self.points::<F>(to)];
-        let (mut of_plane, mut of_size) = ([F::all(1.0); 2], [F::all(1.0); 2]);
+        let (mut of_plane, mut of_size) = ([F::splat(1.0); 2], [F::splat(1.0); 2]);
         if across > 1.0 || along > 1.0 {
             let touch = self.points::<F>(touch);
             let ring;
@@ -50,11 +50,11 @@ impl Floors<'_> {
     #[inline(always)]
     fn points<F: F64Lanes>(&self, t: &[f64; 4]) -> [F; 3] {
         let Ray { origin, dir } = self.rough.ray;
-        let t = F::load(t);
+        let t = F::from_array(t);
         [
-            F::all(origin.x).plus(t.times(F::all(dir.x))).size(),
-            F::all(origin.y).plus(t.times(F::all(dir.y))).size(),
-            F::all(origin.z).plus(t.times(F::all(dir.z))).size(),
+            (F::splat(origin.x) + t * F::splat(dir.x)).abs(),
+            (F::splat(origin.y) + t * F::splat(dir.y)).abs(),
+            (F::splat(origin.z) + t * F::splat(dir.z)).abs(),
         ]
     }
 
@@ -66,7 +66,7 @@ impl Floors<'_> {
     ) -> [f64; 4] {
         let Superellipsoid { across, along } = *self.rough.shape;
         let ring = floor_of_norm(x, y, across, of_plane);
-        floor_of_norm(ring, z, along, of_size).store()
+        floor_of_norm(ring, z, along, of_size).to_array()
     }
 }
 
@@ -74,7 +74,7 @@ impl Floors<'_> {
 #[inline(always)]
 fn floor_of_norm<F: F64Lanes>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
     if p > 1.0 {
-        a.times(slopes[0]).plus(b.times(slopes[1]))
+        a * slopes[0] + b * slopes[1]
     } else {
         norm(a, b, p)
     }
@@ -92,13 +92,10 @@ impl Rough<'_> {
         let pieces: [[f64; 3]; 4] = std::array::from_fn(|i| piece(i.min(count - 1)));
         let places = [0, 1, 2].map(|place| pieces.map(|piece| piece[place]));
         let floors = with_widest(|lanes| {
-            fours(
-                lanes,
-                Floors {
-                    rough: self,
-                    places,
-                },
-            )
+            lanes.run(Floors {
+                rough: self,
+                places,
+            })
         });
         (0..count).fold(0, |bits, i| {
             let is_above = floors.iter().all(|floor| floor[i] > 1.0 + MARGIN);
@@ -139,13 +136,10 @@ impl Rough<'_> {
         let pieces: [[f64; 3]; 4] = std::array::from_fn(|i| piece(i.min(count - 1)));
         let places = [0, 1, 2].map(|place| pieces.map(|piece| piece[place]));
         let [from, to] = with_widest(|lanes| {
-            fours(
-                lanes,
-                Floors {
-                    rough: self,
-                    places,
-                },
-            )
+            lanes.run(Floors {
+                rough: self,
+                places,
+            })
         });
         // Where the tangent touches the floor is the size.
         let is_on_surface = (from[0] - 1.0).abs() <= MARGIN;

@@ -9,55 +9,55 @@ pub(super) const TINY: f64 = 1e-290;
 /// `(part / whole)^(p − 1)` for the least part and the most whole and the other way round, of two parts.
 #[inline(always)]
 pub(super) fn shares<F: F64Lanes>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
-    let part = F::load(&[a[0], a[1], b[0], b[1]]);
-    let whole = F::load(&[whole[1], whole[0], whole[1], whole[0]]);
-    let ratio = part.over(whole.larger(F::all(TINY)));
-    let ratio = F::pick(F::all(0.0).below(whole), ratio, F::all(1.0)).smaller(F::all(1.0));
+    let part = F::from_array(&[a[0], a[1], b[0], b[1]]);
+    let whole = F::from_array(&[whole[1], whole[0], whole[1], whole[0]]);
+    let ratio = part / whole.lane_max(F::splat(TINY));
+    let ratio = F::select(F::splat(0.0).lt(whole), ratio, F::splat(1.0)).lane_min(F::splat(1.0));
     if p == 2.0 {
-        return ratio.store();
+        return ratio.to_array();
     }
-    power(ratio, p - 1.0).store()
+    power(ratio, p - 1.0).to_array()
 }
 
 /// `(a^p + b^p)^(1/p)` of numbers that are not negative.
 #[inline(always)]
 pub(super) fn norm<F: F64Lanes>(a: F, b: F, p: f64) -> F {
     if p == 1.0 {
-        return a.plus(b);
+        return a + b;
     }
     if p == 2.0 {
-        return a.times(a).plus(b.times(b)).root();
+        return (a * a + b * b).sqrt();
     }
-    let (small, large) = (a.smaller(b), a.larger(b));
-    let rest = power(small.over(large.larger(F::all(TINY))), p);
-    large.times(power(F::all(1.0).plus(rest), 1.0 / p))
+    let (small, large) = (a.lane_min(b), a.lane_max(b));
+    let rest = power(small / large.lane_max(F::splat(TINY)), p);
+    large * power(F::splat(1.0) + rest, 1.0 / p)
 }
 
 /// The same and its derivatives by both numbers.
 #[inline(always)]
 pub(super) fn norm_and_shares<F: F64Lanes>(a: F, b: F, p: f64) -> (F, [F; 2]) {
-    let one = F::all(1.0);
+    let one = F::splat(1.0);
     if p == 1.0 {
-        return (a.plus(b), [one, one]);
+        return (a + b, [one, one]);
     }
-    let tiny = F::all(TINY);
+    let tiny = F::splat(TINY);
     if p == 2.0 {
-        let norm = a.times(a).plus(b.times(b)).root();
-        let over = one.over(norm.larger(tiny));
-        return (norm, [a.times(over), b.times(over)]);
+        let norm = (a * a + b * b).sqrt();
+        let over = one / norm.lane_max(tiny);
+        return (norm, [a * over, b * over]);
     }
-    let (small, large) = (a.smaller(b), a.larger(b));
-    let ratio = small.over(large.larger(tiny));
+    let (small, large) = (a.lane_min(b), a.lane_max(b));
+    let ratio = small / large.lane_max(tiny);
     let rest = power(ratio, p);
-    let growth = power(one.plus(rest), 1.0 / p);
-    let of_large = growth.over(one.plus(rest));
-    let of_nothing = F::all(if p > 1.0 { 0.0 } else { f64::INFINITY });
-    let of_small = rest.over(ratio).times(of_large);
-    let of_small = F::pick(tiny.below(ratio), of_small, of_nothing);
-    let is_first_small = a.below(b);
+    let growth = power(one + rest, 1.0 / p);
+    let of_large = growth / (one + rest);
+    let of_nothing = F::splat(if p > 1.0 { 0.0 } else { f64::INFINITY });
+    let of_small = rest / ratio * of_large;
+    let of_small = F::select(tiny.lt(ratio), of_small, of_nothing);
+    let is_first_small = a.lt(b);
     let shares = [
-        F::pick(is_first_small, of_small, of_large),
-        F::pick(is_first_small, of_large, of_small),
+        F::select(is_first_small, of_small, of_large),
+        F::select(is_first_small, of_large, of_small),
     ];
-    (large.times(growth), shares)
+    (large * growth, shares)
 }

@@ -12,8 +12,8 @@ use crate::base::math::roots::interval_roots::{
     Interval, IntervalFunction, exact_change, sign_changes,
 };
 use crate::base::math::roots::polynomial::Roots;
-use crate::base::math::simd::three::{dot, plus, scaled, sizes};
-use crate::base::math::simd::{F64Lanes, F64x4, FourWork, fours, with_widest};
+use crate::base::math::simd::vec3::{abs, add, dot, scale};
+use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::RayPacket;
 use glam::DVec3;
 
@@ -57,17 +57,17 @@ impl Superellipsoid {
     /// By how much the size exceeds 1 at places of rays, and its slopes along them.
     #[inline(always)]
     pub(super) fn rough_at<F: F64Lanes>(&self, rays: &RayPacket<F>, t: F) -> (F, F) {
-        let p = plus(rays.origin, scaled(rays.dir, t));
-        let [x, y, z] = sizes(p);
+        let p = add(rays.origin, scale(rays.dir, t));
+        let [x, y, z] = abs(p);
         let (ring, [of_x, of_y]) = norm_and_shares(x, y, self.across);
         let (size, [of_ring, of_z]) = norm_and_shares(ring, z, self.along);
-        let gradient = [of_ring.times(of_x), of_ring.times(of_y), of_z];
+        let gradient = [of_ring * of_x, of_ring * of_y, of_z];
         let growth = [
-            rays.dir[0].turned_by(p[0]),
-            rays.dir[1].turned_by(p[1]),
-            rays.dir[2].turned_by(p[2]),
+            rays.dir[0].xor_sign(p[0]),
+            rays.dir[1].xor_sign(p[1]),
+            rays.dir[2].xor_sign(p[2]),
         ];
-        (size.minus(F::all(1.0)), dot(gradient, growth))
+        (size - F::splat(1.0), dot(gradient, growth))
     }
 }
 
@@ -297,7 +297,7 @@ impl<'s> Pieces<'s> {
             shape: self.rough.shape,
             points: [least, most, self.rough.ray.at(middle).abs()],
         };
-        let [sizes, of_plane, of_size] = with_widest(|lanes| fours(lanes, corners));
+        let [sizes, of_plane, of_size] = with_widest(|lanes| lanes.run(corners));
         // Which way each coordinate grows without its sign is the same on all of the piece.
         let growth = self.rough.ray.at(middle).signum() * self.rough.ray.dir;
         let by_ring = [of_size[0].min(of_size[1]), of_size[0].max(of_size[1])];
@@ -344,8 +344,8 @@ struct Corners<'s> {
     points: [DVec3; 3],
 }
 
-impl FourWork for Corners<'_> {
-    type Answer = [[f64; 4]; 3];
+impl SimdKernel for Corners<'_> {
+    type Output = [[f64; 4]; 3];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [[f64; 4]; 3] {
@@ -354,9 +354,9 @@ impl FourWork for Corners<'_> {
         let x = [least.x, most.x, middle.x, middle.x];
         let y = [least.y, most.y, middle.y, middle.y];
         let z = [least.z, most.z, middle.z, middle.z];
-        let ring = norm(F::load(&x), F::load(&y), across);
-        let sizes = norm(ring, F::load(&z), along).store();
-        let ring = ring.store();
+        let ring = norm(F::from_array(&x), F::from_array(&y), across);
+        let sizes = norm(ring, F::from_array(&z), along).to_array();
+        let ring = ring.to_array();
         let of_plane = shares::<F>([[x[0], x[1]], [y[0], y[1]]], [ring[0], ring[1]], across);
         let of_size = shares::<F>(
             [[ring[0], ring[1]], [z[0], z[1]]],

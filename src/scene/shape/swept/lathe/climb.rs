@@ -2,7 +2,7 @@
 
 use crate::base::math::Ray;
 use crate::base::math::roots::interval_roots::{Interval, IntervalFunction};
-use crate::base::math::simd::{F64x4, FourKernel};
+use crate::base::math::simd::{F64x4, SimdKernel};
 use crate::scene::shape::swept::spline::Segment;
 use glam::{DVec2, DVec3};
 
@@ -136,46 +136,46 @@ impl FourReaches {
     }
 }
 
-impl FourKernel for FourAndClimb<'_> {
-    type Answer = FourPasses;
+impl SimdKernel for FourAndClimb<'_> {
+    type Output = FourPasses;
 
     // Spelt out: closures are not always inlined.
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> FourPasses {
+    fn run<F: F64x4>(self) -> FourPasses {
         let (of, climb) = (self.reaches, self.climb);
-        let (aside, height) = (F::all(climb.aside), F::all(climb.height));
-        let (sine, cosine) = (F::all(climb.sine), F::all(climb.cosine));
-        let (ahead, zero) = (F::all(climb.ahead), F::all(0.0));
-        let (least, most) = (F::load(&of.near), F::load(&of.far));
-        let near_sq = least.minus(aside).times(least.plus(aside));
-        let far_sq = most.minus(aside).times(most.plus(aside));
-        let near = near_sq.larger(zero).root();
-        let far = far_sq.larger(zero).root();
-        let (low, high) = (F::load(&of.low), F::load(&of.high));
-        let lowest = cosine.times(low.minus(height));
-        let highest = cosine.times(high.minus(height));
-        let tall = low.size().larger(high.size()).plus(height.size());
-        let size = cosine.times(tall);
-        let size = size.plus(sine.size().times(far.plus(ahead.size())));
-        let care = F::all(ROUNDINGS * f64::EPSILON).times(size);
-        let first = sine.times(near.minus(ahead));
-        let last = sine.times(far.minus(ahead));
-        let above = care.below(lowest.minus(first.larger(last)));
-        let below = highest.minus(first.smaller(last)).below(care.negated());
-        let passed = F::bits(F::either(above, below));
-        let first = sine.times(near.negated().minus(ahead));
-        let last = sine.times(far.negated().minus(ahead));
-        let above = care.below(lowest.minus(first.larger(last)));
-        let below = highest.minus(first.smaller(last)).below(care.negated());
-        let passed_back = F::bits(F::either(above, below));
-        let within = F::bits(most.below(aside));
+        let (aside, height) = (F::splat(climb.aside), F::splat(climb.height));
+        let (sine, cosine) = (F::splat(climb.sine), F::splat(climb.cosine));
+        let (ahead, zero) = (F::splat(climb.ahead), F::splat(0.0));
+        let (least, most) = (F::from_array(&of.near), F::from_array(&of.far));
+        let near_sq = (least - aside) * (least + aside);
+        let far_sq = (most - aside) * (most + aside);
+        let near = near_sq.lane_max(zero).sqrt();
+        let far = far_sq.lane_max(zero).sqrt();
+        let (low, high) = (F::from_array(&of.low), F::from_array(&of.high));
+        let lowest = cosine * (low - height);
+        let highest = cosine * (high - height);
+        let tall = low.abs().lane_max(high.abs()) + height.abs();
+        let size = cosine * tall;
+        let size = size + sine.abs() * (far + ahead.abs());
+        let care = F::splat(ROUNDINGS * f64::EPSILON) * size;
+        let first = sine * (near - ahead);
+        let last = sine * (far - ahead);
+        let above = care.lt(lowest - first.lane_max(last));
+        let below = (highest - first.lane_min(last)).lt(-care);
+        let passed = F::bitmask(above | below);
+        let first = sine * (-near - ahead);
+        let last = sine * (-far - ahead);
+        let above = care.lt(lowest - first.lane_max(last));
+        let below = (highest - first.lane_min(last)).lt(-care);
+        let passed_back = F::bitmask(above | below);
+        let within = F::bitmask(most.lt(aside));
         FourPasses {
             met: [
                 0b1111 & !(passed | within),
                 0b1111 & !(passed_back | within),
             ],
-            near: near.store(),
-            far: far.store(),
+            near: near.to_array(),
+            far: far.to_array(),
         }
     }
 }

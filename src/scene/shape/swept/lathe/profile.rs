@@ -15,7 +15,7 @@ use crate::base::math::roots::interval_roots::{
     Interval as Lengths, IntervalFunction, sign_changes,
 };
 use crate::base::math::roots::polynomial::Roots;
-use crate::base::math::simd::{SimdLevel, four, with_widest};
+use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
 use crate::scene::shape::swept::spline;
 use crate::scene::shape::swept::spline::{Chain, Segment};
@@ -269,7 +269,7 @@ impl Profile {
     #[inline(always)]
     fn passes(&self, lanes: SimdLevel, climb: &Climb, mut visit: impl FnMut(Pass)) {
         for (reaches, first) in self.reaches.iter().zip((0..).step_by(4)) {
-            let found = four(lanes, &FourAndClimb { reaches, climb });
+            let found = lanes.run(FourAndClimb { reaches, climb });
             let mut met = found.met[0] | found.met[1];
             let here = self.arcs.len() - first;
             if here < 4 {

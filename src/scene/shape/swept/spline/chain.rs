@@ -2,7 +2,7 @@
 
 use super::Segment;
 use crate::base::math::roots::polynomial::sign_changes_between;
-use crate::base::math::simd::{F64x4, FourKernel, SimdLevel, four, with_widest};
+use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel, with_widest};
 use glam::DVec2;
 use smallvec::SmallVec;
 use std::ops::Deref;
@@ -48,42 +48,30 @@ impl Hulls {
     }
 }
 
-impl FourKernel for HullsAndLine<'_> {
-    type Answer = u32;
+impl SimdKernel for HullsAndLine<'_> {
+    type Output = u32;
 
     #[inline(always)]
-    fn run<F: F64x4>(&self) -> u32 {
+    fn run<F: F64x4>(self) -> u32 {
         let (normal, from, offset) = *self.line;
         let rest = offset - normal.dot(from);
         let size = offset.abs() + normal.abs().dot(from.abs());
-        let (x, y, rest) = (F::all(normal.x), F::all(normal.y), F::all(rest));
+        let (x, y, rest) = (F::splat(normal.x), F::splat(normal.y), F::splat(rest));
         let [a, b, c, d] = &self.hulls.points;
         // Spelt out: `map` is not always inlined.
-        let a = x
-            .times(F::load(&a[0]))
-            .plus(y.times(F::load(&a[1])))
-            .plus(rest);
-        let b = x
-            .times(F::load(&b[0]))
-            .plus(y.times(F::load(&b[1])))
-            .plus(rest);
-        let c = x
-            .times(F::load(&c[0]))
-            .plus(y.times(F::load(&c[1])))
-            .plus(rest);
-        let d = x
-            .times(F::load(&d[0]))
-            .plus(y.times(F::load(&d[1])))
-            .plus(rest);
-        let least = a.smaller(b).smaller(c.smaller(d));
-        let most = a.larger(b).larger(c.larger(d));
+        let a = x * F::from_array(&a[0]) + y * F::from_array(&a[1]) + rest;
+        let b = x * F::from_array(&b[0]) + y * F::from_array(&b[1]) + rest;
+        let c = x * F::from_array(&c[0]) + y * F::from_array(&c[1]) + rest;
+        let d = x * F::from_array(&d[0]) + y * F::from_array(&d[1]) + rest;
+        let least = a.lane_min(b).lane_min(c.lane_min(d));
+        let most = a.lane_max(b).lane_max(c.lane_max(d));
         let [slack_x, slack_y] = &self.hulls.slack;
-        let care = x.size().times(F::load(slack_x));
-        let care = care.plus(y.size().times(F::load(slack_y)));
-        let care = care.plus(F::all(BERNSTEIN_SLACK * size));
+        let care = x.abs() * F::from_array(slack_x);
+        let care = care + y.abs() * F::from_array(slack_y);
+        let care = care + F::splat(BERNSTEIN_SLACK * size);
         // What is not a number is met.
-        let passed = F::either(care.below(least), most.below(care.negated()));
-        F::bits(passed) ^ 0b1111
+        let passed = care.lt(least) | most.lt(-care);
+        F::bitmask(passed) ^ 0b1111
     }
 }
 
@@ -104,7 +92,7 @@ impl Chain {
         mut visit: impl FnMut(usize, f64),
     ) {
         for (hulls, first) in self.hulls.iter().zip((0..).step_by(4)) {
-            let mut met = four(lanes, &HullsAndLine { hulls, line: &line });
+            let mut met = lanes.run(HullsAndLine { hulls, line: &line });
             let here = self.segments.len() - first;
             if here < 4 {
                 met &= (1 << here) - 1;

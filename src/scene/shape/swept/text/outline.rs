@@ -4,7 +4,7 @@
 //! Which side of the ray the end of a piece lies on is computed once for both pieces that share it, so no ray slips in
 //! between them.
 
-use crate::base::math::simd::{F64x4, FourWork, SimdLevel, fours};
+use crate::base::math::simd::{F64x4, SimdKernel, SimdLevel};
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -119,16 +119,13 @@ impl Outline {
         } else {
             [f64::NEG_INFINITY, f64::INFINITY]
         };
-        let mut found = fours(
-            lanes,
-            Crossing {
-                outline: self,
-                origin,
-                dir,
-                dir_sq,
-                stretch,
-            },
-        );
+        let mut found = lanes.run(Crossing {
+            outline: self,
+            origin,
+            dir,
+            dir_sq,
+            stretch,
+        });
         if found.places.len() > 1 {
             let order = |a: &(f64, u32), b: &(f64, u32)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
             found.places.sort_unstable_by(order);
@@ -153,8 +150,8 @@ impl Outline {
     }
 }
 
-impl FourWork for Crossing<'_> {
-    type Answer = Crossings;
+impl SimdKernel for Crossing<'_> {
+    type Output = Crossings;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> Crossings {
@@ -163,35 +160,35 @@ impl FourWork for Crossing<'_> {
             places: Places::new(),
         };
         let (origin, dir) = (self.origin, self.dir);
-        let (origin_x, origin_y) = (F::all(origin.x), F::all(origin.y));
-        let (dir_x, dir_y) = (F::all(dir.x), F::all(dir.y));
+        let (origin_x, origin_y) = (F::splat(origin.x), F::splat(origin.y));
+        let (dir_x, dir_y) = (F::splat(dir.x), F::splat(dir.y));
         for (of, first) in self.outline.fours.iter().zip((0..).step_by(4)) {
             // Spelt out: `map` is not always inlined.
-            let x0 = F::load(&of[0][0]).minus(origin_x);
-            let y0 = F::load(&of[0][1]).minus(origin_y);
-            let x1 = F::load(&of[1][0]).minus(origin_x);
-            let y1 = F::load(&of[1][1]).minus(origin_y);
-            let x2 = F::load(&of[2][0]).minus(origin_x);
-            let y2 = F::load(&of[2][1]).minus(origin_y);
-            let side0 = dir_x.times(y0).minus(dir_y.times(x0));
-            let side1 = dir_x.times(y1).minus(dir_y.times(x1));
-            let side2 = dir_x.times(y2).minus(dir_y.times(x2));
-            let zero = F::all(0.0);
-            let negative0 = F::bits(side0.below(zero));
-            let negative1 = F::bits(side1.below(zero));
-            let negative2 = F::bits(side2.below(zero));
+            let x0 = F::from_array(&of[0][0]) - origin_x;
+            let y0 = F::from_array(&of[0][1]) - origin_y;
+            let x1 = F::from_array(&of[1][0]) - origin_x;
+            let y1 = F::from_array(&of[1][1]) - origin_y;
+            let x2 = F::from_array(&of[2][0]) - origin_x;
+            let y2 = F::from_array(&of[2][1]) - origin_y;
+            let side0 = dir_x * y0 - dir_y * x0;
+            let side1 = dir_x * y1 - dir_y * x1;
+            let side2 = dir_x * y2 - dir_y * x2;
+            let zero = F::splat(0.0);
+            let negative0 = F::bitmask(side0.lt(zero));
+            let negative1 = F::bitmask(side1.lt(zero));
+            let negative2 = F::bitmask(side2.lt(zero));
             // Most pieces lie on one side of the line.
             let mut met = negative0 ^ negative1 | negative1 ^ negative2;
             if met == 0 {
                 continue;
             }
-            let along0 = dir_x.times(x0).plus(dir_y.times(y0));
-            let along1 = dir_x.times(x1).plus(dir_y.times(y1));
-            let along2 = dir_x.times(x2).plus(dir_y.times(y2));
-            let least = along0.smaller(along1).smaller(along2);
-            let most = along0.larger(along1).larger(along2);
-            let before = F::bits(most.below(F::all(self.stretch[0])));
-            let beyond = F::bits(F::all(self.stretch[1]).below(least));
+            let along0 = dir_x * x0 + dir_y * y0;
+            let along1 = dir_x * x1 + dir_y * y1;
+            let along2 = dir_x * x2 + dir_y * y2;
+            let least = along0.lane_min(along1).lane_min(along2);
+            let most = along0.lane_max(along1).lane_max(along2);
+            let before = F::bitmask(most.lt(F::splat(self.stretch[0])));
+            let beyond = F::bitmask(F::splat(self.stretch[1]).lt(least));
             let pieces = self.outline.pieces.len() - first;
             if pieces < 4 {
                 met &= (1 << pieces) - 1;
@@ -199,7 +196,7 @@ impl FourWork for Crossing<'_> {
             let passed = met & before & (negative0 ^ negative2);
             found.starts_inside ^= passed.count_ones() % 2 == 1;
             met &= !(before | beyond);
-            let side = [side0.store(), side1.store(), side2.store()];
+            let side = [side0.to_array(), side1.to_array(), side2.to_array()];
             while met != 0 {
                 let lane = met.trailing_zeros() as usize;
                 met &= met - 1;
