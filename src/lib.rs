@@ -25,6 +25,7 @@
 //!   items may be hit, four in double precision hit them. One ray at a time gives the same bits.
 //! * Ties at exactly equal distance are decided by POV-Ray's rule, not by the order of traversal.
 
+#[cfg(feature = "cli")]
 pub mod app;
 pub mod base;
 pub mod lang;

@@ -32,7 +32,7 @@ pub(super) const COMMAND: Command = Command {
     override_usage = "povr curve [OPTIONS] [+/-SWITCHES] [Key=Value] [FILE.ini[section]] SCENE",
     after_help = "\
 POV-Ray's switches and ini files count, but for those of antialiasing: +W320 +H240, +LFOLDER, Declare=Name=1, ...
-Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, curve.png, the pictures, and the \
+Written into the folder: index.html (all in one), curve.csv, curve.json, curve.svg, the pictures, and the \
 truth that they are measured against. Run again, it measures only what is missing."
 )]
 struct Face {

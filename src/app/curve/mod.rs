@@ -186,6 +186,7 @@ impl Sweep {
         let svg = plot::svg(report)?;
         store::write(&self.folder.join("curve.csv"), report.csv().as_bytes())?;
         store::write(&self.folder.join("curve.svg"), svg.as_bytes())?;
+        #[cfg(feature = "plot-png")]
         store::write(&self.folder.join("curve.png"), &plot::png(&svg)?)?;
         let page = page::html(report, &svg, &self.folder.join("pictures"))?;
         store::write(&self.folder.join("index.html"), page.as_bytes())

@@ -5,7 +5,6 @@ use std::ops::Range;
 
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange};
 use plotters::prelude::*;
-use resvg::{tiny_skia, usvg};
 
 use super::CurveError;
 use super::setting::Family;
@@ -168,7 +167,10 @@ fn short(v: f64) -> String {
 }
 
 /// The same plot as a PNG file.
+#[cfg(feature = "plot-png")]
 pub(super) fn png(svg: &str) -> Result<Vec<u8>, CurveError> {
+    use resvg::{tiny_skia, usvg};
+
     let mut options = usvg::Options {
         font_family: "DejaVu Sans".to_owned(),
         ..usvg::Options::default()

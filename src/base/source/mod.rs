@@ -21,6 +21,7 @@ pub use diagnostic::{Code, Diagnostic, Label, Severity};
 pub use files::{Declared, Sources};
 pub use message::{Message, Note, Point, Stretch};
 pub use read::MAX_FILE_BYTES;
+#[cfg(feature = "cli")]
 pub(crate) use read::read_regular;
 pub(crate) use regular::{only_regular, open_regular, refusal};
 pub use span::{FileId, Span};

@@ -51,6 +51,7 @@ pub(super) fn read_limited(path: &Path, named: Named) -> io::Result<Option<Vec<u
 }
 
 /// The bytes of a regular file of any length.
+#[cfg(feature = "cli")]
 pub(crate) fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     open_regular(path, OpenOptions::new().read(true))?.read_to_end(&mut bytes)?;
