@@ -1,4 +1,4 @@
-//! Reads broken scenes until something goes wrong: `cargo run --example fuzz -- NUMBER [SEED] [--draw]`
+//! Reads broken scenes until something goes wrong: `cargo run -p povr-tools --bin fuzz -- NUMBER [SEED] [--draw]`
 //!
 //! The scenes are those of `pov_scenes/`, damaged in all the ways of `tests/malformed/broken.rs`. Each is read, its
 //! findings are told as messages, and a scene that is still right is compiled; `--draw` draws it too, very small. A

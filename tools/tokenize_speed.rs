@@ -1,4 +1,4 @@
-//! How fast texts become tokens: `cargo run --release --example tokenize_speed -- FILE...`
+//! How fast texts become tokens: `cargo run --release -p povr-tools --bin tokenize_speed -- FILE...`
 //!
 //! Without files it makes three texts: spheres with textures, the lists of a mesh, and a program of macros and loops.
 //! Times are processor time where the system tells it, the best of five; read them as ±20 %.

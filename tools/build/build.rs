@@ -1,8 +1,7 @@
-//! Makes the table of reserved words from `words.pest`: the enum `Word`, its spellings and its classes. And tells the
-//! linker how the program takes little memory.
+//! Build script: generates the enum `Word` (spellings and classes of the reserved words) from `grammar/words.pest`, and
+//! passes the linker the order of functions that keeps the memory of a run small.
 
 use std::fmt::Write as _;
-use std::process::Command;
 use std::{env, fs, path::Path};
 
 fn main() {
@@ -15,8 +14,8 @@ fn main() {
     link_for_little_memory(Path::new(&out));
 }
 
-/// What a program reads of its own file counts as its memory: one sphere takes 12 MB in all without this, and about 8 so.
-/// All of it can be done without, and is left out where it is not known to work.
+/// Link options that reduce resident memory, of which the pages of the program itself are a part: a scene of one sphere
+/// takes about 8 MB with them and 12 MB without. None is necessary; targets where they are not known to work go without.
 fn link_for_little_memory(out: &Path) {
     println!("cargo::rerun-if-changed={ORDER}");
     let setting = |name: &str| env::var(name).unwrap_or_default();
@@ -28,20 +27,9 @@ fn link_for_little_memory(out: &Path) {
     if !is_linux || is_static || setting("PROFILE") != "release" {
         return;
     }
-    // At a fixed address no pointer in it need be changed when it is loaded, which would copy a MB.
+    // A fixed address needs no relocations at start, which would copy a megabyte of pages.
     println!("cargo::rustc-link-arg-bins=-no-pie");
-    // Of the C++ library little is needed, and the shared one takes 1.5 MB when it is loaded.
-    if setting("TARGET") == setting("HOST")
-        && let Some(library) = static_cpp_library()
-    {
-        let folder = out.join("cpp");
-        fs::create_dir_all(&folder).expect("OUT_DIR is writable");
-        let text = format!("INPUT ( \"{library}\" )\n");
-        fs::write(folder.join("libstdc++.a"), text).expect("OUT_DIR is writable");
-        println!("cargo::rustc-link-search=native={}", folder.display());
-    }
-    // The system reads 64 KiB wherever a program goes first: where it goes is laid side by side. Linkers that know no
-    // scripts do without.
+    // A page fault reads 64 KiB of the file: functions that run are laid side by side. Linkers without scripts do without.
     let is_ours = |flag: &str| flag.contains("fuse-ld") || flag.contains("linker");
     if setting("CARGO_ENCODED_RUSTFLAGS")
         .split('\u{1f}')
@@ -54,7 +42,7 @@ fn link_for_little_memory(out: &Path) {
     let mut script =
         "SECTIONS {\n  .text.first : {\n    *(.text.startup .text.startup.*)\n".to_owned();
     for name in names.lines().filter(|line| line.starts_with('_')) {
-        // Those that seldom run have another name.
+        // Cold functions carry another section name.
         writeln!(script, "    *(.text.{name} .text.unlikely.{name})").expect("strings grow");
     }
     script.push_str("  }\n}\nINSERT BEFORE .text;\n");
@@ -63,20 +51,8 @@ fn link_for_little_memory(out: &Path) {
     println!("cargo::rustc-link-arg-bins=-Wl,-T,{}", file.display());
 }
 
-/// Where the C++ compiler has the library for programs that carry it with them.
-fn static_cpp_library() -> Option<String> {
-    println!("cargo::rerun-if-env-changed=CXX");
-    let compiler = env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
-    let told = Command::new(compiler)
-        .arg("-print-file-name=libstdc++.a")
-        .output()
-        .ok()?;
-    let file = String::from_utf8(told.stdout).ok()?.trim().to_owned();
-    (Path::new(&file).is_absolute() && Path::new(&file).is_file()).then_some(file)
-}
-
-/// Functions in the order in which they are to lie in the program, as the linker knows them: `tools/link_order` writes it.
-const ORDER: &str = "grammar/link_order.txt";
+/// Mangled names of functions in the order of the program; `tools/link_order` writes the file.
+const ORDER: &str = "tools/build/link_order.txt";
 
 /// Pairs of class and word, in the order of the file.
 fn words_by_class(text: &str) -> Vec<(String, String)> {
