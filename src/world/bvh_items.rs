@@ -1,4 +1,4 @@
-//! The tree over the items of a model, and their leaves in its order: what lies together in space lies together in
+//! BVH over the items of a model. The leaves are stored in its order, so that neighbours in space are neighbours in
 //! memory.
 
 use super::csg::program::CsgProgram;
@@ -15,30 +15,30 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::mem::take;
 
-/// How many leaves before its turn one is sent for: as long as memory takes.
+/// Prefetch distance in leaves: about one memory latency ahead.
 pub(super) const AHEAD: usize = 32;
 
-/// An item with its number, which is its place in the file.
+/// An item with its index in file order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct IndexedItem {
     pub(super) number: u32,
     pub(super) item: Item,
 }
 
-/// How the items of a model are found.
+/// The items of a model and the BVH over them.
 #[derive(Debug)]
 pub(super) struct ItemBvh {
-    /// Over `bounded`.
+    /// BVH over `bounded`.
     pub(super) tree: Bvh,
-    /// In the order of the tree.
+    /// In BVH order.
     pub(super) bounded: Vec<IndexedItem>,
-    /// Those that no box holds.
+    /// Items without a finite box.
     pub(super) unbounded: Vec<IndexedItem>,
 }
 
 impl ItemBvh {
-    /// Builds the tree and brings what `parts` holds into its order; the looks of its balls are added to `surfaces`, and
-    /// `projectors` follow their leaves.
+    /// Builds the BVH and reorders `parts` to match. The surfaces of its deferred spheres are appended to `surfaces`,
+    /// and the leaf indices of `projectors` are updated.
     pub(super) fn new<'p>(
         parts: &mut ModelBuilder,
         surfaces: &mut Vec<Surface>,
@@ -48,17 +48,17 @@ impl ItemBvh {
         let is_unbounded = |&number: &u32| !parts.bounds[number as usize].is_finite();
         let numbers = (0..count).into_par_iter();
         let unbounded: Vec<u32> = numbers.filter(is_unbounded).collect();
-        // How many bounded ones come before each of them.
+        // For each unbounded item, the number of bounded items before it.
         let gaps: Vec<u32> = (0..).zip(&unbounded).map(|(i, at)| at - i).collect();
-        let number = |place: u32| place + index(gaps.partition_point(|&gap| gap <= place));
-        let bounds = |place: usize| {
-            let number = number(index(place)) as usize;
+        let number = |position: u32| position + index(gaps.partition_point(|&gap| gap <= position));
+        let bounds = |position: usize| {
+            let number = number(index(position)) as usize;
             let bounds = &parts.bounds[number];
             match parts.items[number] {
-                PendingItem::Ball(_) => (*bounds, true),
+                PendingItem::Sphere(_) => (*bounds, true),
                 PendingItem::Leaf(leaf) => {
                     let leaf = &parts.leaves[leaf as usize];
-                    match leaf.ball() {
+                    match leaf.sphere() {
                         Some((centre, radius)) => {
                             (Bounds::new(centre - radius, centre + radius), true)
                         }
@@ -71,17 +71,19 @@ impl ItemBvh {
         let (mut tree, mut order) =
             Bvh::build_in_order(parts.items.len() - unbounded.len(), bounds);
         if !gaps.is_empty() {
-            order.iter_mut().for_each(|place| *place = number(*place));
+            order
+                .iter_mut()
+                .for_each(|position| *position = number(*position));
         }
-        // In large scenes the room is needed.
+        // Freed early: large scenes need the memory.
         parts.bounds = Vec::new();
         let mut sorter = LeafReorder::new(take(parts));
         let (unbounded, bounded) = (sorter.take(unbounded), sorter.take(order));
         *parts = sorter.finish(surfaces, projectors);
         let (leaves, programs) = (&parts.leaves, &parts.programs);
-        tree.set_bounding_spheres(bounded.len(), |place| match bounded[place].item {
-            Item::Leaf(leaf) => leaves[leaf as usize].ball_around(),
-            Item::Program(program) => programs[program as usize].ball_around(leaves),
+        tree.set_bounding_spheres(bounded.len(), |position| match bounded[position].item {
+            Item::Leaf(leaf) => leaves[leaf as usize].bounding_sphere(),
+            Item::Program(program) => programs[program as usize].bounding_sphere(leaves),
             Item::Instance(_) => None,
         });
         ItemBvh {
@@ -91,41 +93,43 @@ impl ItemBvh {
         }
     }
 
-    /// All items together, if they are few and round.
+    /// All items as one array of spheres, if there are only a few spheres.
     pub(super) fn cluster(&self, parts: &ModelBuilder) -> Option<SphereSoa> {
         if !self.unbounded.is_empty() || parts.leaves.len() != self.bounded.len() {
             return None;
         }
-        SphereSoa::new(self.bounded.len(), |place| match self.bounded[place].item {
-            Item::Leaf(leaf) => {
-                let leaf = &parts.leaves[leaf as usize];
-                leaf.ball().filter(|_| leaf.shape.has_roots_of_four())
+        SphereSoa::new(self.bounded.len(), |position| {
+            match self.bounded[position].item {
+                Item::Leaf(leaf) => {
+                    let leaf = &parts.leaves[leaf as usize];
+                    leaf.sphere().filter(|_| leaf.shape.has_roots_of_four())
+                }
+                Item::Program(_) | Item::Instance(_) => None,
             }
-            Item::Program(_) | Item::Instance(_) => None,
         })
     }
 
-    /// The items that may hold a point.
+    /// The items whose boxes contain a point.
     pub(super) fn around(&self, point: DVec3) -> Vec<IndexedItem> {
         let mut items = self.unbounded.clone();
-        self.tree.around(point, |place| {
-            items.push(self.bounded[place as usize]);
+        self.tree.around(point, |position| {
+            items.push(self.bounded[position as usize]);
             false
         });
         items
     }
 }
 
-/// What a model is made from on its way to the order of its items.
+/// Reorders the parts of a model to match the order of its items.
 struct LeafReorder {
     from: ModelBuilder,
     instances: Vec<Option<Instance>>,
-    /// The balls by their numbers in the file. They are the first leaves.
-    balls: Vec<u32>,
-    /// Behind them, the other leaves by theirs.
+    /// The deferred spheres, by index in file order. They become the first leaves.
+    spheres: Vec<u32>,
+    /// The other leaves, which follow the spheres, by index in file order.
     leaves: Vec<u32>,
-    /// For each of these in the file, its place among all leaves.
-    places: Vec<u32>,
+    /// For each of the other leaves in file order, its index among all leaves.
+    positions: Vec<u32>,
     to: ModelBuilder,
 }
 
@@ -138,17 +142,17 @@ impl LeafReorder {
         };
         LeafReorder {
             instances: from.instances.drain(..).map(Some).collect(),
-            balls: Vec::with_capacity(from.balls.len()),
+            spheres: Vec::with_capacity(from.spheres.len()),
             leaves: Vec::with_capacity(from.leaves.len()),
-            places: vec![u32::MAX; from.leaves.len()],
+            positions: vec![u32::MAX; from.leaves.len()],
             from,
             to,
         }
     }
 
-    /// Takes the items of these numbers in the file.
+    /// Takes the items with these indices in file order.
     fn take(&mut self, numbers: Vec<u32>) -> Vec<IndexedItem> {
-        // Several threads fetch them: each lies somewhere else.
+        // In parallel: the items are scattered in memory.
         let items = &self.from.items;
         let parts = numbers.par_iter().map(|&number| items[number as usize]);
         let parts: Vec<PendingItem> = parts.collect();
@@ -160,9 +164,9 @@ impl LeafReorder {
 
     fn take_part(&mut self, number: u32, part: PendingItem) -> IndexedItem {
         let item = match part {
-            PendingItem::Ball(ball) => {
-                self.balls.push(ball);
-                Item::Leaf(index(self.balls.len() - 1))
+            PendingItem::Sphere(sphere) => {
+                self.spheres.push(sphere);
+                Item::Leaf(index(self.spheres.len() - 1))
             }
             PendingItem::Leaf(leaf) => Item::Leaf(self.take_leaf(leaf)),
             PendingItem::Program(from) => {
@@ -183,38 +187,38 @@ impl LeafReorder {
     }
 
     fn take_leaf(&mut self, leaf: u32) -> u32 {
-        let place = index(self.from.balls.len() + self.leaves.len());
-        self.places[leaf as usize] = place;
+        let position = index(self.from.spheres.len() + self.leaves.len());
+        self.positions[leaf as usize] = position;
         self.leaves.push(leaf);
-        place
+        position
     }
 
-    /// All in order, when every item is taken; the looks of the balls are added to `surfaces`, and `projectors` use leaves
-    /// too.
+    /// The reordered parts, once every item is taken. The surfaces of the spheres are appended to `surfaces`;
+    /// `projectors` use leaves too.
     fn finish<'p>(
         mut self,
         surfaces: &mut Vec<Surface>,
         projectors: impl Iterator<Item = &'p mut CsgProgram>,
     ) -> ModelBuilder {
-        // Behind the others the leaves of what bounds combinations, and of what lights are projected through.
-        for leaf in 0..index(self.places.len()) {
-            if self.places[leaf as usize] == u32::MAX {
+        // Last come the leaves of the bounds of CSG programs, and of objects that lights are projected through.
+        for leaf in 0..index(self.positions.len()) {
+            if self.positions[leaf as usize] == u32::MAX {
                 self.take_leaf(leaf);
             }
         }
-        let mut next = index(self.balls.len() + self.leaves.len());
+        let mut next = index(self.spheres.len() + self.leaves.len());
         for instance in &mut self.to.instances {
             instance.first = next;
             next += instance.model.len();
         }
         let programs = self.to.programs.par_iter_mut();
-        programs.for_each(|program| program.move_leaves(&self.places));
-        projectors.for_each(|program| program.move_leaves(&self.places));
-        self.to.leaves = self.from.balls.into_leaves(&self.balls, surfaces);
+        programs.for_each(|program| program.move_leaves(&self.positions));
+        projectors.for_each(|program| program.move_leaves(&self.positions));
+        self.to.leaves = self.from.spheres.into_leaves(&self.spheres, surfaces);
         self.to.leaves.reserve_exact(self.leaves.len());
         let mut unsorted = self.from.leaves;
-        for (place, &leaf) in self.leaves.iter().enumerate() {
-            if let Some(&ahead) = self.leaves.get(place + AHEAD) {
+        for (position, &leaf) in self.leaves.iter().enumerate() {
+            if let Some(&ahead) = self.leaves.get(position + AHEAD) {
                 prefetch(&unsorted[ahead as usize]);
             }
             let leaf = std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);

@@ -1,4 +1,4 @@
-//! What rays need and no more: prepared surfaces, a tree over them, lights, camera, and the settings of shading.
+//! The compiled scene: prepared surfaces, the BVH over the objects, lights, camera, and global shading settings.
 
 use super::bvh_items::{IndexedItem, ItemBvh};
 use super::csg::program::RawHit;
@@ -25,16 +25,16 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use smallvec::SmallVec;
 
-/// The settings of shading.
+/// Global shading settings.
 #[derive(Clone, Debug)]
 pub struct Globals {
-    /// The noise of what is uneven.
+    /// The noise generator of patterns and bumps.
     pub noise: NoiseGenerator,
     /// `adc_bailout`.
     pub adc_bailout: f64,
-    /// The length in which POV-Ray's own lengths count.
+    /// Length that stands for one unit in POV-Ray's own absolute lengths.
     pub unit: f64,
-    /// Where the origin of the scene's own coordinates lies.
+    /// The origin of the scene's own coordinate system.
     pub origin: DVec3,
     /// `max_trace_level`.
     pub max_trace_level: u32,
@@ -42,21 +42,21 @@ pub struct Globals {
     pub ambient_light: Rgb,
     /// `irid_wavelength`.
     pub irid_wavelength: Rgb,
-    /// Whether the rules of version 3.7 and later hold for transparency and background (the effective version).
+    /// If true, transparency and background follow the rules of version 3.7 and later (the effective version).
     pub rules_37: bool,
-    /// Whether the picture keeps the transparency of the background.
+    /// If true, the picture has an alpha channel: the transparency of the background.
     pub has_alpha: bool,
     /// The working space; `None` without gamma handling.
     pub working_gamma: Option<Gamma>,
 }
 
-/// With fewer objects and lights than this POV-Ray keeps no tree, and ties go by the order of the file.
+/// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
 const TREE_FROM: usize = 3;
 
 /// Below this quality there is no radiosity (facts 4.11).
 const QUALITY_OF_RADIOSITY: u8 = 9;
 
-/// A scene, ready for rays.
+/// A compiled scene.
 #[derive(Debug)]
 pub struct World {
     /// The camera.
@@ -65,7 +65,7 @@ pub struct World {
     pub lens: Option<Lens>,
     /// The lights, in the order of the scene.
     pub lights: Lights,
-    /// The looks of the objects, by [`Hit::surface`].
+    /// The surface attributes of the objects, by [`Hit::surface`].
     pub surfaces: Vec<Surface>,
     /// The interiors, by [`InteriorId`].
     pub interiors: Interiors,
@@ -73,33 +73,33 @@ pub struct World {
     pub background: Color,
     /// The sky in front of it.
     pub sky: Option<PreparedSky>,
-    /// What fills all space.
+    /// Media that fill all space.
     pub media: Vec<PreparedMedia>,
-    /// The fogs, none that does nothing.
+    /// The fogs, without those that have no effect.
     pub fogs: Vec<Fog>,
     /// The rainbows.
     pub rainbows: Vec<Rainbow>,
-    /// Light that surfaces gather from each other, if it is drawn.
+    /// Radiosity (indirect diffuse light), if it is on.
     pub radiosity: Option<Radiosity>,
-    /// How photons are shot, if any are.
+    /// Photon mapping, if it is on.
     pub photons: Option<Photons>,
     /// The settings of shading.
     pub globals: Globals,
     /// All objects.
     pub(super) model: Model,
-    /// The large meshes, if there are few.
+    /// The large meshes that bundles traverse; empty if there are too many.
     pub(super) meshes: Vec<IndexedItem>,
-    /// The boxes of the items in single precision, as POV-Ray compares them where two surfaces tie.
+    /// Single-precision boxes of the items, which POV-Ray compares where two surfaces tie.
     pub(super) boxes: Vec<SingleBox>,
     pub(super) ties_by_box: bool,
-    /// What holds of its surfaces.
-    pub(super) overview: SurfaceSummary,
+    /// Properties of the surfaces as a whole.
+    pub(super) summary: SurfaceSummary,
     pub(super) least_distance: LeastDistance,
-    pub(super) vistas: LightBuffers,
-    /// True if unbounded items are intersected by packets of four incoherent rays: some are CSG programs that suit packets.
-    pub(super) asks_in_fours: bool,
-    /// True if streams of incoherent rays traverse the tree: most of its items are such programs. Other items are so cheap
-    /// to intersect that the best traversal order of each ray counts for more.
+    pub(super) light_buffers: LightBuffers,
+    /// True if packets of four incoherent rays intersect the unbounded items: some are CSG programs that suit packets.
+    pub(super) uses_packets: bool,
+    /// True if streams of incoherent rays traverse the BVH: most of its items are such programs. Other items are so
+    /// cheap to intersect that the best traversal order of each ray counts for more.
     pub(super) streams: bool,
 }
 
@@ -115,7 +115,7 @@ impl World {
         };
         let radiosity = scene.globals.radiosity;
         let radiosity = radiosity.filter(|_| options.quality >= QUALITY_OF_RADIOSITY);
-        // From version 3.7 on gathered light stands for `ambient`.
+        // From version 3.7 on, radiosity replaces `ambient`.
         let ambient_light = match radiosity {
             Some(_) if scene.version >= 3.7 => Rgb::BLACK,
             _ => scene.globals.ambient_light,
@@ -157,7 +157,7 @@ impl World {
             },
             ties_by_box: has_tree,
             least_distance: options.least_distance,
-            overview: SurfaceSummary::of(&flat.surfaces),
+            summary: SurfaceSummary::of(&flat.surfaces),
             radiosity: radiosity
                 .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
             photons: flat.targets.and_then(|targets| {
@@ -170,68 +170,68 @@ impl World {
             interiors: flat.interiors,
             model,
             meshes: Vec::new(),
-            vistas: LightBuffers::default(),
-            asks_in_fours: false,
+            light_buffers: LightBuffers::default(),
+            uses_packets: false,
             streams: false,
         };
-        let (suited, _) = world.combinations_for_four(&world.finder().unbounded);
-        world.asks_in_fours = suited > 0;
-        let (suited, others) = world.combinations_for_four(&world.finder().bounded);
+        let (suited, _) = world.packet_programs(&world.bvh().unbounded);
+        world.uses_packets = suited > 0;
+        let (suited, others) = world.packet_programs(&world.bvh().bounded);
         world.streams = suited > 0 && suited >= others;
         world.meshes = world.large_meshes();
         world
     }
 
     /// Counts the CSG programs among these items that packets of four rays can intersect, and the other items.
-    fn combinations_for_four(&self, items: &[IndexedItem]) -> (usize, usize) {
+    fn packet_programs(&self, items: &[IndexedItem]) -> (usize, usize) {
         let suits = |item: &&IndexedItem| {
-            matches!(item.item, Item::Program(_)) && self.model.suits_four(item.item)
+            matches!(item.item, Item::Program(_)) && self.model.suits_packets(item.item)
         };
         let suited = items.iter().filter(suits).count();
         (suited, items.len() - suited)
     }
 
     #[inline(always)]
-    pub(super) fn finder(&self) -> &ItemBvh {
-        &self.model.finder
+    pub(super) fn bvh(&self) -> &ItemBvh {
+        &self.model.bvh
     }
 
-    /// Whether the nearest surface of an item tells all about it: such rays see it, and if they go to a light it lets none
-    /// through, or all of the item lets some through.
+    /// Returns true if the closest hit on an item settles the query: rays of this kind see it, and for shadow rays it
+    /// is opaque or the whole item is transmissive.
     #[inline(always)]
-    pub(super) fn tells_all(&self, item: Item, found: &RawHit, seen: RayKind) -> bool {
-        self.is_seen(found, seen)
-            && (seen != RayKind::Shadow || self.ends_light(found) || self.is_clear(item))
+    pub(super) fn is_decisive(&self, item: Item, hit: &RawHit, kind: RayKind) -> bool {
+        self.is_seen(hit, kind)
+            && (kind != RayKind::Shadow || self.ends_light(hit) || self.is_clear(item))
     }
 
-    /// Whether a surface lets no light through.
+    /// Returns true if the surface of a hit is opaque.
     #[inline(always)]
-    pub(super) fn ends_light(&self, found: &RawHit) -> bool {
-        self.overview.is_opaque || self.overview.opaque[found.surface as usize]
+    pub(super) fn ends_light(&self, hit: &RawHit) -> bool {
+        self.summary.is_opaque || self.summary.opaque[hit.surface as usize]
     }
 
-    /// Whether no surface of an item is opaque; what is not known is false.
+    /// Returns true if no surface of an item is opaque; false if unknown.
     #[inline(never)]
     fn is_clear(&self, item: Item) -> bool {
         let leaves = self.leaves_of(item);
-        let is_opaque = |leaf: &Leaf| self.overview.opaque[leaf.surface as usize];
+        let is_opaque = |leaf: &Leaf| self.summary.opaque[leaf.surface as usize];
         leaves.is_some_and(|leaves| !leaves.iter().any(is_opaque))
     }
 
-    /// Whether such rays see nothing of an item; what is not known is false.
+    /// Returns true if rays of this kind see nothing of an item; false if unknown.
     #[inline(always)]
-    pub(super) fn is_hidden(&self, item: Item, seen: RayKind) -> bool {
-        self.overview.hides_some && self.is_all_hidden(item, seen)
+    pub(super) fn is_hidden(&self, item: Item, kind: RayKind) -> bool {
+        self.summary.hides_some && self.is_all_hidden(item, kind)
     }
 
     #[inline(never)]
-    fn is_all_hidden(&self, item: Item, seen: RayKind) -> bool {
-        let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(seen);
+    fn is_all_hidden(&self, item: Item, kind: RayKind) -> bool {
+        let is_seen = |leaf: &Leaf| self.surfaces[leaf.surface as usize].is_seen(kind);
         let leaves = self.leaves_of(item);
         leaves.is_some_and(|leaves| !leaves.iter().any(is_seen))
     }
 
-    /// The leaves of an item that is no instance.
+    /// The leaves of an item, unless it is an instance.
     fn leaves_of(&self, item: Item) -> Option<&[Leaf]> {
         let leaves = match item {
             Item::Leaf(leaf) => leaf..leaf + 1,
@@ -241,49 +241,49 @@ impl World {
         Some(&self.model.leaves[leaves.start as usize..leaves.end as usize])
     }
 
-    /// Whether there is neither fog nor a rainbow.
+    /// Returns true if there is neither fog nor a rainbow.
     #[must_use]
     pub fn has_clear_air(&self) -> bool {
         self.fogs.is_empty() && self.rainbows.is_empty()
     }
 
-    /// Whether nothing in the scene lets light through.
+    /// Returns true if nothing in the scene is transmissive.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.overview.is_opaque
+        self.summary.is_opaque
     }
 
-    /// The share of light that passes a surface, if that is the same everywhere and something can be seen through any.
+    /// Transmittance of a surface, if it is uniform. `None` for all surfaces of an opaque scene.
     #[must_use]
     #[inline]
     pub fn even_filter(&self, surface: u32) -> Option<Rgb> {
-        let filters = &self.overview.filters;
+        let filters = &self.summary.filters;
         filters.get(surface as usize).copied().flatten()
     }
 
-    /// Whether the view through some surface matters to its mirror images.
+    /// Returns true if some surface has a Fresnel reflection.
     #[must_use]
     pub fn has_fresnel(&self) -> bool {
-        self.overview.has_fresnel
+        self.summary.has_fresnel
     }
 
-    /// Whether light that arrives from behind may matter to some surface.
+    /// Returns true if light from behind may matter to some surface.
     #[must_use]
     pub fn needs_backface_light(&self) -> bool {
-        self.overview.minds_backs
+        self.summary.needs_backface_light
     }
 
-    /// Whether some surfaces take no light.
+    /// Returns true if some surfaces do not respond to light sources.
     #[must_use]
     pub fn has_unlit(&self) -> bool {
-        self.overview.has_unlit
+        self.summary.has_unlit
     }
 
-    /// The interiors of all objects that hold a point: of the unbounded ones first, then of the others in the order
-    /// of the file. Where POV-Ray keeps no tree, all are in the order of the file.
+    /// The interiors of all objects that contain a point: of the unbounded ones first, then of the others in file
+    /// order. Where POV-Ray builds no tree, all in file order.
     #[must_use]
     pub fn interiors_at(&self, point: DVec3) -> SmallVec<[InteriorId; 4]> {
-        let mut items = self.model.finder.around(point);
+        let mut items = self.model.bvh.around(point);
         let is_bounded =
             |number: u32| self.ties_by_box && self.boxes[number as usize].bounds().is_finite();
         items.sort_unstable_by_key(|item| (is_bounded(item.number), item.number));
@@ -296,8 +296,7 @@ impl World {
         surfaces.into_iter().map(interior).collect()
     }
 
-    /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
-    /// away.
+    /// Returns true if inside and outside of a primitive are exchanged: it is inverse, or a difference subtracts it.
     pub(super) fn is_inverse(&self, leaf: u32) -> bool {
         self.model.is_inverse(leaf)
     }
@@ -307,13 +306,13 @@ impl World {
         self.model.shape(leaf)
     }
 
-    /// Whether a point lies in any object.
+    /// Returns true if a point lies in any object.
     #[must_use]
     pub fn holds(&self, point: DVec3) -> bool {
         self.model.holds(point)
     }
 
-    /// The shares of the textures in [`Surface::skins`] at a hit; none if it looks as the object does.
+    /// The weights of the textures in [`Surface::skins`] at a hit; empty if the object's own texture applies.
     #[must_use]
     pub fn shares(&self, hit: &Hit) -> TextureWeights {
         if let Some(cutaway) = self.surfaces[hit.surface as usize].cutaway() {
@@ -323,15 +322,15 @@ impl World {
         self.model.shares(leaf, hit.point, face)
     }
 
-    /// Whether a hit looks from inside as it does from outside, whatever `interior_texture` says: so it is with blobs whose
-    /// components have textures of their own, and not with meshes (checked with POV-Ray).
+    /// Returns true if a hit looks the same from both sides, regardless of `interior_texture`: that holds for blobs
+    /// whose components have their own textures, and not for meshes (checked with POV-Ray).
     #[must_use]
     pub fn has_one_side(&self, hit: &Hit) -> bool {
         let is_blob = || matches!(self.model.shape(hit.departure.leaf), Shape::Blob(_));
         !self.surfaces[hit.surface as usize].skins().is_empty() && is_blob()
     }
 
-    /// The texture coordinates at a hit: those of the shape as it was before all transforms, or the place in the world.
+    /// The texture coordinates at a hit: those of the shape before all transforms, or the position in world space.
     #[must_use]
     pub fn uv(&self, hit: &Hit) -> DVec2 {
         let SpawnSurface { leaf, face, .. } = hit.departure;
@@ -345,9 +344,9 @@ impl World {
         }
     }
 
-    /// Whether some surface cannot be seen by some rays.
+    /// Returns true if some surface is hidden from some kind of ray.
     pub(super) fn hides_some(&self) -> bool {
-        self.overview.hides_some
+        self.summary.hides_some
     }
 
     /// The primitives of the world, without those of instances.
@@ -356,20 +355,20 @@ impl World {
         &self.model.leaves
     }
 
-    /// The boxes of all objects, in single precision: they may be smaller than the objects by a rounding.
+    /// Single-precision boxes of all objects: they may be smaller than the objects by a rounding.
     pub fn boxes(&self) -> impl Iterator<Item = Bounds> {
         self.boxes.iter().map(SingleBox::bounds)
     }
 
-    /// How many primitives there are to be seen, those of instances included.
+    /// Number of visible primitives, with those of instances.
     #[must_use]
     pub fn shown(&self) -> u32 {
         self.model.len()
     }
 
     #[inline(always)]
-    pub(super) fn is_seen(&self, found: &RawHit, seen: RayKind) -> bool {
-        !self.overview.hides_some || self.surfaces[found.surface as usize].is_seen(seen)
+    pub(super) fn is_seen(&self, hit: &RawHit, kind: RayKind) -> bool {
+        !self.summary.hides_some || self.surfaces[hit.surface as usize].is_seen(kind)
     }
 }
 
@@ -388,7 +387,7 @@ impl SingleBox {
         SingleBox([single(bounds.min), single(bounds.max)])
     }
 
-    /// The box.
+    /// The box in double precision.
     pub(super) fn bounds(&self) -> Bounds {
         let [min, max] = self.0.map(|end| DVec3::from(end.map(f64::from)));
         Bounds { min, max }

@@ -1,4 +1,4 @@
-//! A model in its place: what rays find of one copy of a union that a scene shows again and again.
+//! An instance of a shared model: one copy of a union that a scene repeats.
 
 use super::csg::program::RawHit;
 use super::model::Model;
@@ -9,37 +9,37 @@ use crate::base::math::simd::with_widest;
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
-/// A model with the matrix that takes rays to it.
+/// A shared model with its transform.
 #[derive(Debug)]
 pub(super) struct Instance {
-    /// What it shows.
+    /// The shared model.
     pub(super) model: Arc<Model>,
-    /// Takes what is around it to the model.
+    /// World-to-model matrix; the world is the surrounding model.
     pub(super) object_from_world: DAffine3,
-    /// The number of its first leaf.
+    /// Index of its first leaf.
     pub(super) first: u32,
-    /// The number of its first surface.
+    /// Index of its first surface.
     pub(super) surface: u32,
 }
 
 impl Instance {
-    /// The first surface of the model up to and including `far` that is wanted.
+    /// The first accepted hit on the model up to and including `far`.
     #[inline(never)]
-    pub(super) fn find<W: HitPolicy>(
+    pub(super) fn first_hit<W: HitPolicy>(
         &self,
         search: &Search,
         far: f64,
         scratch: &mut Scratch,
-        wants: &mut W,
+        policy: &mut W,
     ) -> Option<RawHit> {
         let ray = search.ray.to_object(&self.object_from_world);
-        let from = search
+        let origin_surface = search
             .origin_surface
-            .and_then(|left| self.departure(left, search.ray.dir, ray.dir));
+            .and_then(|origin| self.departure(origin, search.ray.dir, ray.dir));
         let inner = Search {
             ray: &ray,
-            exited_leaf: self.model.exited_convex(from.as_ref(), &ray),
-            origin_surface: from.as_ref(),
+            exited_leaf: self.model.exited_convex(origin_surface.as_ref(), &ray),
+            origin_surface: origin_surface.as_ref(),
             t_min: search.t_min,
             origin_error: search.origin_error,
             start: IndexBase {
@@ -49,23 +49,26 @@ impl Instance {
         };
         with_widest(
             #[inline(always)]
-            |lanes| self.model.find_all(lanes, &inner, far, scratch, wants),
+            |lanes| {
+                self.model
+                    .first_hit_of_all(lanes, &inner, far, scratch, policy)
+            },
         )
     }
 
-    /// What the model knows of the root that a ray left. All that is asked of the normal is on which side of it the ray
-    /// goes.
-    fn departure(&self, left: &SpawnSurface, dir: DVec3, own_dir: DVec3) -> Option<SpawnSurface> {
-        let leaf = left.leaf.checked_sub(self.first)?;
-        let goes_out = left.normal.dot(dir) > 0.0;
+    /// The surface point that a ray leaves, in terms of the model. Of the normal, only the side on which the ray leaves
+    /// is used.
+    fn departure(&self, origin: &SpawnSurface, dir: DVec3, own_dir: DVec3) -> Option<SpawnSurface> {
+        let leaf = origin.leaf.checked_sub(self.first)?;
+        let goes_out = origin.normal.dot(dir) > 0.0;
         (leaf < self.model.len()).then_some(SpawnSurface {
             leaf,
             normal: if goes_out { own_dir } else { -own_dir },
-            ..*left
+            ..*origin
         })
     }
 
-    /// The unit outward normals at a point of a leaf: the geometric one, and that for shading.
+    /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.
     pub(super) fn normals(&self, leaf: u32, point: DVec3, face: u32) -> (DVec3, DVec3) {
         let local = self.object_from_world.transform_point3(point);
         let (geometric, shading) = self.model.normals(leaf - self.first, local, face);

@@ -1,21 +1,21 @@
-//! The interiors of a world: few are written, every object has one.
+//! The interiors of a world: every object has one, but few are written in the scene.
 
 use crate::scene::interior::{Interior, PreparedMedia};
 use crate::scene::texture::Finish;
 use std::sync::Arc;
 
-/// Which interior: objects that share one, share the number.
+/// Identifies an interior; objects that share an interior share the id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct InteriorId(pub(crate) u32);
 
-/// From here on, numbers stand for interiors that no scene has written: all alike, yet each its own.
+/// Ids from here on stand for interiors that the scene does not write: all alike, but each with its own identity.
 const UNNAMED: u32 = 1 << 31;
 
 impl InteriorId {
-    /// The interior of what has none.
+    /// The interior of objects without one.
     pub const AIR: InteriorId = InteriorId(UNNAMED);
 
-    /// Whether no scene has written it.
+    /// Returns true if the scene does not write it.
     pub(super) fn is_unnamed(self) -> bool {
         self.0 >= UNNAMED
     }
@@ -25,17 +25,17 @@ impl InteriorId {
 #[derive(Debug, Default)]
 pub struct Interiors {
     written: Vec<Interior>,
-    /// Whether they are those of hollow objects; first the written ones, then the others.
+    /// True for interiors of hollow objects; first the written interiors, then the others.
     hollow: [Vec<bool>; 2],
     unnamed: u32,
     default: Interior,
-    /// The media of the written ones; those behind the last that has any are left out.
+    /// The media of the written interiors, up to the last one that has any.
     media: Vec<Arc<[PreparedMedia]>>,
 }
 
 impl Interiors {
-    /// A new number for an interior that the scene writes. Every copy of an object has its own: whoever goes from one
-    /// copy into another has not left the first (measured with POV-Ray).
+    /// A new id for an interior that the scene writes. Each copy of an object gets its own: a ray that enters a second
+    /// copy has not left the first (measured with POV-Ray).
     pub(super) fn written(&mut self, interior: Interior) -> InteriorId {
         let number =
             u32::try_from(self.written.len()).expect("the number of objects is limited below 2^31");
@@ -43,21 +43,21 @@ impl Interiors {
         InteriorId(number)
     }
 
-    /// A number for an object without one.
+    /// A new id for an object without an interior.
     pub(super) fn unnamed(&mut self) -> InteriorId {
         self.unnamed += 1;
         InteriorId(UNNAMED + self.unnamed)
     }
 
-    /// The first of so many numbers for objects without one; the others follow it.
+    /// The first of `count` consecutive ids for objects without an interior.
     pub(super) fn unnamed_ones(&mut self, count: u32) -> InteriorId {
         let first = self.unnamed();
         self.unnamed += count - 1;
         first
     }
 
-    /// The interior of an object that says `own` itself and would else have `above`; `finishes`, lowest layer first,
-    /// may change it as old scenes do.
+    /// The interior of an object that writes `own` and inherits `above`. Its `finishes`, lowest layer first, may change
+    /// it, as in old scenes.
     pub(super) fn of_object<'a>(
         &mut self,
         own: Option<&Arc<Interior>>,
@@ -77,7 +77,7 @@ impl Interiors {
         }
     }
 
-    /// Says what fills an interior that the scene writes.
+    /// Sets the media of a written interior.
     pub(super) fn fill(&mut self, id: InteriorId, media: Arc<[PreparedMedia]>) {
         let number = id.0 as usize;
         if self.media.len() <= number {
@@ -86,7 +86,7 @@ impl Interiors {
         self.media[number] = media;
     }
 
-    /// Fills an interior as the one that it is made of.
+    /// Copies the media of the interior from which another one is derived.
     pub(super) fn hand_down(&mut self, from: Option<InteriorId>, to: InteriorId) {
         let known = from.and_then(|from| self.media.get(from.0 as usize));
         if let Some(media) = known.filter(|media| !media.is_empty() && from != Some(to)) {
@@ -95,39 +95,39 @@ impl Interiors {
         }
     }
 
-    /// What fills an interior.
+    /// The media of an interior.
     #[must_use]
     pub fn media(&self, id: InteriorId) -> &[PreparedMedia] {
         self.media.get(id.0 as usize).map_or(&[], |media| media)
     }
 
-    /// What fills any of them.
+    /// The media of all interiors.
     pub(super) fn all_media(&self) -> impl Iterator<Item = &PreparedMedia> {
         self.media.iter().flat_map(|media| &**media)
     }
 
-    /// Whether something fills some interior.
+    /// Returns true if some interior has media.
     #[must_use]
     pub fn have_media(&self) -> bool {
         !self.media.is_empty()
     }
 
-    /// Whether light from a source fades in some of them.
+    /// Returns true if some of them attenuate light.
     #[must_use]
     pub fn fade_light(&self) -> bool {
         self.written.iter().any(Interior::fades)
     }
 
-    /// Whether some of them split white light.
+    /// Returns true if some of them have dispersion.
     #[must_use]
     pub fn split_light(&self) -> bool {
         let mut written = self.written.iter();
         written.any(|interior| interior.effective_dispersion() != 1.0)
     }
 
-    /// Says whether the object of an interior is hollow.
+    /// Sets whether the object of an interior is hollow.
     pub(super) fn set_hollow(&mut self, id: InteriorId, is_hollow: bool) {
-        let (kind, number) = Self::place(id);
+        let (kind, number) = Self::slot(id);
         let known = &mut self.hollow[kind];
         if known.len() <= number {
             if !is_hollow {
@@ -138,14 +138,14 @@ impl Interiors {
         known[number] = is_hollow;
     }
 
-    /// Whether the atmosphere goes on in an interior.
+    /// Returns true if the atmosphere continues inside.
     #[must_use]
     pub fn is_hollow(&self, id: InteriorId) -> bool {
-        let (kind, number) = Self::place(id);
+        let (kind, number) = Self::slot(id);
         self.hollow[kind].get(number).copied().unwrap_or(false)
     }
 
-    fn place(id: InteriorId) -> (usize, usize) {
+    fn slot(id: InteriorId) -> (usize, usize) {
         if id.0 < UNNAMED {
             (0, id.0 as usize)
         } else {
@@ -153,7 +153,7 @@ impl Interiors {
         }
     }
 
-    /// The interior of a number.
+    /// The interior with this id.
     #[must_use]
     pub fn get(&self, id: InteriorId) -> &Interior {
         self.written.get(id.0 as usize).unwrap_or(&self.default)

@@ -1,4 +1,4 @@
-//! From the description of a scene to the world that rays need.
+//! The compiled scene: lowering of objects to primitives, CSG programs and instances, and ray queries on them.
 
 mod bvh_items;
 mod compiled;
@@ -38,19 +38,19 @@ use std::sync::Arc;
 /// Below this quality there are no photons (facts 4.11).
 const QUALITY_OF_PHOTONS: u8 = 9;
 
-/// Prepares a scene for rays: folds transforms into the cheapest form of each object, takes unions apart, flattens
-/// combinations, and builds the tree.
+/// Compiles a scene for ray tracing: folds transforms into the cheapest form of each object, splits up unions, flattens
+/// CSG objects, and builds the BVH.
 #[must_use]
 pub fn compile(scene: Scene, options: &RenderOptions) -> World {
     compile_apart(scene, options, &mut drop)
 }
 
-/// The same; `let_go` gets the objects that are needed no more, one by one.
+/// Same as [`compile`]; passes each object to `drop_object` when it is no longer needed.
 #[must_use]
 pub fn compile_apart(
     scene: Scene,
     options: &RenderOptions,
-    let_go: &mut dyn FnMut(Arc<Object>),
+    drop_object: &mut dyn FnMut(Arc<Object>),
 ) -> World {
     let mut scene = scene.recentered().rescaled();
     let mut flat = Lowering::new(Settings {
@@ -59,8 +59,8 @@ pub fn compile_apart(
     });
     let shoots = scene.globals.photons.is_some() && options.quality >= QUALITY_OF_PHOTONS;
     flat.targets = shoots.then(Targets::default);
-    // What has been taken in is needed no more; in large scenes the room is.
-    flat.lower_all(std::mem::take(&mut scene.objects), let_go);
+    // Objects are freed as they are lowered: large scenes need the memory.
+    flat.lower_all(std::mem::take(&mut scene.objects), drop_object);
     flat.lights.finish();
     let mut world = World::new(&scene, flat, options);
     world.build_light_buffers(options);

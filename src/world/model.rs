@@ -1,8 +1,8 @@
-//! A model: primitives and combinations made ready for rays, with the tree over them. The world is one; so is each
-//! large union that a scene shows again and again, which is prepared once and placed by a matrix for each copy.
+//! A model: primitives and CSG programs ready for intersection, with the BVH over them. The world is one; so is each
+//! large union that a scene repeats, which is prepared once and placed by a matrix for each instance.
 //!
-//! Numbers of leaves go on from the model's own ones through its instances, one stretch for each, so that a number
-//! tells every copy of every primitive apart however deep instances lie in each other.
+//! The indices of leaves continue from the model's own ones through its instances, one range for each. So an index
+//! identifies every copy of every primitive, however deeply instances are nested.
 
 use super::bvh_items::ItemBvh;
 use super::csg::program::CsgProgram;
@@ -16,39 +16,39 @@ use crate::base::math::Bounds;
 use crate::scene::shape::{Shape, TextureWeights};
 use glam::DVec3;
 
-/// What a tree holds.
+/// An item of the BVH.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Item {
-    /// A shape by itself.
+    /// A single primitive.
     Leaf(u32),
-    /// A combination.
+    /// A CSG program.
     Program(u32),
-    /// A model of its own, in its place.
+    /// An instance of another model.
     Instance(u32),
 }
 
-/// What becomes an [`Item`].
+/// An item before the BVH is built.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum PendingItem {
-    /// A shape by itself.
+    /// A single primitive.
     Leaf(u32),
-    /// A shape by itself that is no leaf yet: one of [`ModelBuilder::balls`].
-    Ball(u32),
-    /// A combination.
+    /// A sphere without a leaf yet: one of [`ModelBuilder::spheres`].
+    Sphere(u32),
+    /// A CSG program.
     Program(u32),
-    /// A model of its own, in its place.
+    /// An instance of another model.
     Instance(u32),
 }
 
-/// What a model is made from, in the order of the file.
+/// The parts of a model in file order.
 #[derive(Debug, Default)]
 pub(super) struct ModelBuilder {
     pub(super) leaves: Vec<Leaf>,
     pub(super) programs: Vec<CsgProgram>,
     pub(super) instances: Vec<Instance>,
     pub(super) items: Vec<PendingItem>,
-    pub(super) balls: DeferredSpheres,
-    /// The bounds of the items.
+    pub(super) spheres: DeferredSpheres,
+    /// Bounds of the items.
     pub(super) bounds: Vec<Bounds>,
 }
 
@@ -59,44 +59,44 @@ impl ModelBuilder {
     }
 }
 
-/// Primitives and combinations ready for rays.
+/// Primitives and CSG programs ready for intersection.
 #[derive(Debug)]
 pub(super) struct Model {
     pub(super) leaves: Vec<Leaf>,
     pub(super) programs: Vec<CsgProgram>,
-    /// In the order of their numbers.
+    /// By ascending index of their first leaf.
     pub(super) instances: Vec<Instance>,
-    pub(super) finder: ItemBvh,
-    /// All items, if they are leaves, few and round; four rays can then be asked about them at once.
+    pub(super) bvh: ItemBvh,
+    /// All items as one array of spheres, if there are only a few spheres; packets can intersect them.
     pub(super) cluster: Option<SphereSoa>,
-    /// For each program, in which way four rays can be asked about it at once.
-    ways_of_four: Vec<PacketStrategy>,
+    /// The packet algorithm of each program.
+    strategies: Vec<PacketStrategy>,
 }
 
 impl Model {
-    /// Builds the tree over these parts, and brings them into its order; the looks of its balls are added to `surfaces`,
-    /// and `projectors` are the programs that use leaves of theirs besides.
+    /// Builds the BVH over these parts and reorders them to match. The surfaces of the deferred spheres are appended to
+    /// `surfaces`; `projectors` are further programs over the leaves.
     pub(super) fn new<'p>(
         mut parts: ModelBuilder,
         surfaces: &mut Vec<Surface>,
         projectors: impl Iterator<Item = &'p mut CsgProgram>,
     ) -> Model {
-        let finder = ItemBvh::new(&mut parts, surfaces, projectors);
-        let cluster = finder.cluster(&parts);
-        let ways_of_four = parts.programs.iter();
+        let bvh = ItemBvh::new(&mut parts, surfaces, projectors);
+        let cluster = bvh.cluster(&parts);
+        let strategies = parts.programs.iter();
         Model {
-            ways_of_four: ways_of_four
-                .map(|program| program.way_of_four(&parts.leaves))
+            strategies: strategies
+                .map(|program| program.packet_strategy(&parts.leaves))
                 .collect(),
             leaves: parts.leaves,
             programs: parts.programs,
             instances: parts.instances,
-            finder,
+            bvh,
             cluster,
         }
     }
 
-    /// How many primitives it shows, those of its instances included.
+    /// Number of its primitives, with those of its instances.
     pub(super) fn len(&self) -> u32 {
         match self.instances.last() {
             Some(last) => last.first + last.model.len(),
@@ -104,23 +104,23 @@ impl Model {
         }
     }
 
-    /// In which way four rays can be asked about a program at once.
+    /// The packet algorithm of a program.
     #[inline(always)]
-    pub(super) fn way_of_four(&self, program: u32) -> PacketStrategy {
-        self.ways_of_four[program as usize]
+    pub(super) fn packet_strategy(&self, program: u32) -> PacketStrategy {
+        self.strategies[program as usize]
     }
 
-    /// Whether four rays can be asked about an item at once.
+    /// Returns true if packets of four rays can intersect an item.
     #[inline(always)]
-    pub(super) fn suits_four(&self, item: Item) -> bool {
+    pub(super) fn suits_packets(&self, item: Item) -> bool {
         match item {
-            Item::Program(program) => self.way_of_four(program) != PacketStrategy::Scalar,
+            Item::Program(program) => self.packet_strategy(program) != PacketStrategy::Scalar,
             Item::Leaf(leaf) => self.leaves[leaf as usize].shape.has_roots_of_four(),
             Item::Instance(copy) => self.instances[copy as usize].model.cluster.is_some(),
         }
     }
 
-    /// Where a leaf is a part of an instance, that one.
+    /// The instance that a leaf belongs to, unless it is the model's own.
     fn instance_of(&self, leaf: u32) -> Option<&Instance> {
         let is_own = (leaf as usize) < self.leaves.len();
         let behind = || self.instances.partition_point(|one| one.first <= leaf);
@@ -131,7 +131,7 @@ impl Model {
         }
     }
 
-    /// The unit outward normals at a point of a leaf: the geometric one, and that for shading.
+    /// The unit outward normals at a point of a leaf: the geometric one and the shading normal.
     #[inline]
     pub(super) fn normals(&self, leaf: u32, point: DVec3, face: u32) -> (DVec3, DVec3) {
         match self.leaves.get(leaf as usize) {
@@ -144,7 +144,7 @@ impl Model {
         }
     }
 
-    /// The shares of the shape's own textures at a point of a leaf.
+    /// The weights of the shape's own textures at a point of a leaf.
     pub(super) fn shares(&self, leaf: u32, point: DVec3, face: u32) -> TextureWeights {
         match self.instance_of(leaf) {
             Some(instance) => {
@@ -155,7 +155,7 @@ impl Model {
         }
     }
 
-    /// The texture coordinates at a point of a leaf; `None` for those of the world.
+    /// The texture coordinates at a point of a leaf; `None` if the world's apply.
     pub(super) fn uv(&self, leaf: u32, point: DVec3, face: u32) -> Option<[f64; 2]> {
         match self.instance_of(leaf) {
             Some(instance) => {
@@ -166,8 +166,7 @@ impl Model {
         }
     }
 
-    /// Whether inside and outside of a primitive are exchanged where it stands: it is inverse, or a difference takes it
-    /// away.
+    /// Returns true if inside and outside of a primitive are exchanged: it is inverse, or a difference subtracts it.
     pub(super) fn is_inverse(&self, leaf: u32) -> bool {
         if let Some(instance) = self.instance_of(leaf) {
             return instance.model.is_inverse(leaf - instance.first);
@@ -187,8 +186,8 @@ impl Model {
         }
     }
 
-    /// The surface of the object that an item is, if it holds a point; of an instance all those that do, added to
-    /// `surfaces` with `base` for the model's own first one.
+    /// Appends the surface of an item to `surfaces` if it contains a point; for an instance, the surfaces of all its
+    /// items that do. `base` is the index of the model's first surface.
     pub(super) fn surfaces_around(
         &self,
         item: Item,
@@ -206,7 +205,7 @@ impl Model {
                 let instance = &self.instances[instance as usize];
                 let point = instance.object_from_world.transform_point3(point);
                 let model = &*instance.model;
-                for number in model.finder.around(point) {
+                for number in model.bvh.around(point) {
                     let base = base + instance.surface;
                     model.surfaces_around(number.item, point, base, surfaces);
                 }
@@ -218,7 +217,7 @@ impl Model {
         }
     }
 
-    /// Whether an item holds a point.
+    /// Returns true if an item contains a point.
     pub(super) fn item_holds(&self, item: Item, point: DVec3) -> bool {
         match item {
             Item::Leaf(leaf) => self.leaves[leaf as usize].contains(point),
@@ -231,12 +230,12 @@ impl Model {
         }
     }
 
-    /// Whether a point lies in any object.
+    /// Returns true if a point lies in any item.
     pub(super) fn holds(&self, point: DVec3) -> bool {
-        let mut unbounded = self.finder.unbounded.iter();
+        let mut unbounded = self.bvh.unbounded.iter();
         unbounded.any(|item| self.item_holds(item.item, point))
-            || self.finder.tree.around(point, |place| {
-                self.item_holds(self.finder.bounded[place as usize].item, point)
+            || self.bvh.tree.around(point, |position| {
+                self.item_holds(self.bvh.bounded[position as usize].item, point)
             })
     }
 }

@@ -1,5 +1,5 @@
-//! The plan: what a scene needs of all that a tracer can do. What it does not need is left out once, when the world is
-//! made, not asked about at every ray.
+//! The plan: the features of the tracer that a scene needs. The others are disabled once, when the world is built, and
+//! not checked for every ray.
 
 use super::compiled::World;
 use super::instance::Instance;
@@ -13,7 +13,7 @@ use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 impl World {
-    /// What this scene needs and what it was spared.
+    /// The features that this scene needs, and those it does not.
     #[must_use]
     pub fn plan(&self) -> Plan {
         let mut primitives: BTreeMap<&'static str, usize> = BTreeMap::new();
@@ -31,18 +31,18 @@ impl World {
             behind_matrix += alike.iter().filter(is_behind).count();
         }
         let combinations = models.iter().map(|model| model.programs.len()).sum();
-        let trees = models.iter().map(|model| &model.finder.tree);
+        let trees = models.iter().map(|model| &model.bvh.tree);
         Plan {
             combinations,
             shared: models.len() - 1,
             instances: models.iter().map(|model| model.instances.len()).sum(),
             instance_bytes: size_of::<Instance>(),
-            unbounded: self.finder().unbounded.len(),
+            unbounded: self.bvh().unbounded.len(),
             behind_matrix,
             surfaces: self.surfaces.len(),
             lights: self.lights.len(),
             tree_bytes: trees.map(Bvh::bytes).sum(),
-            view_bytes: self.vistas.bytes(),
+            view_bytes: self.light_buffers.bytes(),
             left_out: self.left_out(combinations, &primitives),
             primitives,
         }
@@ -87,7 +87,7 @@ impl World {
                 primitives.keys().any(|&kind| kind != "sphere"),
                 "all shapes but spheres",
             ),
-            has(!self.finder().bounded.is_empty(), "the tree"),
+            has(!self.bvh().bounded.is_empty(), "the tree"),
         ]
         .into_iter()
         .flatten()

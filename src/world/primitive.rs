@@ -1,4 +1,4 @@
-//! A shape in its place: in the world's own coordinates where it can be, otherwise behind an inverse matrix.
+//! A primitive in the scene: in world coordinates where possible, otherwise behind an inverse matrix.
 
 use crate::base::accel::BoundingCylinder;
 use crate::base::math::conditioning::unit;
@@ -6,24 +6,24 @@ use crate::base::math::{Bounds, Ray, Step, Transform, normal_from_inverse};
 use crate::scene::shape::{Geometry, Root, Shape, Sphere, Start, TextureWeights};
 use glam::{DAffine3, DMat3, DVec3};
 
-/// More than the roundings of what is worked out from a matrix, as a share.
-const CARE: f64 = 1e-9;
+/// Relative safety margin, larger than the rounding errors of values derived from a matrix.
+const MARGIN: f64 = 1e-9;
 
-/// Which bounds of a shape are asked for.
+/// Selects the bounds of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// Of what can be seen.
+    /// Bounds of the visible surface.
     Surface,
-    /// Of all that lies inside.
+    /// Bounds of everything inside.
     Solid,
 }
 
-/// How much of its transforms a shape takes into its own numbers.
+/// Selects how many of its transforms a shape absorbs into its own parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absorb {
-    /// As many as leave it of its kind.
+    /// As many as its kind of shape allows.
     AllItCan,
-    /// None: its texture coordinates are asked for.
+    /// None: its texture coordinates are needed.
     Nothing,
 }
 
@@ -41,15 +41,15 @@ impl Extent {
 pub struct Leaf {
     /// The shape, in its object space.
     pub shape: Shape,
-    /// Takes the world to the object space; `None` where they are the same. The forward matrix is not kept, and the
-    /// normal matrix is this one transposed.
+    /// World-to-object matrix; `None` if the spaces are the same. The forward matrix is not stored, and the normal
+    /// matrix is this one transposed.
     pub object_from_world: Option<Box<DAffine3>>,
-    /// Its looks: an index into the world's surfaces.
+    /// Index of its surface attributes in the world's list.
     pub surface: u32,
 }
 
 impl Leaf {
-    /// What stands where a leaf was taken away.
+    /// Placeholder for a leaf that was moved out.
     pub(super) const NOTHING: Leaf = Leaf {
         shape: Shape::Sphere(Sphere {
             centre: DVec3::ZERO,
@@ -59,12 +59,13 @@ impl Leaf {
         surface: 0,
     };
 
-    /// A shape moved by `steps`: as many of them as it can take in leave no matrix behind. Gives the bounds of its
-    /// surface too, or with `extent` those of the solid, which may be larger.
+    /// A shape with its transforms: those it can absorb leave no matrix behind. Also returns the bounds selected by
+    /// `extent`; those of the solid may be larger than those of the surface.
     #[must_use]
     pub fn new(
         mut shape: Shape,
-        (steps, absorb): (&[Step], Absorb),
+        steps: &[Step],
+        absorb: Absorb,
         surface: u32,
         extent: Extent,
     ) -> (Leaf, Bounds) {
@@ -109,13 +110,13 @@ impl Leaf {
         }
     }
 
-    /// A world ray in the space of the shape: itself, or one in `room`. What is only read is not copied: a vector that was
-    /// just written as one pair of numbers and a single is slow to read as a single and a pair.
+    /// A world ray in object space: the ray itself, or its transform stored in `transformed`. The untransformed ray is
+    /// borrowed, not copied: a vector just stored as a pair and a single is slow to load as a single and a pair.
     #[inline(always)]
-    fn to_object<'r>(&self, ray: &'r Ray, room: &'r mut Option<Ray>) -> &'r Ray {
+    fn to_object<'r>(&self, ray: &'r Ray, transformed: &'r mut Option<Ray>) -> &'r Ray {
         match &self.object_from_world {
             None => ray,
-            Some(matrix) => room.insert(ray.to_object(matrix)),
+            Some(matrix) => transformed.insert(ray.to_object(matrix)),
         }
     }
 
@@ -131,8 +132,8 @@ impl Leaf {
         self.shape.roots(self.to_object(ray, &mut None), roots)
     }
 
-    /// Of all roots on the whole line of a world ray at least those beyond `from` up to the first beyond `enough`. Says
-    /// whether these are all of them for certain.
+    /// The roots on the whole line of a world ray beyond `from`, at least up to the first beyond `enough`. Returns true
+    /// if these are certainly all roots.
     pub(super) fn roots_from(
         &self,
         ray: &Ray,
@@ -140,29 +141,29 @@ impl Leaf {
         enough: f64,
         roots: &mut Vec<Root>,
     ) -> bool {
-        let room = &mut None;
-        let ray = self.to_object(ray, room);
+        let transformed = &mut None;
+        let ray = self.to_object(ray, transformed);
         self.shape.roots_from(ray, from, enough, roots)
     }
 
-    /// The root that a world ray is known to have at `t`; none where it is none after all.
+    /// The root that a world ray is known to have at `t`; `None` if it turns out to have none.
     pub(super) fn root_at(&self, ray: &Ray, t: f64, roots: &mut Vec<Root>) -> Option<Root> {
-        let room = &mut None;
-        let by_place = match &self.shape {
+        let transformed = &mut None;
+        let direct = match &self.shape {
             Shape::Sphere(sphere) if self.object_from_world.is_none() => sphere.root_at(ray, t),
-            Shape::Cuboid(cuboid) => cuboid.root_at(self.to_object(ray, room), t),
-            Shape::Cylinder(cylinder) => cylinder.root_at(self.to_object(ray, room), t),
+            Shape::Cuboid(cuboid) => cuboid.root_at(self.to_object(ray, transformed), t),
+            Shape::Cylinder(cylinder) => cylinder.root_at(self.to_object(ray, transformed), t),
             _ => None,
         };
-        if by_place.is_some() {
-            return by_place;
+        if direct.is_some() {
+            return direct;
         }
         roots.clear();
         self.roots(ray, roots);
         roots.iter().find(|root| root.t == t).copied()
     }
 
-    /// Whether all of a world ray from its start to `to` lies well inside; what is not known is false.
+    /// Returns true if the ray is well inside from its origin to `to`; false if unknown.
     #[must_use]
     #[inline]
     pub(super) fn holds(&self, ray: &Ray, to: f64) -> bool {
@@ -180,42 +181,42 @@ impl Leaf {
         self.shape.nearest(self.to_object(ray, &mut None), from, to)
     }
 
-    /// Whether a world ray that leaves the shape outward cannot meet it again; what is not known is false.
+    /// Returns true if a world ray that leaves the shape outward cannot hit it again; false if unknown.
     #[must_use]
     #[inline(always)]
-    pub fn is_left_for_good(&self, ray: &Ray) -> bool {
+    pub fn has_exited_convex(&self, ray: &Ray) -> bool {
         match (&self.shape, &self.object_from_world) {
             (Shape::Sphere(sphere), None) => sphere.is_exiting(ray),
-            _ => self.is_other_left_for_good(ray),
+            _ => self.other_has_exited_convex(ray),
         }
     }
 
-    /// Whether all that the line of a world ray enters lies before its start; what is not known is false.
+    /// Returns true if everything on the line of a world ray lies before its origin; false if unknown.
     #[must_use]
     pub fn is_exiting(&self, ray: &Ray) -> bool {
         self.shape.is_exiting(self.to_object(ray, &mut None))
     }
 
     #[inline(never)]
-    fn is_other_left_for_good(&self, ray: &Ray) -> bool {
+    fn other_has_exited_convex(&self, ray: &Ray) -> bool {
         !self.shape.is_faceted() && self.is_exiting(ray)
     }
 
-    /// The first visible root of a world ray with `from < t < to` on any piece of a faceted shape but `face`.
+    /// The first visible root of a world ray with `from < t < to` on any face of a faceted shape except `face`.
     #[must_use]
     pub fn nearest_beside(&self, ray: &Ray, from: f64, to: f64, face: u32) -> Option<Root> {
-        let room = &mut None;
+        let transformed = &mut None;
         self.shape
-            .nearest_beside(self.to_object(ray, room), from, to, face)
+            .nearest_beside(self.to_object(ray, transformed), from, to, face)
     }
 
-    /// Whether a world point lies in the solid.
+    /// Returns true if a world point lies in the solid.
     #[must_use]
     pub fn contains(&self, point: DVec3) -> bool {
         self.shape.contains(self.point_to_object(point))
     }
 
-    /// The unit outward normals at a world point of a piece of the surface: the geometric one, and that for shading.
+    /// The unit outward normals at a world point of a face: the geometric one and the shading normal.
     #[must_use]
     #[inline]
     pub fn normals(&self, point: DVec3, face: u32) -> (DVec3, DVec3) {
@@ -237,12 +238,12 @@ impl Leaf {
         )
     }
 
-    /// The texture coordinates at a world point of a piece of the surface; `None` for those of the world.
+    /// The texture coordinates at a world point of a face; `None` if the world's apply.
     pub(super) fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         self.shape.uv(self.point_to_object(point), face)
     }
 
-    /// The shares of the shape's own textures at a world point of a piece of its surface.
+    /// The weights of the shape's own textures at a world point of a face.
     pub(super) fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
         self.shape.shares(self.point_to_object(point), face)
     }
@@ -256,60 +257,60 @@ impl Leaf {
         unit_normal(normal)
     }
 
-    /// Centre and radius of a leaf that is a ball.
+    /// Centre and radius, if the leaf is a sphere in world coordinates.
     #[must_use]
-    pub fn ball(&self) -> Option<(DVec3, f64)> {
+    pub fn sphere(&self) -> Option<(DVec3, f64)> {
         match (&self.shape, &self.object_from_world) {
             (Shape::Sphere(sphere), None) => Some((sphere.centre, sphere.radius)),
             _ => None,
         }
     }
 
-    /// A ball that holds the leaf and not much else, by centre and radius, and whether the leaf fills it.
+    /// A tight bounding sphere by centre and radius, and whether the leaf fills it.
     #[must_use]
-    pub(super) fn ball_around(&self) -> Option<(DVec3, f64, bool)> {
+    pub(super) fn bounding_sphere(&self) -> Option<(DVec3, f64, bool)> {
         let (centre, radius) = match &self.shape {
             Shape::Torus(torus) => (torus.centre, torus.rim()),
             Shape::Cuboid(cuboid) => {
                 let half = 0.5 * cuboid.max - 0.5 * cuboid.min;
-                (cuboid.min + half, half.length() * (1.0 + CARE))
+                (cuboid.min + half, half.length() * (1.0 + MARGIN))
             }
             _ => {
-                let (centre, radius) = self.ball()?;
+                let (centre, radius) = self.sphere()?;
                 return Some((centre, radius, true));
             }
         };
-        let slack = |centre: DVec3| CARE * centre.abs().max_element();
+        let slack = |centre: DVec3| MARGIN * centre.abs().max_element();
         let Some(matrix) = &self.object_from_world else {
             return Some((centre, radius + slack(centre), false));
         };
         let scale = similarity(&matrix.matrix3)?;
         let centre = matrix.inverse().transform_point3(centre);
-        let radius = radius / scale * (1.0 + CARE) + slack(centre);
+        let radius = radius / scale * (1.0 + MARGIN) + slack(centre);
         radius.is_normal().then_some((centre, radius, false))
     }
 
-    /// A round rod without ends that holds the leaf and not much else.
+    /// A tight infinite bounding cylinder.
     #[must_use]
-    pub(super) fn rod_around(&self) -> Option<BoundingCylinder> {
+    pub(super) fn bounding_cylinder(&self) -> Option<BoundingCylinder> {
         let Shape::Cylinder(cylinder) = &self.shape else {
             return None;
         };
-        let (base, way, radius) = cylinder.rod();
+        let (base, axis, radius) = cylinder.rod();
         let Some(matrix) = &self.object_from_world else {
-            return Some((base, way, radius));
+            return Some((base, axis, radius));
         };
         let scale = similarity(&matrix.matrix3)?;
         let to_world = matrix.inverse();
         let base = to_world.transform_point3(base);
-        let slack = CARE * base.abs().max_element();
-        let radius = radius / scale * (1.0 + CARE) + slack;
+        let slack = MARGIN * base.abs().max_element();
+        let radius = radius / scale * (1.0 + MARGIN) + slack;
         let is_sound = radius.is_normal() && base.is_finite();
-        is_sound.then(|| (base, to_world.transform_vector3(way), radius))
+        is_sound.then(|| (base, to_world.transform_vector3(axis), radius))
     }
 
-    /// Bounds of the leaf that are no larger than `bounds`: smaller where it is a torus that is turned. The box of a
-    /// turned box, by which POV-Ray knows things, may have twice the surface.
+    /// Bounds of the leaf no larger than `bounds`: tighter for a rotated torus. The box of a rotated box, which POV-Ray
+    /// uses, may have twice the surface area.
     #[must_use]
     pub(super) fn tightened(&self, bounds: &Bounds) -> Bounds {
         let (Shape::Torus(torus), Some(matrix)) = (&self.shape, &self.object_from_world) else {
@@ -317,14 +318,14 @@ impl Leaf {
         };
         let world_from_object = matrix.inverse();
         let there_and_back = world_from_object.matrix3 * matrix.matrix3;
-        if !there_and_back.abs_diff_eq(DMat3::IDENTITY, 0.5 * CARE) {
+        if !there_and_back.abs_diff_eq(DMat3::IDENTITY, 0.5 * MARGIN) {
             return *bounds;
         }
         let Some(reach) = torus.reach_under(&world_from_object.matrix3) else {
             return *bounds;
         };
         let centre = world_from_object.transform_point3(torus.centre);
-        let reach = reach * (1.0 + CARE) + CARE * centre.abs().max_element();
+        let reach = reach * (1.0 + MARGIN) + MARGIN * centre.abs().max_element();
         let tight = Bounds::new(centre - reach, centre + reach);
         if tight.is_finite() {
             tight.intersection(bounds)
@@ -333,7 +334,7 @@ impl Leaf {
         }
     }
 
-    /// The memory of this leaf in bytes, its matrix included.
+    /// Memory of this leaf in bytes, with its matrix.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<Leaf>()
@@ -344,17 +345,17 @@ impl Leaf {
     }
 }
 
-/// The factor of a matrix that turns and scales evenly.
+/// The scale factor of a similarity transform; `None` for other matrices.
 fn similarity(matrix: &DMat3) -> Option<f64> {
     let squares = matrix.transpose() * *matrix;
     let size = squares.x_axis.x;
     let even = DMat3::from_diagonal(DVec3::splat(size));
     squares
-        .abs_diff_eq(even, 0.1 * CARE * size)
+        .abs_diff_eq(even, 0.1 * MARGIN * size)
         .then(|| size.sqrt())
 }
 
-/// The normal of length 1, or zero where there is none.
+/// The unit normal, or zero if it has no direction.
 #[inline]
 fn unit_normal(normal: DVec3) -> DVec3 {
     if normal.length_squared().is_normal() {

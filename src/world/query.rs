@@ -1,4 +1,4 @@
-//! What rays ask the world, what they get, and what a thread keeps between two questions.
+//! Ray queries, their results, and the buffers that a thread reuses between queries.
 
 pub(super) mod closest;
 pub(super) mod intersect;
@@ -24,53 +24,53 @@ use crate::scene::shape::{Crossing, Root};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// The root that a spawned ray left, so that it does not find it again.
+/// The surface point that a spawned ray leaves, so that the ray does not hit it again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpawnSurface {
     /// The leaf.
     pub leaf: u32,
-    /// The piece of its surface.
+    /// The face of the leaf.
     pub face: u32,
-    /// The outward geometric normal there, in the world.
+    /// The outward geometric normal there, in world space.
     pub normal: DVec3,
-    /// What the old ray did there.
+    /// The crossing of the incoming ray there.
     pub crossing: Crossing,
-    /// A bound on the error of coordinates at the point: below this distance nothing can be told apart.
+    /// Error bound on the coordinates of the point: distances below it are not significant.
     pub blur: f64,
 }
 
-/// What a ray found.
+/// A closest hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
     /// Distance along the (unit) ray.
     pub t: f64,
-    /// The point in the world.
+    /// The point in world space.
     pub point: DVec3,
     /// The unit normal for shading, before any `normal` pattern; differs on smooth triangles only.
     pub shading_normal: DVec3,
     /// Index into [`super::World::surfaces`].
     pub surface: u32,
-    /// For the rays that leave from here.
+    /// Origin surface of the rays spawned here.
     pub departure: SpawnSurface,
 }
 
-/// Who looks: decides between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.
+/// Kind of ray: selects between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
     /// A camera ray, or its straight or refracted continuation.
     Camera,
-    /// A reflected ray and what comes of it.
+    /// A reflected ray and its continuations.
     Reflection,
-    /// A ray that gathers light from other surfaces, or its straight or refracted continuation.
+    /// A radiosity sample ray, or its straight or refracted continuation.
     Radiosity,
-    /// What such a ray sees in a mirror.
+    /// A reflection of such a ray.
     RadiosityReflection,
-    /// A ray to a light.
+    /// A shadow ray.
     Shadow,
 }
 
 impl RayKind {
-    /// Who looks after a mirror.
+    /// The kind of a ray after a mirror reflection.
     #[must_use]
     pub fn mirrored(self) -> RayKind {
         match self {
@@ -80,65 +80,65 @@ impl RayKind {
     }
 }
 
-/// One question to the world.
+/// A ray query.
 #[derive(Clone, Copy, Debug)]
 pub struct Query {
     /// The ray; its direction has length 1.
     pub ray: Ray,
-    /// The root it left, for all but camera rays.
+    /// The surface point it leaves; `None` for camera rays.
     pub origin_surface: Option<SpawnSurface>,
-    /// Nothing at or beyond this distance counts; infinite for none.
+    /// Far limit: hits at or beyond it are ignored; infinite for none.
     pub t_max: f64,
-    /// Who asks.
+    /// The kind of ray.
     pub kind: RayKind,
 }
 
-/// Buffers that a thread keeps between questions.
+/// Per-thread buffers that are reused between queries.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    /// The light that came from each lamp of the area light at hand, as far as it is known.
+    /// Light received from each sample of the current area light, where computed.
     pub lamps: Vec<Option<Rgb>>,
     /// The shadow rays from a point to the samples of an area light.
     pub to_lamps: Vec<ShadowPacket4>,
-    /// How many rays were followed.
+    /// Numbers of rays traced.
     pub rays: RayCounts,
-    /// The random numbers of lamps and rainbows for the sample at hand.
+    /// Random numbers for lights and rainbows in the current sample.
     pub stream: Stream,
-    /// Those of media.
+    /// Random numbers for media.
     pub media_stream: Stream,
-    /// The state of the generator that `crand` draws from.
+    /// State of the generator for `crand`.
     pub crand: u32,
-    /// Whether random numbers go on from sample to sample instead of starting anew.
+    /// If true, random numbers continue from sample to sample instead of restarting.
     pub goes_on: bool,
-    /// Behind how many surfaces the ray at hand is, of those that wait for what it finds.
+    /// Recursion depth: the surfaces whose shading waits for the current ray.
     pub followed: u32,
-    /// What is known of radiosity, where that is drawn.
+    /// Radiosity state, if radiosity is on.
     pub radiosity: Option<Box<Session>>,
     /// Photons around a point.
     pub photons: Near,
     pub(super) sweep: Sweep,
     pub(super) roots: Vec<Root>,
-    /// For each light, the item that stood last in its way.
+    /// For each light, the item that last blocked a shadow ray to it.
     pub(super) blockers: SmallVec<[Option<IndexedItem>; 8]>,
     pub(super) bundle: Bundle,
     pub(super) bests: Vec<Option<ClosestHit>>,
-    pub(super) lot: RayStream,
+    pub(super) ray_stream: RayStream,
     pub(super) mesh: MeshScratch,
-    /// What the ray to a light meets that is being followed.
-    pub(super) among: ItemSet,
-    /// The surfaces of combinations among them, one combination after the other, each in order.
+    /// Transmissive items on the current shadow ray.
+    pub(super) transmissive_items: ItemSet,
+    /// Hits on the CSG programs among them: one program after the other, each in order of distance.
     pub(super) passed: Vec<RawHit>,
 }
 
 impl Scratch {
-    /// Whether rays are to be followed in POV-Ray's order, since each changes what the next ones find.
+    /// Returns true if rays must be traced in POV-Ray's order, because each changes the results of later ones.
     #[must_use]
     pub fn order_dependent(&self) -> bool {
         let session = self.radiosity.as_ref();
         self.goes_on || session.is_some_and(|session| session.order_dependent())
     }
 
-    /// Starts all random numbers anew.
+    /// Restarts all random-number streams.
     pub fn begin_anew(&mut self) {
         self.stream = Stream::default();
         self.media_stream = Stream::default();
@@ -146,20 +146,20 @@ impl Scratch {
     }
 }
 
-/// What lies between a point and a light.
+/// Occlusion between a point and a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Occlusion {
     /// Nothing.
     Clear,
-    /// Only surfaces that may let light through.
+    /// Only transmissive surfaces.
     Transmissive,
-    /// Something opaque.
+    /// At least one opaque surface.
     Opaque,
 }
 
-/// The best surface on a ray so far.
+/// The closest hit so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClosestHit {
-    pub(super) found: RawHit,
+    pub(super) hit: RawHit,
     pub(super) item: u32,
 }

@@ -1,4 +1,4 @@
-//! How many rays were followed, by kind.
+//! Ray statistics: numbers of rays traced, by kind.
 
 use super::query::{Query, RayKind};
 use std::ops::AddAssign;
@@ -6,28 +6,28 @@ use std::ops::AddAssign;
 /// Numbers of rays by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RayCounts {
-    /// From the camera.
+    /// Camera rays.
     pub camera: u64,
-    /// Straight on or bent through surfaces.
+    /// Straight or refracted continuations of camera rays.
     pub onward: u64,
-    /// Mirror images, and what comes of them.
+    /// Reflected rays and their continuations.
     pub reflected: u64,
-    /// For radiosity, with what comes of them.
+    /// Radiosity sample rays and their continuations.
     pub gathering: u64,
-    /// From a point to a light.
+    /// Shadow rays.
     pub shadow: u64,
-    /// From surface to surface on the way to a light.
+    /// Segments of shadow rays behind a transmissive surface.
     pub filtered: u64,
 }
 
 impl RayCounts {
-    /// All of them.
+    /// The sum over all kinds.
     #[must_use]
     pub fn sum(&self) -> u64 {
         self.camera + self.onward + self.reflected + self.gathering + self.shadow + self.filtered
     }
 
-    /// Counts a search for the nearest surface.
+    /// Counts a closest-hit query.
     #[inline]
     pub(super) fn count(&mut self, query: &Query) {
         match (query.kind, &query.origin_surface) {

@@ -1,33 +1,33 @@
-//! A few round things close together, tried against a ray all at once: what a copy of a small union holds. A tree over so
-//! few would cost a ray more than they do.
+//! Structure of arrays for up to 32 spheres close together, the content of a small shared union. Testing all of them
+//! costs a ray less than a BVH over so few would.
 //!
-//! Balls stand in single precision about the middle of all, and the ray is brought near that first, so that nothing
-//! large cancels; every doubt is in favour of being met.
+//! The spheres are stored in single precision relative to their common centre, and the ray is first advanced to near
+//! that point, so that nothing large cancels; tests are conservative.
 
 use crate::base::math::rounding::{loose_above, loose_below, nearest};
 use crate::base::math::simd::{F32x8, F64x4, SimdKernel, SimdLevel};
 use crate::base::math::{Bounds, Ray};
 use glam::DVec3;
 
-/// More than so many are better kept in a tree.
+/// Larger sets are better stored in a BVH.
 pub(super) const MOST: usize = 32;
-/// How many are tried at once.
+/// SIMD width.
 const LANES: usize = 8;
-/// Above the error of distances here, in sizes of the whole.
+/// Upper bound on the error of distances here, relative to the radius of the whole.
 const DOUBT: f32 = 4e-6;
-/// From farther away, in sizes of the whole, double precision tells less than [`DOUBT`].
+/// Distance, in radii of the whole, beyond which double precision is less exact than [`DOUBT`].
 const FARTHEST: f64 = 1e6;
 
-/// Up to [`MOST`] balls.
+/// Up to [`MOST`] spheres.
 #[derive(Debug)]
 pub(super) struct SphereSoa {
     middle: DVec3,
-    /// Of a ball around all.
+    /// Radius of a bounding sphere.
     radius: f64,
-    balls: Vec<Spheres8>,
+    spheres: Vec<Spheres8>,
 }
 
-/// Eight balls in units of the radius of the whole. In unused places there is none: its radius is no number.
+/// Eight spheres in units of the radius of the whole. Unused lanes have the radius NaN.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 struct Spheres8 {
@@ -35,9 +35,9 @@ struct Spheres8 {
     radius: [f32; LANES],
 }
 
-/// Eight balls and the line through a point along a unit direction, from one place on it to another.
+/// Eight spheres, and a segment of the line through `point` along the unit direction `dir`.
 struct LineAndSpheres<'a> {
-    balls: &'a Spheres8,
+    spheres: &'a Spheres8,
     point: [f32; 3],
     dir: [f32; 3],
     from: f32,
@@ -49,14 +49,14 @@ impl SimdKernel for LineAndSpheres<'_> {
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        // Spelt out: a closure would not take part in the wide lanes.
-        let ([x, y, z], p) = (&self.balls.centre, &self.point);
+        // Spelt out: a closure would not be compiled for the wide lanes.
+        let ([x, y, z], p) = (&self.spheres.centre, &self.point);
         let [x, y, z] = [
             <F::F32>::from_array(x) - <F::F32>::splat(p[0]),
             <F::F32>::from_array(y) - <F::F32>::splat(p[1]),
             <F::F32>::from_array(z) - <F::F32>::splat(p[2]),
         ];
-        let radius = <F::F32>::from_array(&self.balls.radius);
+        let radius = <F::F32>::from_array(&self.spheres.radius);
         let [a, b, c] = [
             <F::F32>::splat(self.dir[0]),
             <F::F32>::splat(self.dir[1]),
@@ -72,47 +72,52 @@ impl SimdKernel for LineAndSpheres<'_> {
 }
 
 impl SphereSoa {
-    /// So many balls, by centre and radius; `None` if there are none or too many, or if something is no ball.
-    pub(super) fn new(count: usize, ball: impl Fn(usize) -> Option<(DVec3, f64)>) -> Option<Self> {
+    /// Spheres by centre and radius; `None` if there are none or too many, or if some item is not a sphere.
+    pub(super) fn new(
+        count: usize,
+        sphere: impl Fn(usize) -> Option<(DVec3, f64)>,
+    ) -> Option<Self> {
         if !(1..=MOST).contains(&count) {
             return None;
         }
-        let balls: Vec<(DVec3, f64)> = (0..count).map(ball).collect::<Option<_>>()?;
-        let whole = balls.iter().fold(Bounds::EMPTY, |whole, (centre, radius)| {
-            whole.union(&Bounds::new(*centre - *radius, *centre + *radius))
-        });
+        let spheres: Vec<(DVec3, f64)> = (0..count).map(sphere).collect::<Option<_>>()?;
+        let whole = spheres
+            .iter()
+            .fold(Bounds::EMPTY, |whole, (centre, radius)| {
+                whole.union(&Bounds::new(*centre - *radius, *centre + *radius))
+            });
         let middle = 0.5 * whole.min + 0.5 * whole.max;
-        let reach = |(centre, radius): &(DVec3, f64)| (*centre - middle).length() + radius;
-        let radius = balls.iter().map(reach).fold(0.0, f64::max);
+        let extent = |(centre, radius): &(DVec3, f64)| (*centre - middle).length() + radius;
+        let radius = spheres.iter().map(extent).fold(0.0, f64::max);
         let is_plain = radius.is_normal() && (1.0 / radius).is_normal();
-        // Roundings of the middles must be as nothing.
+        // The rounding of the centres must be negligible.
         if !is_plain || middle.abs().max_element() > FARTHEST * radius {
             return None;
         }
-        let mut eights = Vec::new();
-        for balls in balls.chunks(LANES) {
-            let mut eight = Spheres8 {
+        let mut packets = Vec::new();
+        for spheres in spheres.chunks(LANES) {
+            let mut packet = Spheres8 {
                 centre: [[0.0; LANES]; 3],
                 radius: [f32::NAN; LANES],
             };
-            for (place, (centre, own)) in balls.iter().enumerate() {
+            for (lane, (centre, own)) in spheres.iter().enumerate() {
                 let centre = (*centre - middle) / radius;
                 for axis in 0..3 {
-                    eight.centre[axis][place] = nearest(centre[axis]);
+                    packet.centre[axis][lane] = nearest(centre[axis]);
                 }
-                eight.radius[place] = loose_above(own / radius) + DOUBT;
+                packet.radius[lane] = loose_above(own / radius) + DOUBT;
             }
-            eights.push(eight);
+            packets.push(packet);
         }
         Some(SphereSoa {
             middle,
             radius,
-            balls: eights,
+            spheres: packets,
         })
     }
 
-    /// Visits the places of what a ray may meet between its start and `far`, until `visit` says to stop. Says whether
-    /// it can tell; otherwise nothing has been visited.
+    /// Visits the indices of the spheres that a ray may hit between its origin and `far`, until `visit` returns true.
+    /// Returns false, before any visit, if precision does not suffice.
     #[inline(always)]
     pub(super) fn each(
         &self,
@@ -129,11 +134,11 @@ impl SphereSoa {
         let limit = self.radius * (1.0 + f64::from(DOUBT));
         let limit_sq = limit * limit;
         let farthest = FARTHEST * self.radius;
-        let is_told = origin.dot(origin) < farthest * farthest
+        let is_decided = origin.dot(origin) < farthest * farthest
             && dir_sq.is_normal()
             && limit_sq.is_normal()
             && !off_sq.is_nan();
-        if !is_told {
+        if !is_decided {
             return false;
         }
         if off_sq > limit_sq {
@@ -145,19 +150,19 @@ impl SphereSoa {
         let dir = [nearest(dir.x), nearest(dir.y), nearest(dir.z)];
         let from = loose_below(-nearest_at * length) - DOUBT;
         let to = loose_above((far - nearest_at) * length) + DOUBT;
-        for (number, balls) in (0u32..).zip(&self.balls) {
-            let asked = LineAndSpheres {
-                balls,
+        for (number, spheres) in (0u32..).zip(&self.spheres) {
+            let test = LineAndSpheres {
+                spheres,
                 point,
                 dir,
                 from,
                 to,
             };
-            let mut met = lanes.run(asked);
-            while met != 0 {
-                let place = met.trailing_zeros();
-                met &= met - 1;
-                if visit(8 * number + place) {
+            let mut hits = lanes.run(test);
+            while hits != 0 {
+                let lane = hits.trailing_zeros();
+                hits &= hits - 1;
+                if visit(8 * number + lane) {
                     return true;
                 }
             }
@@ -174,55 +179,55 @@ mod tests {
     use crate::base::math::simd::with_widest;
 
     #[test]
-    fn every_ball_that_a_ray_meets_is_visited_and_few_others() {
+    fn every_sphere_hit_is_visited_and_not_many_others() {
         let mut rng = Random::new(51);
         for (size, at) in [
             (1.0, DVec3::ZERO),
             (1e-20, DVec3::ZERO),
             (1e9, DVec3::splat(3e10)),
         ] {
-            let balls: Vec<(DVec3, f64)> = (0..20)
+            let spheres: Vec<(DVec3, f64)> = (0..20)
                 .map(|_| (at + rng.vector(size), size * (0.01 + 0.2 * rng.share())))
                 .collect();
-            let ball = |place: usize| Some(balls[place]);
-            let cluster = SphereSoa::new(balls.len(), ball).unwrap();
-            let (mut met, mut visits) = (0, 0);
+            let sphere = |index: usize| Some(spheres[index]);
+            let cluster = SphereSoa::new(spheres.len(), sphere).unwrap();
+            let (mut hits, mut visits) = (0, 0);
             for round in 0..4000 {
                 let origin = at + rng.vector(size * [2.0, 0.5, 1000.0][round % 3]);
                 let aim = at + rng.vector(size);
                 let ray = Ray::new(origin, (aim - origin) * [1.0, 1e-3, 20.0][round / 3 % 3]);
                 let far = [f64::INFINITY, 0.5 / ray.dir.length() * size][round % 2];
                 let mut visited = [false; 20];
-                let is_told = with_widest(
+                let is_decided = with_widest(
                     #[inline(always)]
                     |lanes| {
-                        cluster.each(lanes, &ray, far, |place| {
-                            visited[place as usize] = true;
+                        cluster.each(lanes, &ray, far, |index| {
+                            visited[index as usize] = true;
                             false
                         })
                     },
                 );
-                assert!(is_told);
-                for (&(centre, radius), visited) in balls.iter().zip(visited) {
+                assert!(is_decided);
+                for (&(centre, radius), visited) in spheres.iter().zip(visited) {
                     let chord = ball_chord(ray.origin - centre, ray.dir, radius);
-                    let is_met = chord.is_some_and(|(enter, leave)| leave >= 0.0 && enter <= far);
-                    assert!(visited || !is_met, "{ray:?} {centre} {radius}");
-                    met += usize::from(is_met);
+                    let is_hit = chord.is_some_and(|(enter, leave)| leave >= 0.0 && enter <= far);
+                    assert!(visited || !is_hit, "{ray:?} {centre} {radius}");
+                    hits += usize::from(is_hit);
                     visits += usize::from(visited);
                 }
             }
-            assert!(met > 200 && visits < met + met / 2, "{met} {visits}");
+            assert!(hits > 200 && visits < hits + hits / 2, "{hits} {visits}");
         }
     }
 
     #[test]
     fn a_ray_without_direction_is_left_to_the_tree() {
-        let ball = |_| Some((DVec3::ZERO, 1.0));
-        let cluster = SphereSoa::new(1, ball).unwrap();
+        let sphere = |_| Some((DVec3::ZERO, 1.0));
+        let cluster = SphereSoa::new(1, sphere).unwrap();
         let ray = Ray::new(DVec3::X, DVec3::ZERO);
         assert!(!cluster.each(SimdLevel::NARROW, &ray, 1.0, |_| false));
-        assert!(SphereSoa::new(MOST + 1, ball).is_none());
-        assert!(SphereSoa::new(0, ball).is_none());
+        assert!(SphereSoa::new(MOST + 1, sphere).is_none());
+        assert!(SphereSoa::new(0, sphere).is_none());
         assert!(SphereSoa::new(2, |_| None).is_none());
     }
 }

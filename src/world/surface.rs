@@ -1,4 +1,4 @@
-//! How the surface of an object looks, and who sees it.
+//! Surface attributes of an object: textures, interior, lights, and visibility by kind of ray.
 
 use super::interiors::InteriorId;
 use super::lights::LightList;
@@ -16,10 +16,10 @@ use rayon::prelude::*;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// So few surfaces are not worth asking other threads.
-const FEW: usize = 4096;
+/// Smallest number of surfaces worth a parallel task.
+const SURFACES_PER_TASK: usize = 4096;
 
-/// A shape before its transforms, where they have gone into its own numbers and texture coordinates are asked for.
+/// A shape before its transforms, for texture coordinates, where the shape itself has absorbed the transforms.
 #[derive(Clone, Debug)]
 pub(super) struct ObjectSpaceShape {
     shape: Shape,
@@ -27,7 +27,7 @@ pub(super) struct ObjectSpaceShape {
 }
 
 impl ObjectSpaceShape {
-    /// The shape that these steps will move.
+    /// The shape to which these steps will be applied.
     pub(super) fn new(shape: &Shape, steps: &[Step]) -> Self {
         ObjectSpaceShape {
             shape: shape.clone(),
@@ -35,20 +35,20 @@ impl ObjectSpaceShape {
         }
     }
 
-    /// The texture coordinates at a world point of a piece of the surface.
+    /// The texture coordinates at a world point of a face.
     pub(super) fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         let local = self.object_from_world.transform_point3(point);
         self.shape.uv(local, face)
     }
 }
 
-/// A texture as a surface keeps it: in itself, unless others have it too. There may be a million that nothing shares,
-/// and small pieces of memory among others that are let go hold on to all of it.
+/// The texture of a surface: stored inline, unless it is shared. There may be a million unshared ones, and many small
+/// allocations between freed memory would fragment the heap.
 #[derive(Debug)]
 pub enum OwnedOrShared {
-    /// Of one surface alone.
+    /// Owned by one surface.
     Own(PreparedTexture),
-    /// Of any number of them.
+    /// Shared by any number of surfaces.
     Shared(Arc<PreparedTexture>),
 }
 
@@ -65,7 +65,7 @@ impl Deref for OwnedOrShared {
 }
 
 impl OwnedOrShared {
-    /// The texture, to be shared.
+    /// Converts the texture to a shared one.
     pub(super) fn shared(self) -> Arc<PreparedTexture> {
         match self {
             OwnedOrShared::Own(texture) => Arc::new(texture),
@@ -73,7 +73,7 @@ impl OwnedOrShared {
         }
     }
 
-    /// Whether both are the same, not only alike.
+    /// Returns true if both are the same allocation; equal ones do not count.
     fn is_same(&self, other: &OwnedOrShared) -> bool {
         match (self, other) {
             (OwnedOrShared::Shared(a), OwnedOrShared::Shared(b)) => Arc::ptr_eq(a, b),
@@ -82,7 +82,7 @@ impl OwnedOrShared {
     }
 }
 
-/// How the surface of an object looks and what lies behind it. One of one colour is a line of memory.
+/// Surface attributes of an object and its interior. A surface of one colour fits a cache line.
 #[derive(Debug)]
 #[repr(align(64))]
 pub struct Surface {
@@ -92,49 +92,49 @@ pub struct Surface {
     pub interior: InteriorId,
     /// The lights that shine on it.
     pub lights: LightList,
-    /// Its switches, and what follows from its textures.
+    /// The switches of the object, and properties of its textures.
     traits: SurfaceFlags,
-    /// What few surfaces have; of others there may be a million.
+    /// Attributes that only few surfaces have; of the others there may be a million.
     rare: Option<Box<RareSurface>>,
 }
 
-/// What few surfaces have.
+/// Attributes that only few surfaces have.
 #[derive(Debug, Default)]
 struct RareSurface {
     inside_texture: Option<Arc<PreparedTexture>>,
     skins: Box<[Arc<PreparedTexture>]>,
     unmoved: Option<ObjectSpaceShape>,
     cutaway: Option<Arc<Cutaway>>,
-    /// How many of the rays that gather light and meet it count, if it says so.
+    /// Share of the radiosity sample rays to it that count, if set.
     importance: Option<Importance>,
-    /// What it does with photons, where these are shot.
+    /// Its photon settings, if photons are on.
     photons: PhotonRole,
 }
 
-/// What holds of the surfaces of a world, found by looking at each once: there may be millions.
+/// Properties of all surfaces of a world, collected in one pass: there may be millions of surfaces.
 #[derive(Debug)]
 pub(super) struct SurfaceSummary {
-    /// For each, whether nothing can be seen through it; empty if all are so.
+    /// For each surface, true if it is opaque; empty if all are.
     pub(super) opaque: Vec<bool>,
-    /// For each, the share of light that passes its textures everywhere, if there is such; empty if all are opaque.
+    /// For each surface, its transmittance if that is uniform; empty if all are opaque.
     pub(super) filters: Vec<Option<Rgb>>,
-    /// Whether all are so.
+    /// True if all surfaces are opaque.
     pub(super) is_opaque: bool,
-    /// Whether some cannot be seen by some rays.
+    /// True if some surfaces are hidden from some kinds of ray.
     pub(super) hides_some: bool,
-    /// Whether the view through some matters to their mirror images.
+    /// True if some surfaces have a Fresnel reflection.
     pub(super) has_fresnel: bool,
-    /// Whether light that arrives from behind may matter to some.
-    pub(super) minds_backs: bool,
-    /// Whether some take no light.
+    /// True if light from behind may matter to some surfaces.
+    pub(super) needs_backface_light: bool,
+    /// True if some surfaces do not respond to light sources.
     pub(super) has_unlit: bool,
-    /// Whether some finish has `crand`.
+    /// True if some finish has `crand`.
     pub(super) is_grainy: bool,
 }
 
 impl SurfaceSummary {
     pub(super) fn of(surfaces: &[Surface]) -> SurfaceSummary {
-        let surfaces = surfaces.par_iter().with_min_len(FEW);
+        let surfaces = surfaces.par_iter().with_min_len(SURFACES_PER_TASK);
         let is_some = surfaces.clone().map(|surface| {
             [
                 !surface.is_opaque(),
@@ -153,7 +153,7 @@ impl SurfaceSummary {
             shows_through,
             hides_some,
             has_fresnel,
-            minds_backs,
+            needs_backface_light,
             has_unlit,
             is_grainy,
         ] = is_some.reduce(|| [false; 6], either);
@@ -173,7 +173,7 @@ impl SurfaceSummary {
             is_opaque: !shows_through,
             hides_some,
             has_fresnel,
-            minds_backs,
+            needs_backface_light,
             has_unlit,
             is_grainy,
         }
@@ -181,7 +181,7 @@ impl SurfaceSummary {
 }
 
 impl RareSurface {
-    /// Whether the two need not be told apart.
+    /// Returns true if the two are interchangeable.
     fn is_same(&self, other: &RareSurface) -> bool {
         let same_inside = match (&self.inside_texture, &other.inside_texture) {
             (None, None) => true,
@@ -200,13 +200,14 @@ impl RareSurface {
 }
 
 impl Surface {
-    /// A surface that looks so.
+    /// A surface with these attributes.
     pub(super) fn new(
         texture: OwnedOrShared,
         inside_texture: Option<Arc<PreparedTexture>>,
         skins: Box<[Arc<PreparedTexture>]>,
         interior: InteriorId,
-        (lights, flags): (LightList, ObjectFlags),
+        lights: LightList,
+        flags: ObjectFlags,
     ) -> Self {
         let textures = || {
             let others = inside_texture.iter().chain(&skins);
@@ -276,8 +277,8 @@ impl Surface {
         }
     }
 
-    /// The surface of one colour that looks as this one does but for the colour, which lets light through if that of
-    /// this one does.
+    /// A copy in another colour; for surfaces of one colour, and for colours that are opaque or transmissive like this
+    /// one.
     pub(super) fn in_color(&self, color: Color, interior: InteriorId) -> Option<Self> {
         Some(Surface {
             texture: OwnedOrShared::Own(self.texture.in_color(color)?),
@@ -288,7 +289,7 @@ impl Surface {
         })
     }
 
-    /// Keeps its texture in itself if nothing else has it.
+    /// Moves the texture inline if nothing else shares it.
     pub(super) fn take_texture(&mut self) {
         if let OwnedOrShared::Shared(texture) = &mut self.texture
             && let Some(texture) = Arc::get_mut(texture)
@@ -303,8 +304,8 @@ impl Surface {
         self.rare.as_ref()?.inside_texture.as_ref()
     }
 
-    /// The textures that pieces of the shape have of their own, moved like the layers, or those that it takes from what it
-    /// cuts.
+    /// Textures of single faces or components of the shape, transformed like the layers, or those taken from the cut
+    /// objects by `cutaway_textures`.
     #[must_use]
     pub fn skins(&self) -> &[Arc<PreparedTexture>] {
         self.rare.as_ref().map_or(&[], |rare| &rare.skins)
@@ -316,44 +317,44 @@ impl Surface {
         std::iter::once(&*self.texture).chain(others.map(|texture| &**texture))
     }
 
-    /// What gives its texture coordinates, if that is not the leaf as it is.
+    /// The untransformed shape that gives the texture coordinates, if the leaf does not.
     pub(super) fn unmoved(&self) -> Option<&ObjectSpaceShape> {
         self.rare.as_ref()?.unmoved.as_ref()
     }
 
-    /// Takes its texture coordinates from a shape that is not moved.
+    /// Takes its texture coordinates from an untransformed shape.
     pub(super) fn set_unmoved(&mut self, unmoved: ObjectSpaceShape) {
         self.rare.get_or_insert_default().unmoved = Some(unmoved);
     }
 
-    /// What lends it textures, if it has none of its own.
+    /// The source of its textures by `cutaway_textures`, if it has none of its own.
     pub(super) fn cutaway(&self) -> Option<&Cutaway> {
         self.rare.as_ref()?.cutaway.as_deref()
     }
 
-    /// Takes its textures from what it cuts.
+    /// Takes its textures from the objects it cuts.
     pub(super) fn set_cutaway(&mut self, cutaway: Arc<Cutaway>) {
         self.rare.get_or_insert_default().cutaway = Some(cutaway);
     }
 
-    /// Whether who looks sees it.
+    /// Returns true if this kind of ray sees it.
     #[inline]
-    pub(super) fn is_seen(&self, seen: RayKind) -> bool {
-        self.traits.is_seen(seen)
+    pub(super) fn is_seen(&self, kind: RayKind) -> bool {
+        self.traits.is_seen(kind)
     }
 
-    /// Lets the camera see it.
+    /// Makes it visible to the camera.
     pub(super) fn show(&mut self) {
         self.traits.show();
     }
 
-    /// How many of the rays that gather light and meet it count, if it says so.
+    /// Share of the radiosity sample rays to it that count, if set.
     #[must_use]
     pub fn importance(&self) -> Option<Importance> {
         self.rare.as_ref()?.importance
     }
 
-    /// What it does with photons, where these are shot.
+    /// Its photon settings, if photons are on.
     #[must_use]
     pub fn photons(&self) -> PhotonRole {
         self.rare
@@ -362,57 +363,57 @@ impl Surface {
             .unwrap_or_default()
     }
 
-    /// Whether all its patterns are asked at texture coordinates.
+    /// Returns true if all its patterns are evaluated at texture coordinates.
     #[must_use]
     pub fn is_mapped(&self) -> bool {
         self.traits.has(SurfaceFlags::UV_MAPPING)
     }
 
-    /// Whether it is lit from both sides.
+    /// Returns true if it is lit from both sides.
     #[must_use]
     pub fn is_double_illuminated(&self) -> bool {
         self.traits.has(SurfaceFlags::DOUBLE_ILLUMINATE)
     }
 
-    /// Whether something in its looks asks for texture coordinates.
+    /// Returns true if some attribute needs texture coordinates.
     #[must_use]
     pub fn uses_uv(&self) -> bool {
         self.traits.has(SurfaceFlags::USES_UV)
     }
 
-    /// Whether light of lamps can be seen on it.
+    /// Returns true if it responds to light sources.
     #[must_use]
     #[inline]
     pub fn takes_light(&self) -> bool {
         self.traits.has(SurfaceFlags::TAKES_LIGHT)
     }
 
-    /// Whether light that comes from behind can be seen on it.
+    /// Returns true if it responds to light from behind.
     #[must_use]
     pub fn is_lit_from_behind(&self) -> bool {
         self.traits
             .has(SurfaceFlags::DOUBLE_ILLUMINATE | SurfaceFlags::LIT_FROM_BEHIND)
     }
 
-    /// Whether it is one opaque layer all over, with nothing to it but light and highlights.
+    /// Returns true for a single opaque layer without bumps, reflection, thin film or grain.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.traits.has(SurfaceFlags::PLAIN)
     }
 
-    /// Whether it is that but for a mirror image and what shines through.
+    /// Same as [`Surface::is_plain`], except that it may reflect and be transparent.
     #[must_use]
     pub fn is_nearly_plain(&self) -> bool {
         self.traits.has(SurfaceFlags::NEARLY_PLAIN)
     }
 
-    /// Whether bumps tilt its normal somewhere.
+    /// Returns true if some layer has bumps.
     #[must_use]
     pub fn is_bumpy(&self) -> bool {
         self.traits.has(SurfaceFlags::BUMPY)
     }
 
-    /// The share of light that passes its textures, if that is the same everywhere.
+    /// Transmittance of its textures, if uniform.
     fn even_filter(&self) -> Option<Rgb> {
         let layers = self.texture.layers().iter();
         let share = layers.fold(Rgb::WHITE, |light, layer| match &layer.pigment {
@@ -424,14 +425,14 @@ impl Surface {
             .then_some(share)
     }
 
-    /// Whether the view through it matters to its mirror images.
+    /// Returns true if it has a Fresnel reflection.
     #[must_use]
     pub fn has_fresnel(&self) -> bool {
         self.traits.has(SurfaceFlags::FRESNEL)
     }
 
-    /// Whether the two need not be told apart. Into what is opaque no ray goes, so that all interiors are alike there
-    /// that no scene has written.
+    /// Returns true if the two are interchangeable. No ray enters an opaque object, so interiors that the scene does
+    /// not write do not matter there.
     pub(super) fn is_same(&self, other: &Surface) -> bool {
         let has_no_inside = |one: &Surface| one.is_opaque() && one.interior.is_unnamed();
         let same_beside = match (&self.rare, &other.rare) {
@@ -446,7 +447,7 @@ impl Surface {
             && self.traits == other.traits
     }
 
-    /// Whether nothing can be seen through it.
+    /// Returns true if it is opaque.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
         self.traits.has(SurfaceFlags::OPAQUE)

@@ -1,5 +1,5 @@
-//! What every ray may ask of a surface, as single bits: the switches of the object, and answers about its textures, which
-//! lie elsewhere in memory.
+//! Surface properties that any ray may need, as single bits: the switches of the object, and properties of its
+//! textures, which are stored elsewhere in memory.
 
 use super::query::RayKind;
 use crate::scene::Importance;
@@ -14,21 +14,21 @@ pub(super) struct ObjectFlags {
     pub(super) no_image: bool,
     /// Not seen by reflected rays.
     pub(super) no_reflection: bool,
-    /// Not seen by rays that gather light from other surfaces.
+    /// Invisible to radiosity sample rays.
     pub(super) no_radiosity: bool,
-    /// How many of the rays that gather light and meet it count, if it says so.
+    /// Share of the radiosity sample rays to it that count, if set.
     pub(super) importance: Option<Importance>,
     /// Does not displace the atmosphere around it.
     pub(super) hollow: bool,
     /// Lit from both sides.
     pub(super) double_illuminate: bool,
-    /// All its patterns are asked at texture coordinates.
+    /// All its patterns are evaluated at texture coordinates.
     pub(super) uv_mapping: bool,
-    /// What it does with photons, where these are shot.
+    /// Its photon settings, if photons are on.
     pub(super) photons: PhotonRole,
 }
 
-/// A bit for each that holds.
+/// One bit per property.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct SurfaceFlags(u32);
 
@@ -53,7 +53,7 @@ impl SurfaceFlags {
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 
-    /// Those of these that hold, and the switches of the object.
+    /// The properties that hold, with the switches of the object.
     pub(super) fn new(all: &[(u32, bool)], flags: &ObjectFlags) -> Self {
         let switches = [
             (Self::NO_SHADOW, flags.no_shadow),
@@ -68,21 +68,21 @@ impl SurfaceFlags {
         SurfaceFlags(held.fold(0, |bits, (bit, _)| bits | bit))
     }
 
-    /// Whether this one holds, or one of several.
+    /// Returns true if any of these bits is set.
     #[inline(always)]
     pub(super) fn has(self, bits: u32) -> bool {
         self.0 & bits != 0
     }
 
-    /// Whether some rays do not see the object.
+    /// Returns true if some kinds of ray do not see the object.
     pub(super) fn hides_from_some(self) -> bool {
         self.has(Self::HIDDEN)
     }
 
-    /// Whether who looks sees the object.
+    /// Returns true if this kind of ray sees the object.
     #[inline]
-    pub(super) fn is_seen(self, seen: RayKind) -> bool {
-        !self.has(match seen {
+    pub(super) fn is_seen(self, kind: RayKind) -> bool {
+        !self.has(match kind {
             RayKind::Camera => Self::NO_IMAGE,
             RayKind::Reflection => Self::NO_REFLECTION,
             RayKind::Radiosity => Self::NO_RADIOSITY,
@@ -91,7 +91,7 @@ impl SurfaceFlags {
         })
     }
 
-    /// Lets the camera see the object.
+    /// Makes the object visible to the camera.
     pub(super) fn show(&mut self) {
         self.0 &= !Self::NO_IMAGE;
     }

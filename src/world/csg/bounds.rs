@@ -1,5 +1,5 @@
-//! Boxes around what planes leave of shapes without end: the inside of a cone between two planes has a box, though
-//! none of the three has. Without it every ray would have to be asked about such a combination.
+//! Bounds of unbounded shapes that planes cut off: a cone between two planes is bounded, though none of the three is.
+//! Without a box every ray would have to test such a CSG object.
 
 use crate::base::math::Bounds;
 use crate::scene::shape::{Plane, Quadric, Shape};
@@ -7,36 +7,37 @@ use crate::world::primitive::Leaf;
 use glam::{DAffine3, DVec3};
 use smallvec::SmallVec;
 
-/// A plane is along the axes if the other parts of its normal are no larger than this share of it.
+/// A plane is axis-aligned if the other components of its normal are no larger, relative to it.
 const ALONG: f64 = 1e-12;
-/// Boxes are larger than what they hold by so much of their size, more than the roundings of what is worked out here.
+/// Relative enlargement of boxes, more than the rounding errors here.
 const SLACK: f64 = 1e-9;
-/// What limits one axis may limit another the next time.
+/// Rounds of clipping: a limit on one axis may limit another in the next round.
 const ROUNDS: u32 = 3;
 
-/// Primitives whose insides a product has in common, or outsides if they are marked as inverse.
+/// Factors of an intersection: primitives by index, marked if inverse.
 pub(crate) type Factors = SmallVec<[(u32, bool); 8]>;
 
-/// The part of a box in which all factors can have something in common.
+/// Bounds of the intersection of all factors within a box.
 pub(crate) fn limited(leaves: &[Leaf], factors: &Factors, around: Bounds) -> Bounds {
     let mut limited = around;
     for &(number, is_inverse) in factors {
         let leaf = &leaves[number as usize];
         if let Shape::Quadric(quadric) = &leaf.shape {
             let matrix = leaf.object_from_world.as_deref();
-            let in_world = of_quadric(quadric, is_inverse, matrix, (leaves, factors), &limited);
+            let in_world = of_quadric(quadric, is_inverse, matrix, leaves, factors, &limited);
             limited = limited.intersection(&in_world);
         }
     }
     limited
 }
 
-/// The box around what planes and a box leave of the inside of a quadric, or of its outside.
+/// Bounds of the inside of a quadric, or of its outside, within a box and the planes among the factors.
 fn of_quadric(
     quadric: &Quadric,
     is_inverse: bool,
     object_from_world: Option<&DAffine3>,
-    (leaves, factors): (&[Leaf], &Factors),
+    leaves: &[Leaf],
+    factors: &Factors,
     around: &Bounds,
 ) -> Bounds {
     let object_from_world = object_from_world.copied().unwrap_or(DAffine3::IDENTITY);
@@ -65,7 +66,7 @@ fn of_quadric(
     wide.transformed(&world_from_object)
 }
 
-/// A half-space in the space of an object, as a box; everything if its plane is not along the axes there.
+/// A half-space in object space, as a box; everything if its plane is not axis-aligned there.
 fn half_space(plane: &Plane, is_inverse: bool, world_from_object: &DAffine3) -> Bounds {
     let sign = if is_inverse { -1.0 } else { 1.0 };
     let normal = sign * (world_from_object.matrix3.transpose() * plane.normal);
@@ -81,7 +82,7 @@ fn half_space(plane: &Plane, is_inverse: bool, world_from_object: &DAffine3) -> 
             bounds.min[axis] = end;
         }
     }
-    // What is not a number limits nothing.
+    // NaN limits nothing.
     let known = |end: DVec3, unknown: f64| end.map(|end| if end.is_nan() { unknown } else { end });
     Bounds {
         min: known(bounds.min, f64::NEG_INFINITY),
@@ -98,7 +99,7 @@ mod tests {
     use crate::world::{Extent, primitive::Absorb};
 
     fn leaf(shape: Shape, steps: &[Step]) -> Leaf {
-        Leaf::new(shape, (steps, Absorb::AllItCan), 0, Extent::Solid).0
+        Leaf::new(shape, steps, Absorb::AllItCan, 0, Extent::Solid).0
     }
 
     fn plane(normal: DVec3, distance: f64, steps: &[Step]) -> Leaf {
@@ -154,7 +155,7 @@ mod tests {
         let factors = Factors::from_slice(&[(0, false), (1, false)]);
         let around = limited(&leaves, &factors, Bounds::EVERYTHING);
         assert!(!around.is_finite());
-        // The outside of a cylinder between planes has none either.
+        // The outside of a cylinder between planes is unbounded too.
         let leaves = [
             plane(DVec3::Y, 2.0, &[]),
             plane(DVec3::Y, -1.0, &[]),

@@ -1,29 +1,28 @@
-//! What a ray is inside of, of a combination; and how it is brought back to rest for the next ray.
+//! Inside state of a ray in a CSG program, and its reset for the next ray.
 //!
-//! A ray crosses a handful of the parts of a large combination, and copying what is known of all of them would cost more
-//! than everything else. So what it changes is noted and put back.
+//! A ray crosses a handful of the operands of a large program, and copying the state of all of them would cost more
+//! than everything else. So changes are logged and undone.
 
 use smallvec::SmallVec;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Numbers the states at rest.
+/// Source of unique ids for initial states.
 static PROGRAMS: AtomicU64 = AtomicU64::new(1);
 
-/// From so many operands on, a ray puts back what it has changed of the state instead of copying all of it.
+/// From this number of operands on, the log is undone instead of copying the whole state.
 const LARGE: usize = 64;
 
-/// What a ray is inside of, of a combination, where it is outside of all leaves. Small combinations, of which there may
-/// be many, keep it in place.
+/// Inside state outside all leaves. Small programs, of which there may be many, store it inline.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct InsideInit {
     leaf_in: SmallVec<[bool; 16]>,
     pub(crate) counts: SmallVec<[u32; 4]>,
-    /// None has 0.
+    /// Unique id; 0 for none.
     number: u64,
 }
 
 impl InsideInit {
-    /// By operand and by node, as in [`InsideState`].
+    /// Initial state by operand and by node, as in [`InsideState`].
     pub(crate) fn new(leaf_in: impl Iterator<Item = bool>, counts: &[u32]) -> InsideInit {
         InsideInit {
             leaf_in: leaf_in.collect(),
@@ -33,22 +32,22 @@ impl InsideInit {
     }
 }
 
-/// What a ray is inside of at a place.
+/// Inside state at a point of the ray.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct InsideState {
-    /// For each operand, whether the ray is inside of what it stands for.
+    /// For each operand, true if the ray is inside it, with inversion taken into account.
     pub(crate) leaf_in: Vec<bool>,
-    /// For each node, how many children hold the ray.
+    /// For each node, the number of children that contain the ray.
     pub(crate) counts: Vec<u32>,
-    /// The number of the [`InsideInit`] from which it comes.
+    /// The id of the [`InsideInit`] from which the state started.
     of: u64,
-    /// Operands and nodes of a large combination that are no longer as they are at rest.
+    /// Log for large programs: operands and nodes that may differ from the initial state.
     changed: Vec<u32>,
     changed_nodes: Vec<u32>,
 }
 
 impl InsideState {
-    /// Makes this the state at rest again.
+    /// Resets to an initial state.
     #[inline(always)]
     pub(crate) fn rest(&mut self, rest: &InsideInit) {
         if self.of != rest.number || rest.leaf_in.len() < LARGE {

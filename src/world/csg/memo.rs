@@ -1,5 +1,5 @@
-//! Combinations that are put together as the one before: what was worked out for that holds for them too. Programs that
-//! write scenes write thousands that differ in place and size alone.
+//! Memo of the last CSG preparation: a program with the same structure as the one before reuses its result. Generated
+//! scenes contain thousands that differ only in position and size.
 
 use super::program::{CsgProgram, Node, Operand};
 use crate::base::math::Bounds;
@@ -8,7 +8,7 @@ use crate::world::primitive::Leaf;
 use smallvec::SmallVec;
 use std::ops::Range;
 
-/// A combination before and after [`CsgProgram::prepare`].
+/// A program before and after [`CsgProgram::prepare`].
 #[derive(Debug)]
 pub(crate) struct CsgMemo {
     nodes: SmallVec<[Node; 1]>,
@@ -27,7 +27,7 @@ struct OperandKey {
 }
 
 impl OperandKey {
-    fn new((leaf, bounds): (&Leaf, &Bounds)) -> Self {
+    fn new(leaf: &Leaf, bounds: &Bounds) -> Self {
         OperandKey {
             is_solid: leaf.shape.is_solid(),
             has_matrix: leaf.object_from_world.is_some(),
@@ -37,7 +37,7 @@ impl OperandKey {
 }
 
 impl CsgProgram {
-    /// [`CsgProgram::prepare`], or what that came to for `last`, if it is the same; then `last` is this.
+    /// Same as [`CsgProgram::prepare`], but reuses the result in `last` if that matches; then `last` is this one.
     pub(crate) fn prepare_as(
         &mut self,
         last: &mut Option<Box<CsgMemo>>,
@@ -46,7 +46,10 @@ impl CsgProgram {
         boxed: Vec<(Range<u32>, Bounds)>,
     ) {
         let own = leaves[self.first as usize..].iter().zip(bounds);
-        let parts = || own.clone().map(OperandKey::new);
+        let parts = || {
+            own.clone()
+                .map(|(leaf, bounds)| OperandKey::new(leaf, bounds))
+        };
         if let Some(last) = last
             && last.nodes == self.nodes
             && last.operands == self.operands
@@ -67,7 +70,7 @@ impl CsgProgram {
             ready: CsgProgram::default(),
         });
         self.prepare(leaves, bounds, boxed);
-        // Trees depend on where things are.
+        // A BVH depends on positions, so the result cannot be reused.
         let is_anywhere = self.order.boxed.is_none();
         *last = is_anywhere.then(|| {
             now.ready = self.clone();
@@ -94,7 +97,7 @@ mod tests {
                 alone.prepare(&leaves, &bounds, Vec::new());
                 as_last.prepare_as(&mut last, &leaves, &bounds, Vec::new());
                 again += usize::from(had && last.is_some());
-                let told = |program: &super::CsgProgram| {
+                let described = |program: &super::CsgProgram| {
                     let super::CsgProgram {
                         nodes,
                         operands,
@@ -107,7 +110,7 @@ mod tests {
                         program.rest.counts
                     )
                 };
-                assert_eq!(told(&alone), told(&as_last));
+                assert_eq!(described(&alone), described(&as_last));
             }
         }
         assert!(again > 1000, "{again}");

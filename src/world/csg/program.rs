@@ -1,14 +1,14 @@
-//! CSG along a ray: all roots of all leaves in order, and a count of what the ray is inside of.
+//! CSG along a ray: the roots of all leaves in order, and a count of the operands that contain the ray.
 //!
-//! A combination is a tree of n-ary nodes over leaves, kept as a flat list. For a ray every leaf gives its roots on
-//! the whole line (spans, see `shape`; leaves that cannot matter are left out), they are sorted by `t`, and a sweep
-//! toggles one leaf at a time; each toggle climbs only as far as something changes. No point is ever tested for being
-//! inside, so there is nothing to be rounded to the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18;
-//! here n-ary, with one sort).
+//! A CSG program is a tree of n-ary nodes over leaves, stored as a flat list. Each leaf gives its roots on the whole
+//! line of a ray (see `shape`; leaves that cannot matter are skipped). The roots are sorted by `t`, and a sweep toggles
+//! one leaf at a time; each toggle climbs only as far as something changes. No point is ever classified as inside or
+//! outside, so rounding cannot put it on the wrong side (Roth 1982, "Ray casting for modeling solids", CGIP 18; here
+//! n-ary, with one sort).
 //!
-//! What is shown follows POV-Ray: a union shows all surfaces of its children, inner ones too; a merge those outside
-//! of its other children; an intersection those inside of all its other children. Surfaces at exactly the same `t`
-//! are taken together, and one is shown if the node as a whole is entered or left there: no skin, no hole.
+//! Visibility follows POV-Ray: a union shows all surfaces of its children, also inner ones; a merge those outside its
+//! other children; an intersection those inside all its other children. Surfaces at exactly the same `t` are taken
+//! together, and one is shown if the ray enters or leaves the node as a whole there: no double surface, no hole.
 
 use super::inside::{InsideInit, InsideState};
 use super::simplify::OperandOrder;
@@ -20,46 +20,46 @@ use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 use std::ops::Range;
 
-/// How a node combines its children.
+/// Operation of a node on its children.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Combine {
-    /// Shows all, is inside where any child is.
+    /// Shows all surfaces; inside where any child is.
     Union,
-    /// Shows what is outside of the others, is inside where any child is.
+    /// Shows surfaces outside the other children; inside where any child is.
     Merge,
-    /// Shows what is inside of the others, is inside where all children are.
+    /// Shows surfaces inside the other children; inside where all children are.
     Intersection,
 }
 
 /// The parent of the root.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// An inner node of a combination.
+/// An inner node of a CSG program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Node {
-    /// How.
+    /// Its operation.
     pub(crate) combine: Combine,
-    /// Whether inside and outside are exchanged.
+    /// True if inside and outside are exchanged.
     pub(crate) is_inverse: bool,
-    /// How many children it has.
+    /// Number of children.
     pub(crate) children: u32,
-    /// The node above, or `NONE`.
+    /// Its parent, or [`NONE`].
     pub(crate) parent: u32,
 }
 
 impl Node {
-    /// Whether a ray is inside that is inside of so many children.
+    /// Returns true if a ray inside `count` children is inside the node.
     #[inline(always)]
     fn holds(&self, count: u32) -> bool {
         let least = match self.combine {
-            // One of nothing holds all, as in POV-Ray.
+            // An intersection of nothing contains everything, as in POV-Ray.
             Combine::Intersection => self.children,
             Combine::Union | Combine::Merge => 1,
         };
         (count >= least) != self.is_inverse
     }
 
-    /// Whether the other children let the surface of one be shown, if so many hold the ray in all.
+    /// Returns true if the other children leave the surface of one child visible, with the ray inside `count` in all.
     #[inline(always)]
     fn lets_through(&self, count: u32, child_in: bool) -> bool {
         let others = count - u32::from(child_in);
@@ -71,38 +71,38 @@ impl Node {
     }
 }
 
-/// What the tree knows of a leaf.
+/// A leaf as an operand of the tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Operand {
-    /// The node above.
+    /// The parent node.
     pub(crate) parent: u32,
-    /// Whether inside and outside are exchanged.
+    /// True if inside and outside are exchanged.
     pub(crate) is_inverse: bool,
-    /// Whether its surface is never shown: it only clips.
+    /// True if its surface is never shown: it only clips.
     pub(crate) is_hidden: bool,
 }
 
-/// A combination of the leaves `first .. first + operands.len()` of a model. There may be many of a few parts, which keep
-/// them in place.
+/// CSG of the leaves `first .. first + operands.len()` of a model. Scenes may have many small programs, which store
+/// their parts inline.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CsgProgram {
     /// The nodes, parents before children.
     pub(crate) nodes: SmallVec<[Node; 1]>,
-    /// The leaves in order.
+    /// The operands, in the order of the leaves.
     pub(crate) operands: SmallVec<[Operand; 5]>,
-    /// The number of the first leaf.
+    /// Index of the first leaf.
     pub(crate) first: u32,
-    /// What `bounded_by` says.
+    /// The `bounded_by` objects.
     pub(crate) gates: Vec<BoundGate>,
-    /// What a ray is inside of where it is outside of all leaves.
+    /// Inside state of a ray outside all leaves.
     pub(crate) rest: InsideInit,
-    /// Patches that are inverse, in order, which changes nothing but the side their normals are on.
+    /// Inverse patches, sorted; inversion only flips the side of their normals.
     pub(crate) turned: SmallVec<[u32; 4]>,
-    /// The order in which operands are asked.
+    /// The order in which operands are intersected.
     pub(crate) order: OperandOrder,
 }
 
-/// A ray on its way through a program.
+/// A ray in a sweep through a program.
 #[derive(Clone, Copy)]
 struct SweepContext<'a> {
     leaves: &'a [Leaf],
@@ -110,7 +110,22 @@ struct SweepContext<'a> {
     departure: Option<&'a SpawnSurface>,
 }
 
-/// A stretch of operands that a ray meets only if it meets a bounding object first.
+/// An interval of a ray, `from < t <= to`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayInterval {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+}
+
+impl RayInterval {
+    /// The whole ray.
+    pub(crate) const FORWARD: RayInterval = RayInterval {
+        from: 0.0,
+        to: f64::INFINITY,
+    };
+}
+
+/// Operands that a ray can hit only if it hits a bounding object.
 #[derive(Clone, Debug)]
 pub(crate) struct BoundGate {
     /// The operands.
@@ -134,31 +149,31 @@ pub(crate) struct Sweep {
     events: Vec<Event>,
     state: InsideState,
     before: Vec<u32>,
-    kept: Vec<bool>,
-    /// Operands whose boxes are met.
+    shown: Vec<bool>,
+    /// Operands whose boxes are hit.
     near: Vec<u32>,
-    /// Which operands are missed, since the boxes around parts that they belong to are; empty if none is.
+    /// For each operand, true if the ray misses the box of a part that contains it; empty if no such box is missed.
     missed: Vec<bool>,
-    /// Which of them do not show, since the ray misses what bounds them.
+    /// For each operand, true if it does not show because the ray misses its bounding object; empty if none is missed.
     unseen: Vec<bool>,
-    /// For bounding objects, which are combinations too.
+    /// For bounding objects, which are CSG programs too.
     inner: Option<Box<Sweep>>,
 }
 
-/// A surface of a combination that a ray meets.
+/// A ray-surface intersection before shading data is computed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RawHit {
     /// The root.
     pub(crate) root: Root,
-    /// The number of the leaf.
+    /// Index of the leaf.
     pub(crate) leaf: u32,
-    /// The number of its surface.
+    /// Index of its surface.
     pub(crate) surface: u32,
 }
 
 impl CsgProgram {
-    /// Whether inside and outside of an operand are exchanged, by itself or by what it is part of; no operand of that
-    /// number is not.
+    /// Returns true if inside and outside of an operand are exchanged, by itself or by its ancestors; false for an
+    /// index out of range.
     pub(crate) fn is_inverse(&self, operand: u32) -> bool {
         let is_turned = self.turned.binary_search(&operand).is_ok();
         let Some(operand) = self.operands.get(operand as usize) else {
@@ -173,43 +188,43 @@ impl CsgProgram {
         is_inverse
     }
 
-    /// Follows its leaves, and those of what bounds it, to their new places.
-    pub(crate) fn move_leaves(&mut self, places: &[u32]) {
-        if let Some(place) = places.get(self.first as usize) {
-            self.first = *place;
+    /// Updates the indices of its leaves, and of those of its bounding objects, after reordering.
+    pub(crate) fn move_leaves(&mut self, positions: &[u32]) {
+        if let Some(position) = positions.get(self.first as usize) {
+            self.first = *position;
         }
         for gate in &mut self.gates {
-            gate.bound.move_leaves(places);
+            gate.bound.move_leaves(positions);
         }
     }
 
-    /// The numbers of its leaves.
+    /// Indices of its leaves.
     pub(crate) fn leaves(&self) -> Range<u32> {
         self.first..self.first + self.len()
     }
 
-    /// How many leaves it has.
+    /// Number of its leaves.
     pub(crate) fn len(&self) -> u32 {
         u32::try_from(self.operands.len()).unwrap_or(u32::MAX)
     }
 
-    /// The first surface shown at `from < t <= to` for which `wanted` holds.
+    /// The first surface shown at `from < t <= to` that `wanted` accepts.
     pub(crate) fn nearest(
         &self,
         leaves: &[Leaf],
         ray: &Ray,
-        span: (f64, f64),
+        interval: RayInterval,
         departure: Option<&SpawnSurface>,
         sweep: &mut Sweep,
         mut wanted: impl FnMut(&RawHit) -> bool,
     ) -> Option<RawHit> {
-        let from = span.0;
-        let passing = SweepContext {
+        let from = interval.from;
+        let context = SweepContext {
             leaves,
             ray,
             departure,
         };
-        let to = self.collect(passing, span, sweep)?;
+        let to = self.collect(context, interval, sweep)?;
         sort(&mut sweep.events);
         let mut at = 0;
         while at < sweep.events.len() {
@@ -236,15 +251,15 @@ impl CsgProgram {
             }
             for index in (at..end).rev() {
                 let event = sweep.events[index];
-                let is_seen = sweep.kept[index - at] && event.root.is_visible && t > from;
+                let is_seen = sweep.shown[index - at] && event.root.is_visible && t > from;
                 let leaf = self.first + event.leaf;
-                let found = RawHit {
+                let hit = RawHit {
                     root: event.root,
                     leaf,
                     surface: leaves[leaf as usize].surface,
                 };
-                if is_seen && !self.operands[event.leaf as usize].is_hidden && wanted(&found) {
-                    return Some(found);
+                if is_seen && !self.operands[event.leaf as usize].is_hidden && wanted(&hit) {
+                    return Some(hit);
                 }
             }
             at = end;
@@ -252,22 +267,23 @@ impl CsgProgram {
         None
     }
 
-    /// Gathers the roots of the leaves and the state before the first of them. Gives where to stop looking, or `None`
-    /// if nothing is shown in the stretch from `from` to `to`. Outside of that stretch neither need be right.
+    /// Gathers the roots of the leaves and the state before the first of them. Returns the end of the interval in which
+    /// something may show, or `None` if nothing does between `from` and `to`. Outside the interval neither need be
+    /// right.
     fn collect(
         &self,
-        passing: SweepContext,
-        (from, to): (f64, f64),
+        context: SweepContext,
+        interval: RayInterval,
         sweep: &mut Sweep,
     ) -> Option<f64> {
         sweep.events.clear();
         sweep.state.rest(&self.rest);
-        if !self.try_gates(passing.leaves, passing.ray, sweep) {
+        if !self.try_gates(context.leaves, context.ray, sweep) {
             return None;
         }
-        let (mut from, mut to) = (from, to);
+        let RayInterval { mut from, mut to } = interval;
         for &number in &self.order.required {
-            let start = self.ask(number, passing, (from, to), sweep);
+            let start = self.add_roots(number, context, RayInterval { from, to }, sweep);
             let (before, after) = sides(&sweep.roots, start);
             if !before {
                 from = from.max(sweep.roots.first()?.t);
@@ -279,29 +295,30 @@ impl CsgProgram {
                 return None;
             }
         }
-        self.try_boxes(passing.ray, (from, to), sweep);
+        self.try_boxes(context.ray, RayInterval { from, to }, sweep);
         let near = std::mem::take(&mut sweep.near);
         for &number in self.order.others.iter().chain(&near) {
-            // What is missed has no roots, and the ray is as it is at rest.
+            // A missed operand has no roots, and the ray is in its rest state there.
             if sweep.missed.get(number as usize) != Some(&true) {
-                self.ask(number, passing, (from, to), sweep);
+                self.add_roots(number, context, RayInterval { from, to }, sweep);
             }
         }
         sweep.near = near;
         Some(to)
     }
 
-    /// Adds the roots of a leaf that lie from `from` to `to`, and its state before them. Gives where the line starts. All
-    /// roots on the line are left in `sweep.roots`.
-    fn ask(
+    /// Adds the roots of a leaf between `from` and `to`, and its state before them. Returns the side on which the line
+    /// starts. All roots on the line are left in `sweep.roots`.
+    fn add_roots(
         &self,
         number: u32,
-        passing: SweepContext,
-        (from, to): (f64, f64),
+        context: SweepContext,
+        interval: RayInterval,
         sweep: &mut Sweep,
     ) -> Start {
+        let RayInterval { from, to } = interval;
         let leaf = self.first + number;
-        let own = &passing.leaves[leaf as usize];
+        let own = &context.leaves[leaf as usize];
         let Sweep {
             roots,
             events,
@@ -310,10 +327,10 @@ impl CsgProgram {
             ..
         } = sweep;
         roots.clear();
-        let start = if from >= 0.0 && to < f64::INFINITY && own.holds(passing.ray, to) {
+        let start = if from >= 0.0 && to < f64::INFINITY && own.holds(context.ray, to) {
             Start::Inside
         } else {
-            own.roots(passing.ray, roots)
+            own.roots(context.ray, roots)
         };
         let mut over = 0;
         while over < roots.len() && roots[over].t < from {
@@ -329,8 +346,8 @@ impl CsgProgram {
         if roots.get(over).is_none_or(|next| next.t > to) {
             return start;
         }
-        if let Some(left) = passing.departure.filter(|departure| departure.leaf == leaf) {
-            hide_departure(roots, left, own, passing.ray.dir);
+        if let Some(origin) = context.departure.filter(|departure| departure.leaf == leaf) {
+            hide_departure(roots, origin, own, context.ray.dir);
         }
         let is_unseen = unseen.get(number as usize) == Some(&true);
         for &root in &roots[over..] {
@@ -344,8 +361,8 @@ impl CsgProgram {
         start
     }
 
-    /// Notes which operands do not show because the ray misses what bounds them; the others are cut by them all the same
-    /// (measured with POV-Ray). Says whether any are left.
+    /// Marks the operands that do not show because the ray misses their bounding objects; they still cut the others
+    /// (measured with POV-Ray). Returns true if any other operands are left.
     fn try_gates(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
         sweep.unseen.clear();
         if self.gates.is_empty() {
@@ -353,7 +370,7 @@ impl CsgProgram {
         }
         let mut inner = sweep.inner.take().unwrap_or_default();
         for gate in &self.gates {
-            if !gate.is_met(leaves, ray, &mut inner) {
+            if !gate.is_hit(leaves, ray, &mut inner) {
                 self.mark(&gate.operands, &mut sweep.unseen);
             }
         }
@@ -361,31 +378,31 @@ impl CsgProgram {
         sweep.unseen.is_empty() || sweep.unseen.contains(&false)
     }
 
-    /// Finds the operands whose boxes the ray meets; where it is in none it is outside. Notes which others it misses since
-    /// it misses the boxes around parts: outside of its box nothing of a part shows, and the ray is not inside of it,
-    /// whatever it is made of.
-    fn try_boxes(&self, ray: &Ray, (from, to): (f64, f64), sweep: &mut Sweep) {
+    /// Collects the operands whose boxes the ray hits; outside all boxes it is outside. Also marks the operands of
+    /// parts whose boxes are missed: outside its box a part shows nothing and contains no point of the ray, whatever it
+    /// is made of.
+    fn try_boxes(&self, ray: &Ray, interval: RayInterval, sweep: &mut Sweep) {
         sweep.near.clear();
         sweep.missed.clear();
         let Some(boxed) = &self.order.boxed else {
             return;
         };
-        let mut met = 0u64;
-        boxed.tree.any(ray, from, to, |place| {
-            match boxed.bounded.get(place as usize) {
+        let mut hit = 0u64;
+        boxed.tree.any(ray, interval.from, interval.to, |position| {
+            match boxed.bounded.get(position as usize) {
                 Some(&number) => sweep.near.push(number),
-                None => met |= 1 << (place as usize - boxed.bounded.len()),
+                None => hit |= 1 << (position as usize - boxed.bounded.len()),
             }
             false
         });
         for (part, operands) in boxed.parts.iter().enumerate() {
-            if met >> part & 1 == 0 {
+            if hit >> part & 1 == 0 {
                 self.mark(operands, &mut sweep.missed);
             }
         }
     }
 
-    /// Whether the surface of an operand is shown to a ray that misses none of what bounds it.
+    /// Returns true if the surface of an operand is shown: the ray hits all its bounding objects.
     #[inline(always)]
     pub(crate) fn shows(
         &self,
@@ -395,7 +412,7 @@ impl CsgProgram {
         sweep: &mut Sweep,
     ) -> bool {
         let mut gates = self.gates.iter();
-        gates.all(|gate| !gate.operands.contains(&operand) || gate.is_met(leaves, ray, sweep))
+        gates.all(|gate| !gate.operands.contains(&operand) || gate.is_hit(leaves, ray, sweep))
     }
 
     fn mark(&self, operands: &Range<u32>, marked: &mut Vec<bool>) {
@@ -403,7 +420,7 @@ impl CsgProgram {
         marked[operands.start as usize..operands.end as usize].fill(true);
     }
 
-    /// Completes the counts of nodes from those of their leaves: each node that holds the ray counts in its parent.
+    /// Completes the counts of nodes from those of their leaves: each node that contains the ray counts in its parent.
     pub(crate) fn count_from_below(&self, counts: &mut [u32]) {
         for (number, node) in self.nodes.iter().enumerate().rev() {
             if node.parent != NONE && node.holds(counts[number]) {
@@ -412,10 +429,10 @@ impl CsgProgram {
         }
     }
 
-    /// A child of `node` has been entered or left: counts it, and goes on as long as nodes change.
+    /// Updates the counts after a child of `node` was entered or left, up to the first node whose state stays the same.
     fn climb(&self, mut node: u32, mut enters: bool, state: &mut InsideState) {
         let nodes = &self.nodes[..];
-        // There is none of the number `NONE`.
+        // `NONE` is not the index of a node.
         while let Some(own) = nodes.get(node as usize) {
             let was_in = own.holds(state.counts[node as usize]);
             state.count(node, enters);
@@ -441,26 +458,26 @@ impl CsgProgram {
         }
     }
 
-    /// One root alone at its `t`: it is shown if every node above lets it through.
+    /// Handles a single root at its `t`: it is shown if every ancestor lets it through.
     fn step(&self, at: usize, sweep: &mut Sweep) {
         let event = sweep.events[at];
         self.toggle(&event, &mut sweep.state);
         let mut child_in = sweep.state.leaf_in[event.leaf as usize];
         let mut node = self.operands[event.leaf as usize].parent;
-        let mut is_kept = true;
+        let mut is_shown = true;
         let nodes = &self.nodes[..];
-        while is_kept && let Some(own) = nodes.get(node as usize) {
+        while is_shown && let Some(own) = nodes.get(node as usize) {
             let count = sweep.state.counts[node as usize];
-            is_kept = own.lets_through(count, child_in);
+            is_shown = own.lets_through(count, child_in);
             child_in = own.holds(count);
             node = own.parent;
         }
-        sweep.kept.clear();
-        sweep.kept.push(is_kept);
+        sweep.shown.clear();
+        sweep.shown.push(is_shown);
     }
 
-    /// Several roots at the same `t`. At a node whose other children change there too, a surface is shown if the node
-    /// as a whole is entered or left, and then only the last one of them.
+    /// Handles several roots at the same `t`. At a node whose other children change there too, a surface is shown if
+    /// the ray enters or leaves the node as a whole, and then only the last of them.
     fn step_together(&self, at: usize, end: usize, sweep: &mut Sweep) {
         sweep.before.clear();
         sweep.before.extend_from_slice(&sweep.state.counts);
@@ -472,33 +489,33 @@ impl CsgProgram {
             let event = sweep.events[index];
             self.toggle(&event, &mut sweep.state);
         }
-        sweep.kept.clear();
+        sweep.shown.clear();
         for index in at..end {
             let event = sweep.events[index];
             let leaf = event.leaf as usize;
             let mut in_before = was_in[index - at];
             let mut in_after = sweep.state.leaf_in[leaf];
             let mut node = self.operands[leaf].parent;
-            let mut is_kept = true;
-            while is_kept && let Some(own) = self.nodes.get(node as usize) {
+            let mut is_shown = true;
+            while is_shown && let Some(own) = self.nodes.get(node as usize) {
                 let count_before = sweep.before[node as usize];
                 let count_after = sweep.state.counts[node as usize];
                 let before = own.lets_through(count_before, in_before);
                 let after = own.lets_through(count_after, in_after);
                 in_before = own.holds(count_before);
                 in_after = own.holds(count_after);
-                is_kept = if before == after {
+                is_shown = if before == after {
                     before
                 } else {
                     in_before != in_after
                 };
                 node = own.parent;
             }
-            sweep.kept.push(is_kept);
+            sweep.shown.push(is_shown);
         }
     }
 
-    /// Whether a point lies in the combination, by each leaf's own rule for points on its surface.
+    /// Returns true if a point lies in the solid, by each leaf's own rule for points on its surface.
     pub(crate) fn contains(&self, leaves: &[Leaf], point: DVec3) -> bool {
         let mut counts: SmallVec<[u32; 8]> = smallvec![0; self.nodes.len()];
         for (index, operand) in self.operands.iter().enumerate() {
@@ -512,10 +529,10 @@ impl CsgProgram {
     }
 }
 
-/// Puts roots in order; those of one leaf at the same place stay as they are. Most rays meet few.
+/// Sorts roots by `t`; those of one leaf at the same `t` keep their order. Most rays have only a few.
 fn sort(events: &mut [Event]) {
-    const FEW: usize = 16;
-    if events.len() > FEW {
+    const SMALL: usize = 16;
+    if events.len() > SMALL {
         events.sort_by(|a, b| a.root.t.total_cmp(&b.root.t).then(a.leaf.cmp(&b.leaf)));
         return;
     }
@@ -533,15 +550,15 @@ fn sort(events: &mut [Event]) {
 }
 
 impl BoundGate {
-    /// Whether a ray meets the bounding object or starts inside of it.
-    fn is_met(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
-        let span = (0.0, f64::INFINITY);
-        let hit = self.bound.nearest(leaves, ray, span, None, sweep, |_| true);
+    /// Returns true if a ray hits the bounding object or starts inside it.
+    fn is_hit(&self, leaves: &[Leaf], ray: &Ray, sweep: &mut Sweep) -> bool {
+        let all = RayInterval::FORWARD;
+        let hit = self.bound.nearest(leaves, ray, all, None, sweep, |_| true);
         hit.is_some() || self.bound.contains(leaves, ray.origin)
     }
 }
 
-/// Whether a leaf holds the ray before the first of its roots and after the last.
+/// Returns whether a leaf contains the ray before its first root and after its last.
 fn sides(roots: &[Root], start: Start) -> (bool, bool) {
     let before = start == Start::Inside;
     let after = roots
@@ -552,12 +569,12 @@ fn sides(roots: &[Root], start: Start) -> (bool, bool) {
     (before, after)
 }
 
-/// Hides the root that a ray has just left: of the piece of surface it stands on, the one nearest to its start that
-/// it crosses in the right sense. A flat piece has no other, and its normal need not point out.
-/// Gives where that is, if one is hidden.
+/// Hides the root that a ray has just left: on the face it starts on, the root nearest to its origin that crosses in
+/// the expected sense. A flat face has no other root, and its normal need not point outward. Returns the root's `t`, if
+/// one is hidden.
 pub(crate) fn hide_departure(
     roots: &mut [Root],
-    left: &SpawnSurface,
+    origin: &SpawnSurface,
     leaf: &Leaf,
     dir: DVec3,
 ) -> Option<f64> {
@@ -565,14 +582,14 @@ pub(crate) fn hide_departure(
         return None;
     }
     let is_faceted = leaf.shape.is_faceted();
-    let expected = match left.crossing {
+    let expected = match origin.crossing {
         Crossing::Touch => Crossing::Touch,
-        _ if left.normal.dot(dir) > 0.0 => Crossing::Leave,
+        _ if origin.normal.dot(dir) > 0.0 => Crossing::Leave,
         _ => Crossing::Enter,
     };
     let own = roots
         .iter_mut()
-        .filter(|root| root.face == left.face && (is_faceted || root.crossing == expected));
+        .filter(|root| root.face == origin.face && (is_faceted || root.crossing == expected));
     let root = own.min_by(|a, b| a.t.abs().total_cmp(&b.t.abs()))?;
     root.is_visible = false;
     Some(root.t)

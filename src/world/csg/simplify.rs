@@ -1,7 +1,6 @@
-//! A combination made ready for rays: fewer nodes, operands in the order in which they decide most, and a tree over
-//! them if there are many.
+//! Preparation of CSG programs: fewer nodes, operands in the order that decides earliest, and a BVH over many operands.
 //!
-//! What is shown does not change, not even where surfaces coincide: by the rules of `csg` an intersection within an
+//! The surfaces shown do not change, not even where surfaces coincide: by the rules of `csg`, an intersection within an
 //! intersection, and the inverse of a merge within one, are one intersection of all their operands.
 
 use super::inside::InsideInit;
@@ -14,41 +13,40 @@ use glam::DVec3;
 use smallvec::SmallVec;
 use std::ops::Range;
 
-/// With fewer bounded operands each is asked by itself; four rays ask up to eight so.
+/// With fewer bounded operands each is tested by itself; packets test up to eight that way.
 const TREE_FROM: usize = 9;
-/// The same where some operand can only be asked by one ray at a time, and none narrows the stretch in which to look.
+/// Same, where some operand lacks packet code and no required operand clips the interval.
 const TREE_OF_LONE_RAYS_FROM: usize = 4;
 
-/// So many parts have boxes that are tried.
+/// Most parts whose boxes are tested.
 const MOST_PARTS: usize = 64;
 
-/// In which order a program asks its operands for roots.
+/// The order in which a program intersects its operands.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct OperandOrder {
-    /// Where one of these is not, nothing is shown: they narrow the stretch of the ray in which to look.
+    /// Required operands: nothing shows outside them, so they clip the interval of the ray.
     pub(crate) required: SmallVec<[u32; 4]>,
-    /// All others, except those in the tree.
+    /// All others, except those in the BVH.
     pub(crate) others: SmallVec<[u32; 4]>,
-    /// What is found by its box, if anything is.
+    /// BVH over operands and parts, if there are enough.
     pub(crate) boxed: Option<Box<OperandBvh>>,
 }
 
-/// Operands and parts of a combination in a tree.
+/// BVH over operands and parts of a program.
 #[derive(Clone, Debug)]
 pub(crate) struct OperandBvh {
-    /// By position in `bounded`, with the parts behind them.
+    /// Over `bounded`, followed by `parts`.
     pub(crate) tree: Bvh,
-    /// The bounded operands of a large combination.
+    /// The bounded operands of a large program.
     pub(crate) bounded: Vec<u32>,
-    /// The operands of each part that has a box of its own, which spares them; at most [`MOST_PARTS`].
+    /// The operands of each part with a box of its own, which are skipped if the box is missed; at most [`MOST_PARTS`].
     pub(crate) parts: Vec<Range<u32>>,
-    /// For each node how many operands without which something may be shown there are, those that are not inverse and those
-    /// that are.
+    /// For each node, the numbers of its operands that are not required, plain and inverse.
     pub(crate) resting: Vec<[u32; 2]>,
 }
 
 impl CsgProgram {
-    /// Simplifies the nodes and works out the order. `bounds` are those of the operands, `boxed` parts with boxes.
+    /// Simplifies the nodes and computes the order. `bounds` are those of the operands, `boxed` the parts with boxes.
     pub(crate) fn prepare(
         &mut self,
         leaves: &[Leaf],
@@ -65,8 +63,8 @@ impl CsgProgram {
         self.order.boxed = self.boxed(bounded, bounds, boxed).map(Box::new);
     }
 
-    /// What is found by its box: operands that are `bounded`, and of the parts those whose boxes tell more than the box
-    /// around all does, since something may be shown without them.
+    /// The BVH over the `bounded` operands and the parts. Parts are used if their boxes cull more than the box of the
+    /// whole: they must not be required, and must have operands outside the BVH.
     fn boxed(
         &self,
         bounded: Vec<u32>,
@@ -100,8 +98,8 @@ impl CsgProgram {
         })
     }
 
-    /// What has no inside has none when it is inverse either (measured with POV-Ray, which hands the inversion of a
-    /// combination down to its parts and cannot invert a patch): what takes a patch away shows only the patch.
+    /// Undoes the inversion of patches. A patch has no inside, nor has its inverse (measured with POV-Ray, which hands
+    /// the inversion of a CSG object down to its parts and cannot invert a patch): subtracting it shows only the patch.
     fn leave_patches(&mut self, leaves: &[Leaf]) {
         let own = &leaves[self.first as usize..];
         for (number, leaf) in (0..self.len()).zip(own) {
@@ -114,9 +112,9 @@ impl CsgProgram {
         }
     }
 
-    /// Hands the children of each node that is no more than a part of its parent to the parent.
+    /// Merges each node that its parent's operation includes into the parent.
     fn join_nodes(&mut self) {
-        // Where the children of a node went, and whether they are exchanged there. Parents come first.
+        // For each node, the node its children moved to, and whether they are inverted there. Parents come first.
         let mut target: Vec<(u32, bool)> = Vec::with_capacity(self.nodes.len());
         for number in 0..self.nodes.len() {
             let node = self.nodes[number].clone();
@@ -143,7 +141,7 @@ impl CsgProgram {
         self.keep_nodes(&stays);
     }
 
-    /// Takes away a union of one node at the top.
+    /// Removes a root union with a single node as its child.
     fn drop_lone_root(&mut self) {
         let root = &self.nodes[0];
         let is_idle = root.combine == Combine::Union && !root.is_inverse && root.children == 1;
@@ -154,7 +152,7 @@ impl CsgProgram {
         }
     }
 
-    /// Removes nodes that nothing refers to any more.
+    /// Removes unreferenced nodes.
     fn keep_nodes(&mut self, stays: &[bool]) {
         let mut count = 0;
         let number: Vec<u32> = stays
@@ -174,7 +172,7 @@ impl CsgProgram {
         }
     }
 
-    /// The state at a place outside of all leaves.
+    /// The state at a point outside all leaves.
     fn state_outside_all(&self) -> InsideInit {
         let mut counts = vec![0; self.nodes.len()];
         for operand in self.operands.iter().filter(|operand| operand.is_inverse) {
@@ -185,7 +183,7 @@ impl CsgProgram {
         InsideInit::new(leaf_in, &counts)
     }
 
-    /// The order without what is found by its box, and the operands that are.
+    /// The order without the operands in the BVH, and those operands.
     fn order(&self, leaves: &[Leaf], bounds: &[Bounds]) -> (OperandOrder, Vec<u32>) {
         let mut order = OperandOrder::default();
         let mut bounded = Vec::new();
@@ -199,7 +197,7 @@ impl CsgProgram {
                 order.others.push(number);
             }
         }
-        // Those without a matrix are the cheapest, and most rays that miss miss what is bounded. Packets of rays
+        // Operands without a matrix are the cheapest, and most rays that miss miss the bounded ones. Packets of rays
         // know more of an open quadric once other operands have clipped the interval.
         let first = self.first as usize;
         order.required.sort_by_key(|&number| {
@@ -220,17 +218,17 @@ impl CsgProgram {
         (order, bounded)
     }
 
-    /// A ball that holds all that is shown, by centre and radius, and that it is not filled: the least of those around
-    /// operands without which nothing is shown.
-    pub(crate) fn ball_around(&self, leaves: &[Leaf]) -> Option<(DVec3, f64, bool)> {
+    /// A bounding sphere of everything shown, by centre and radius, with `false` for not filled: the smallest one
+    /// around a required operand.
+    pub(crate) fn bounding_sphere(&self, leaves: &[Leaf]) -> Option<(DVec3, f64, bool)> {
         let own = &leaves[self.first as usize..];
         let required = self.order.required.iter();
-        let balls = required.filter_map(|&number| own[number as usize].ball_around());
-        let least = balls.min_by(|a, b| a.1.total_cmp(&b.1));
+        let spheres = required.filter_map(|&number| own[number as usize].bounding_sphere());
+        let least = spheres.min_by(|a, b| a.1.total_cmp(&b.1));
         least.map(|(centre, radius, _)| (centre, radius, false))
     }
 
-    /// Whether nothing is shown where a child of this node is not.
+    /// Returns true if nothing shows outside the children of this node.
     fn is_required(&self, mut node: u32) -> bool {
         while node != NONE {
             let Node {
@@ -248,7 +246,7 @@ impl CsgProgram {
     }
 }
 
-/// Whether a node, inverse or not, says nothing but what its parent would say of its children.
+/// Returns true if a node, inverse or not, can be merged into its parent.
 fn is_part(node: &Node, is_inverse: bool, parent: Combine) -> bool {
     let is_same = match (parent, is_inverse) {
         (Combine::Intersection, true) => node.combine == Combine::Merge,
@@ -265,7 +263,7 @@ fn index(len: usize) -> u32 {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::super::program::{Operand, Sweep};
+    use super::super::program::{Operand, RayInterval, Sweep};
     use super::*;
     use crate::base::math::sampling::random::Random;
     use crate::base::math::{Ray, Step};
@@ -273,30 +271,30 @@ pub(crate) mod tests {
     use crate::world::primitive::{Absorb, Extent};
     use glam::DVec3;
 
-    /// A place on a coarse grid, so that surfaces coincide often.
+    /// A point on a coarse grid, so that surfaces coincide often.
     pub(in crate::world) fn coarse(rng: &mut Random) -> DVec3 {
         rng.vector(3.0).round()
     }
 
     fn shape(rng: &mut Random) -> Shape {
-        let place = coarse(rng);
+        let point = coarse(rng);
         match rng.bits() % 8 {
             0 => Shape::Plane(Plane {
-                normal: DVec3::AXES[usize::from(place.x > 0.0)],
-                distance: place.y,
+                normal: DVec3::AXES[usize::from(point.x > 0.0)],
+                distance: point.y,
             }),
             1 => Shape::Triangle(Triangle {
-                corners: [place, coarse(rng), coarse(rng)],
+                corners: [point, coarse(rng), coarse(rng)],
             }),
             2 | 3 => Shape::Sphere(Sphere {
-                centre: place,
-                radius: place.x.abs() + 1.0,
+                centre: point,
+                radius: point.x.abs() + 1.0,
             }),
-            _ => Shape::Cuboid(Cuboid::new(place, coarse(rng))),
+            _ => Shape::Cuboid(Cuboid::new(point, coarse(rng))),
         }
     }
 
-    /// A combination of random nodes and operands as it is before it is prepared, and its leaves with their bounds.
+    /// An unprepared program of random nodes and operands, and its leaves with their bounds.
     pub(in crate::world) fn random_program(
         rng: &mut Random,
     ) -> (CsgProgram, Vec<Leaf>, Vec<Bounds>) {
@@ -329,7 +327,7 @@ pub(crate) mod tests {
             });
             let steps = [Step::Rotate(DVec3::new(0.0, 90.0, 0.0))];
             let steps = &steps[..usize::from(rng.bits().is_multiple_of(4))];
-            let (leaf, around) = Leaf::new(shape(rng), (steps, Absorb::AllItCan), 0, Extent::Solid);
+            let (leaf, around) = Leaf::new(shape(rng), steps, Absorb::AllItCan, 0, Extent::Solid);
             leaves.push(leaf);
             bounds.push(around);
         }
@@ -363,10 +361,10 @@ pub(crate) mod tests {
                     4.0
                 };
                 let mut find = |program: &CsgProgram| {
-                    let span = (0.0, to);
+                    let interval = RayInterval { from: 0.0, to };
                     program
-                        .nearest(&leaves, &ray, span, None, &mut sweep, |_| true)
-                        .map(|found| (found.root, found.leaf))
+                        .nearest(&leaves, &ray, interval, None, &mut sweep, |_| true)
+                        .map(|hit| (hit.root, hit.leaf))
                 };
                 let expected = find(&plain);
                 assert_eq!(find(&prepared), expected);
@@ -401,11 +399,11 @@ pub(crate) mod tests {
                 is_hidden: false,
             });
         }
-        let ball = Shape::Sphere(Sphere {
+        let sphere = Shape::Sphere(Sphere {
             centre: DVec3::ZERO,
             radius: 1.0,
         });
-        let (leaf, bounds) = Leaf::new(ball, (&[], Absorb::AllItCan), 0, Extent::Solid);
+        let (leaf, bounds) = Leaf::new(sphere, &[], Absorb::AllItCan, 0, Extent::Solid);
         program.prepare(&vec![leaf; 4], &[bounds; 4], Vec::new());
         assert_eq!(program.nodes.len(), 1);
         assert_eq!(program.nodes[0].children, 4);

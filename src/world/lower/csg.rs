@@ -1,4 +1,4 @@
-//! From objects that are combined, clipped or bounded to programs over leaves.
+//! Lowering of CSG objects, and of clipped and bounded objects, to CSG programs.
 
 use super::flatten::{Lowering, index};
 use super::inherit::{CsgRole, Inherited, joined};
@@ -16,24 +16,35 @@ use std::sync::Arc;
 /// Most operands of an intersection whose nested intersections are searched for bounding primitives.
 const MOST_FACTORS: usize = 64;
 
-/// What lies around a part of a combination.
+/// Bounds of a part of a CSG object.
 #[derive(Clone, Copy)]
-pub(crate) struct Surroundings {
-    /// A box around what can be seen of it.
+pub(crate) struct PartBounds {
+    /// Bounds of its visible surface.
     pub(crate) shown: Bounds,
-    /// A box around its inside.
+    /// Bounds of its inside.
     pub(crate) solid: Bounds,
 }
 
-impl Surroundings {
-    const EMPTY: Surroundings = Surroundings {
+impl PartBounds {
+    const EMPTY: PartBounds = PartBounds {
         shown: Bounds::EMPTY,
         solid: Bounds::EMPTY,
     };
-    const EVERYTHING: Surroundings = Surroundings {
+    const EVERYTHING: PartBounds = PartBounds {
         shown: Bounds::EVERYTHING,
         solid: Bounds::EVERYTHING,
     };
+}
+
+/// Position of an object in the tree of a CSG program.
+#[derive(Clone, Copy)]
+struct Slot {
+    /// The parent node.
+    parent: u32,
+    /// True if the object is inverted there.
+    is_inverse: bool,
+    /// True if its surface is never shown: it only clips.
+    is_hidden: bool,
 }
 
 impl Lowering {
@@ -45,8 +56,8 @@ impl Lowering {
             let gate = self.gate(&program, seen_in);
             program.gates.push(gate);
         }
-        // POV-Ray asks only what has the camera in its box whether it lies inside; questions for insides ask all.
-        let bounds = if self.asks_insides {
+        // POV-Ray runs inside tests only on objects whose box contains the camera; probes test all.
+        let bounds = if self.needs_insides {
             around.solid
         } else {
             around.shown
@@ -66,7 +77,7 @@ impl Lowering {
         &mut self,
         object: &Object,
         above: &Inherited,
-    ) -> (CsgProgram, Surroundings) {
+    ) -> (CsgProgram, PartBounds) {
         let root = Node {
             combine: Combine::Union,
             is_inverse: false,
@@ -82,14 +93,18 @@ impl Lowering {
         let outer_gates = std::mem::take(&mut self.gates);
         let outer_boxed = std::mem::take(&mut self.boxed);
         let above = Inherited {
-            place: CsgRole::Whole,
+            role: CsgRole::Whole,
             ..above.clone()
         };
-        let place = (0, object.is_inverse);
-        let around = self.add_node(object, &above, &mut program, place, false);
+        let slot = Slot {
+            parent: 0,
+            is_inverse: object.is_inverse,
+            is_hidden: false,
+        };
+        let around = self.add_node(object, &above, &mut program, slot);
         let of_operands = std::mem::replace(&mut self.operand_bounds, outer_bounds);
         let boxed = std::mem::replace(&mut self.boxed, outer_boxed);
-        program.prepare_as(&mut self.ready, &self.parts.leaves, &of_operands, boxed);
+        program.prepare_as(&mut self.memo, &self.parts.leaves, &of_operands, boxed);
         for (operands, object, around) in std::mem::replace(&mut self.gates, outer_gates) {
             let (bound, _) = self.program(&object, &around);
             program.gates.push(BoundGate { operands, bound });
@@ -97,25 +112,24 @@ impl Lowering {
         (program, around)
     }
 
-    /// Adds an object and gives its bounds. `place` is the node above and whether the object is inverted.
+    /// Adds an object and returns its bounds.
     fn add_node(
         &mut self,
         object: &Object,
         above: &Inherited,
         program: &mut CsgProgram,
-        place: (u32, bool),
-        is_hidden: bool,
-    ) -> Surroundings {
-        let below = self.heritage_of_part(object, above);
+        slot: Slot,
+    ) -> PartBounds {
+        let below = self.inherit_part(object, above);
         let first = index(program.operands.len());
-        let bounds = self.add_clipped(object, (above, &below), program, place, is_hidden);
+        let bounds = self.add_clipped(object, above, &below, program, slot);
         let end = index(program.operands.len());
         let around = bounds.shown.union(&bounds.solid);
         if end - first > 1 && around.is_finite() && !around.is_empty() {
             self.boxed.push((first..end, around));
         }
-        // Parts keep theirs whatever they are (measured with POV-Ray).
-        let is_part = above.place != CsgRole::Whole && !object.bounded_by().is_empty();
+        // Parts keep their bounds, whatever they are (measured with POV-Ray).
+        let is_part = above.role != CsgRole::Whole && !object.bounded_by().is_empty();
         if is_part || is_gated(object) {
             let operands = first..index(program.operands.len());
             for bound in object.bounded_by() {
@@ -130,29 +144,37 @@ impl Lowering {
         bounds
     }
 
-    /// The same without what bounds the object.
+    /// Same, without the object's `bounded_by`.
     fn add_clipped(
         &mut self,
         object: &Object,
-        (above, below): (&Inherited, &Inherited),
+        above: &Inherited,
+        below: &Inherited,
         program: &mut CsgProgram,
-        (parent, is_inverse): (u32, bool),
-        is_hidden: bool,
-    ) -> Surroundings {
+        slot: Slot,
+    ) -> PartBounds {
         if object.clipped_by().is_empty() {
-            return self.add_bare(object, below, program, (parent, is_inverse), is_hidden);
+            return self.add_bare(object, below, program, slot);
         }
         let first = program.operands.len();
-        let node = push_node(program, Combine::Intersection, parent);
-        let mut bounds = self.add_bare(object, below, program, (node, is_inverse), is_hidden);
+        let node = push_node(program, Combine::Intersection, slot.parent);
+        let inner = Slot {
+            parent: node,
+            ..slot
+        };
+        let mut bounds = self.add_bare(object, below, program, inner);
         for clip in object.clipped_by() {
             let around = Inherited {
                 steps: joined(&object.steps[clip.after..], &above.steps),
-                place: CsgRole::Cut,
+                role: CsgRole::Cut,
                 ..below.clone()
             };
-            let place = (node, clip.what.is_inverse);
-            let held = self.add_node(&clip.what, &around, program, place, true);
+            let slot = Slot {
+                parent: node,
+                is_inverse: clip.what.is_inverse,
+                is_hidden: true,
+            };
+            let held = self.add_node(&clip.what, &around, program, slot);
             bounds.shown = bounds.shown.intersection(&held.solid);
             bounds.solid = bounds.solid.intersection(&held.solid);
         }
@@ -162,22 +184,30 @@ impl Lowering {
         bounds
     }
 
-    /// The same without what clips the object. `place` is the node above and whether the object is inverted.
+    /// Same, without the object's `clipped_by`.
     fn add_bare(
         &mut self,
         object: &Object,
         below: &Inherited,
         program: &mut CsgProgram,
-        place: (u32, bool),
-        is_hidden: bool,
-    ) -> Surroundings {
-        let (parent, is_inverse) = place;
+        slot: Slot,
+    ) -> PartBounds {
+        let Slot {
+            parent,
+            is_inverse,
+            is_hidden,
+        } = slot;
         match &object.kind {
-            Kind::Light { .. } => self.add_light_as_part(object, below, program, place, is_hidden),
+            Kind::Light { .. } => self.add_light_as_part(object, below, program, slot),
             Kind::Shape(shape) => {
                 let (surface, absorb) = self.surface_of(shape, below);
-                let place = (below.steps.as_ref(), absorb);
-                let (leaf, bounds) = Leaf::new((**shape).clone(), place, surface, Extent::Solid);
+                let (leaf, bounds) = Leaf::new(
+                    (**shape).clone(),
+                    &below.steps,
+                    absorb,
+                    surface,
+                    Extent::Solid,
+                );
                 let shown = leaf.surface_bounds(&bounds);
                 self.parts.leaves.push(leaf);
                 self.operand_bounds.push(bounds);
@@ -192,7 +222,7 @@ impl Lowering {
                 } else {
                     bounds
                 };
-                Surroundings { shown, solid }
+                PartBounds { shown, solid }
             }
             Kind::Csg {
                 operation,
@@ -201,17 +231,17 @@ impl Lowering {
                 let is_sum = matches!(operation, Operation::Union | Operation::Merge);
                 let combine = match (operation, is_inverse) {
                     (Operation::Union, false) => Combine::Union,
-                    // Of an inverse intersection inner surfaces do not show.
+                    // An inverse intersection does not show inner surfaces.
                     _ if is_sum != is_inverse => Combine::Merge,
                     _ => Combine::Intersection,
                 };
                 let node = push_node(program, combine, parent);
                 let signs =
                     (0..).map(|at| is_inverse != (*operation == Operation::Difference && at > 0));
-                // Among others those of what stands in unions are gathered here.
+                // Collects the textures of nested unions too.
                 let gathers = combine != Combine::Union
                     && object.size().has_cutaways
-                    && !self.asks_insides
+                    && !self.needs_insides
                     && below.texture.is_none()
                     && below.cutaway.is_none();
                 let cutaway = if gathers {
@@ -221,27 +251,26 @@ impl Lowering {
                 };
                 let below = Inherited {
                     cutaway,
-                    place: match operation {
+                    role: match operation {
                         Operation::Union => CsgRole::Union,
                         Operation::Merge => CsgRole::Merge,
                         Operation::Intersection | Operation::Difference => CsgRole::Cut,
                     },
                     ..below.clone()
                 };
-                self.add_children(children, signs, &below, program, (node, is_hidden))
+                self.add_children(children, signs, &below, program, node, is_hidden)
             }
         }
     }
 
-    /// The same of a light: what it looks like is a part in its place.
+    /// Adds the `looks_like` object of a light as a part instead of the light.
     fn add_light_as_part(
         &mut self,
         light: &Object,
         below: &Inherited,
         program: &mut CsgProgram,
-        (parent, is_inverse): (u32, bool),
-        is_hidden: bool,
-    ) -> Surroundings {
+        slot: Slot,
+    ) -> PartBounds {
         let held = Inherited {
             obeyed: None,
             ..below.clone()
@@ -252,32 +281,40 @@ impl Lowering {
         };
         match self.add_light(&light.kind, &outside, held) {
             Some((look, around)) => {
-                let place = (parent, is_inverse != look.is_inverse);
-                self.add_node(&look, &around, program, place, is_hidden)
+                let slot = Slot {
+                    is_inverse: slot.is_inverse != look.is_inverse,
+                    ..slot
+                };
+                self.add_node(&look, &around, program, slot)
             }
-            None => Surroundings::EMPTY,
+            None => PartBounds::EMPTY,
         }
     }
 
-    /// Adds children, each inverse or not as it is itself, unless `signs` exchange that: a combination hands its
-    /// inversion down to its parts, and what clips them stays as it is (measured with POV-Ray).
+    /// Adds children, each inverse or not by itself, flipped where `signs` says so: a CSG object hands its inversion
+    /// down to its parts, but not to the objects that clip them (measured with POV-Ray).
     fn add_children(
         &mut self,
         children: &[Arc<Object>],
         signs: impl Iterator<Item = bool>,
         below: &Inherited,
         program: &mut CsgProgram,
-        (node, is_hidden): (u32, bool),
-    ) -> Surroundings {
+        node: u32,
+        is_hidden: bool,
+    ) -> PartBounds {
         let is_product = program.nodes[node as usize].combine == Combine::Intersection;
         let mut sum = if is_product {
-            Surroundings::EVERYTHING
+            PartBounds::EVERYTHING
         } else {
-            Surroundings::EMPTY
+            PartBounds::EMPTY
         };
         let first = program.operands.len();
         for (child, is_exchanged) in children.iter().zip(signs) {
-            let place = (node, child.is_inverse != is_exchanged);
+            let slot = Slot {
+                parent: node,
+                is_inverse: child.is_inverse != is_exchanged,
+                is_hidden,
+            };
             let is_unseen = matches!(
                 child.kind,
                 Kind::Light {
@@ -285,9 +322,9 @@ impl Lowering {
                     ..
                 }
             );
-            let child = self.add_node(child, below, program, place, is_hidden);
+            let child = self.add_node(child, below, program, slot);
             if is_unseen {
-                // A light cuts nothing: intersections and differences pass it over.
+                // A light cuts nothing: intersections and differences ignore it.
                 continue;
             }
             if is_product {
@@ -307,14 +344,13 @@ impl Lowering {
     }
 }
 
-/// Whether `bounded_by` decides anything: POV-Ray drops it from finite primitives, which have bounds of their own.
+/// Returns true if `bounded_by` has an effect: POV-Ray drops it from finite primitives, which have their own bounds.
 pub(crate) fn is_gated(object: &Object) -> bool {
     let needs_none = matches!(&object.kind, Kind::Shape(shape) if shape.bounds().is_finite());
     !object.bounded_by().is_empty() && !needs_none
 }
 
-/// Primitives that an intersection is the common inside of, those of nested intersections included; its operands are those
-/// from `first` on.
+/// The primitives whose intersection a node is, with those of nested intersections; its operands start at `first`.
 fn factors(program: &CsgProgram, node: u32, first: usize) -> Factors {
     let added = program.operands[first..].iter();
     let is_small = added.len() <= MOST_FACTORS;

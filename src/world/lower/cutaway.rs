@@ -1,14 +1,14 @@
-//! `cutaway_textures`: parts without a texture of their own look like what they cut.
+//! `cutaway_textures`: parts without a texture of their own take the textures of the objects they cut.
 //!
-//! Measured with POV-Ray 3.7: the textures are gathered in the outermost combination around the part that is no union.
-//! Every child that holds the point gives its texture, all with the same weight; combinations give those of their
-//! children. A difference gives that of its first child alone. What clips a child does not count, but what clips its parts
-//! does. Where nothing is gathered the surface is black and opaque.
+//! Measured with POV-Ray 3.7: textures are collected in the outermost CSG object around the part that is not a union.
+//! Every child that contains the point contributes its texture, all with the same weight; CSG children contribute those
+//! of their children. A difference contributes that of its first child only. Objects that clip a child do not count,
+//! but those that clip its parts do. Where nothing contributes, the surface is black and opaque.
 //!
-//! Missing: the textures of single components of a blob or triangles of a mesh that a difference cuts.
+//! Missing: textures of single blob components or mesh triangles that a difference cuts.
 
 use super::flatten::{Lowering, index};
-use super::inherit::{Inherited, PlacedTexture, joined, texture_steps};
+use super::inherit::{Inherited, TransformedTexture, joined, texture_steps};
 use crate::scene::shape::{TextureWeight, TextureWeights};
 use crate::scene::texture::PreparedTexture;
 use crate::scene::{Kind, Object, Operation};
@@ -17,7 +17,7 @@ use crate::world::query::probe::compiled;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// What may lend its texture to the surfaces of a combination.
+/// Objects that may lend their textures to the surfaces of a CSG object.
 #[derive(Debug, Default)]
 pub(crate) struct Cutaway {
     /// Parents before children.
@@ -28,9 +28,9 @@ pub(crate) struct Cutaway {
 #[derive(Debug)]
 struct CutPart {
     solid: World,
-    /// Its texture, unless it is a combination.
+    /// Its texture; `None` for a CSG object.
     texture: Option<u32>,
-    /// Where the parts that are not in it go on.
+    /// Index of the next part outside it.
     end: usize,
 }
 
@@ -40,7 +40,7 @@ impl Cutaway {
         &self.textures
     }
 
-    /// The shares of the textures at a world point.
+    /// The weights of the textures at a world point.
     pub(crate) fn shares(&self, point: DVec3) -> TextureWeights {
         let mut shares = TextureWeights::new();
         let mut at = 0;
@@ -62,7 +62,7 @@ impl Cutaway {
 }
 
 impl Lowering {
-    /// What lends its texture to the parts of a combination, which is inverse or not, with what is handed down to them.
+    /// The texture sources for the parts of a CSG object, inverse or not; `below` is what its parts inherit.
     pub(crate) fn cutaway(
         &mut self,
         combination: &Object,
@@ -89,7 +89,7 @@ impl Lowering {
             let is_inverse = child.is_inverse != (is_inverse != is_cut);
             let below = Inherited {
                 texture: match &child.texture {
-                    Some(own) => Some(PlacedTexture {
+                    Some(own) => Some(TransformedTexture {
                         texture: Arc::clone(&own.what),
                         steps: texture_steps(child, own.after, above),
                     }),
@@ -100,8 +100,8 @@ impl Lowering {
             };
             let first = into.parts.len();
             let texture = match (&child.kind, &below.texture) {
-                (Kind::Shape(_), Some(placed)) => {
-                    into.textures.push(self.prepare(placed).shared());
+                (Kind::Shape(_), Some(transformed)) => {
+                    into.textures.push(self.prepare(transformed).shared());
                     Some(index(into.textures.len() - 1))
                 }
                 (Kind::Csg { .. }, _) => None,

@@ -1,5 +1,5 @@
-//! From the objects of a scene to leaves, combinations and lights: transforms folded, unions taken apart, texture and
-//! interior handed down to the children that have none of their own.
+//! Lowering of the objects of a scene to leaves, CSG programs and lights: transforms are folded, unions split up, and
+//! texture and interior handed down to children without their own.
 
 use super::csg::is_gated;
 use super::inherit::Inherited;
@@ -21,61 +21,61 @@ use rustc_hash::FxHashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Everything the objects of a scene come to.
+/// State and results of lowering.
 #[derive(Debug, Default)]
 pub(crate) struct Lowering {
-    /// What the model at hand is made from: the world, or what copies share.
+    /// The parts of the current model: the world, or a shared union.
     pub(crate) parts: ModelBuilder,
-    /// The looks in the model at hand, unless that is the world.
+    /// The material slots of the current model, unless it is the world.
     pub(crate) slots: Option<SlotTable>,
-    /// What copies share, by the address of their list of parts, and by whether they may ask for texture coordinates.
+    /// The shared models, by the address of their list of children, and by whether they may need texture coordinates.
     pub(crate) shared: FxHashMap<(usize, bool), Box<SharedModel>>,
-    /// How many copies each list of parts had when the first was met, by its address.
+    /// For each list of children, by its address, the number of copies when the first was lowered.
     pub(crate) copies: FxHashMap<usize, usize>,
-    /// Whether the model at hand is one for copies that may ask for texture coordinates.
+    /// True if the current model is one for copies that may need texture coordinates.
     pub(crate) keeps_uv: bool,
-    /// Whether what is asked for is the insides of objects, which may be larger than their surfaces.
-    pub(crate) asks_insides: bool,
+    /// True if the insides of objects are needed, which may be larger than their surfaces.
+    pub(crate) needs_insides: bool,
     pub(crate) surfaces: Vec<Surface>,
     pub(crate) interiors: Interiors,
-    /// What patterns take from the whole scene.
+    /// Scene-wide settings for patterns.
     pub(crate) settings: Settings,
     pub(crate) lights: Lights,
-    /// What photons are sent to, where they are shot.
+    /// Photon targets, if photons are on.
     pub(crate) targets: Option<Targets>,
-    /// By address, which stays taken as long as the texture is kept.
+    /// Prepared textures by address; the entry owns the texture, so that the address stays taken.
     pub(crate) prepared: FxHashMap<usize, (Arc<Texture>, Arc<PreparedTexture>)>,
-    /// Which of them the last object of the top level has brought, and its first surface.
+    /// The entries added by the current top-level object.
     pub(crate) lately_prepared: Vec<usize>,
     first_surface: usize,
-    /// What objects without a texture look like.
+    /// The default texture of objects.
     pub(crate) plain: Option<Arc<PreparedTexture>>,
     pub(crate) last_surface: Option<u32>,
-    /// A surface by its number, with the looks that it came of.
-    pub(crate) last_looks: Option<(u32, Inherited)>,
-    /// The last combination that was made ready.
-    pub(crate) ready: Option<Box<CsgMemo>>,
-    /// Bounding objects of the combination being built, with the operands they bound and where they stand.
+    /// A surface index and the attributes it was made from.
+    pub(crate) last_attributes: Option<(u32, Inherited)>,
+    /// Memo of the last CSG preparation.
+    pub(crate) memo: Option<Box<CsgMemo>>,
+    /// Bounding objects of the current CSG program, with the operands they bound and the inherited state.
     pub(crate) gates: Vec<(Range<u32>, Arc<Object>, Inherited)>,
-    /// Parts of it that have boxes of their own: their operands, and boxes around what is inside of them and what shows.
+    /// Parts of it with boxes of their own: their operands, and boxes around their insides and visible surfaces.
     pub(crate) boxed: Vec<(Range<u32>, Bounds)>,
-    /// Bounds of the operands of the combination being built.
+    /// Bounds of the operands of the current CSG program.
     pub(crate) operand_bounds: Vec<Bounds>,
-    /// What the lights of the object being taken in hold.
+    /// Objects that the lights of the current object refer to.
     held: Vec<(Holds, Arc<Object>, Inherited)>,
 }
 
-/// Why a light holds an object.
+/// Use of an object by a light.
 #[derive(Debug)]
 enum Holds {
-    /// To look like it.
+    /// `looks_like`.
     Look,
-    /// To be projected through it: the light of this number.
+    /// `projected_through`, with the index of the light.
     Projector(u32),
 }
 
 impl Lowering {
-    /// Nothing yet; `settings` are what patterns take from the whole scene.
+    /// Empty; `settings` are the scene-wide settings for patterns.
     pub(crate) fn new(settings: Settings) -> Self {
         Lowering {
             settings,
@@ -83,7 +83,7 @@ impl Lowering {
         }
     }
 
-    /// Takes in one object of the scene's top level; what is left of it is needed no more.
+    /// Lowers one top-level object; returns it if it can be dropped now.
     pub(crate) fn take(&mut self, object: Taken) -> Option<Arc<Object>> {
         match object {
             Taken::Colored(shape, color, finish) => {
@@ -99,16 +99,16 @@ impl Lowering {
         }
     }
 
-    /// Lets go of prepared textures that nothing but this object of the top level asks for. Those of one surface become
-    /// its own.
+    /// Drops prepared textures that only this top-level object uses. A surface that is the last user of its texture
+    /// takes it over.
     fn forget_textures(&mut self, object: &Object) {
-        // These have its texture too.
-        self.last_looks = None;
+        // The attributes hold its texture too.
+        self.last_attributes = None;
         let is_copy =
             matches!(&object.kind, Kind::Csg { children, .. } if Arc::strong_count(children) > 1);
         for texture in self.lately_prepared.drain(..) {
             let known = self.prepared.get(&texture);
-            // Here and in the object.
+            // Two references: here and in the object.
             if !is_copy && known.is_some_and(|(texture, _)| Arc::strong_count(texture) <= 2) {
                 self.prepared.remove(&texture);
             }
@@ -118,7 +118,7 @@ impl Lowering {
         self.first_surface = self.surfaces.len();
     }
 
-    /// Takes in one object of the scene's top level.
+    /// Lowers one top-level object.
     pub(crate) fn add(&mut self, object: &Object) {
         let nothing = Inherited::default();
         self.add_below(object, &nothing);
@@ -135,7 +135,7 @@ impl Lowering {
 
     pub(crate) fn add_below(&mut self, object: &Object, above: &Inherited) {
         let targets = self.targets.as_ref().map_or(0, Targets::len);
-        let below = self.heritage(object, above);
+        let below = self.inherit(object, above);
         if let Some(children) = object.plain_union() {
             if !self.add_copy(object, &below) {
                 for child in &**children {
@@ -164,16 +164,16 @@ impl Lowering {
 
     fn add_shape(&mut self, shape: &Shape, below: &Inherited) {
         let (surface, absorb) = self.surface_of(shape, below);
-        self.add_leaf(shape.clone(), (&below.steps, absorb), surface);
+        self.add_leaf(shape.clone(), &below.steps, absorb, surface);
     }
 
-    fn add_leaf(&mut self, shape: Shape, place: (&[Step], Absorb), surface: u32) {
-        let (leaf, mut bounds) = Leaf::new(shape, place, surface, Extent::Surface);
+    fn add_leaf(&mut self, shape: Shape, steps: &[Step], absorb: Absorb, surface: u32) {
+        let (leaf, mut bounds) = Leaf::new(shape, steps, absorb, surface, Extent::Surface);
         if bounds.is_empty() {
             return;
         }
         // The inside of a disc is a half-space, far beyond its surface.
-        if self.asks_insides && !leaf.shape.solid_bounds().is_finite() {
+        if self.needs_insides && !leaf.shape.solid_bounds().is_finite() {
             bounds = Bounds::EVERYTHING;
         }
         let number = index(self.parts.leaves.len());
@@ -181,8 +181,8 @@ impl Lowering {
         self.parts.leaves.push(leaf);
     }
 
-    /// Takes in a light and gives what it looks like; what it is projected through waits until the object around it is
-    /// complete.
+    /// Adds a light and returns its `looks_like` object; the `projected_through` object waits until the object around
+    /// it is complete.
     pub(crate) fn add_light(
         &mut self,
         light: &Kind,
@@ -197,7 +197,9 @@ impl Lowering {
         else {
             return None;
         };
-        let light = self.lights.add(placed(light, &below.steps), above.group);
+        let light = self
+            .lights
+            .add(transformed(light, &below.steps), above.group);
         if let Some(object) = projected_through {
             let holds = Holds::Projector(light);
             self.held.push((holds, Arc::clone(object), below.clone()));
@@ -208,8 +210,8 @@ impl Lowering {
     }
 }
 
-/// A light where the steps move it.
-fn placed(light: &Light, steps: &[Step]) -> Light {
+/// A light with transforms applied.
+fn transformed(light: &Light, steps: &[Step]) -> Light {
     let mut light = light.clone();
     steps.iter().for_each(|step| light.transform(step));
     light

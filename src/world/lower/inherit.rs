@@ -1,4 +1,4 @@
-//! What objects hand down to what they hold: texture, interior, switches, lights, and where they stand.
+//! Inheritance of object attributes: texture, interior, switches, lights, and transforms.
 
 use super::cutaway::Cutaway;
 use super::flatten::{Lowering, index};
@@ -14,74 +14,76 @@ use crate::world::surface_flags::ObjectFlags;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// What an object hands down to its children.
+/// Attributes that an object hands down to its children.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Inherited {
-    pub(crate) texture: Option<PlacedTexture>,
-    pub(crate) inside_texture: Option<PlacedTexture>,
+    pub(crate) texture: Option<TransformedTexture>,
+    pub(crate) inside_texture: Option<TransformedTexture>,
     pub(crate) interior: Option<InteriorId>,
     pub(crate) flags: ObjectFlags,
-    /// In a combination, the switches that say who sees it.
+    /// Within a CSG object, the visibility switches that take effect.
     pub(crate) obeyed: Option<ObjectFlags>,
-    /// Where the children are.
-    pub(crate) place: CsgRole,
+    /// The role of the children in a CSG object.
+    pub(crate) role: CsgRole,
     /// The lights that shine on it.
     pub(crate) lights: LightList,
-    /// Whether lights outside of the light group around it do so; `None` outside of all groups.
+    /// If in a light group, true if lights outside the group shine on it too.
     pub(crate) global_lights: Option<bool>,
-    /// The list of the light group that it is, which takes in its own lights.
+    /// If the object is a light group, the list to which its lights are added.
     pub(crate) group: Option<LightList>,
-    /// Whether the object itself says `uv_mapping`.
+    /// True if the object itself says `uv_mapping`.
     pub(crate) says_uv: bool,
-    /// The transforms of everything above, innermost first.
+    /// The transforms of all ancestors, innermost first.
     pub(crate) steps: Arc<[Step]>,
-    /// True if a union above was moved after its parts were complete, so that shapes are not seen within boxes.
+    /// True if a union above was transformed after its parts were complete: then no `seen_in` boxes apply to shapes.
     pub(crate) is_moved: bool,
-    /// Where what has no texture takes one from, in a combination with `cutaway_textures`.
+    /// The texture source of parts without a texture, in a CSG object with `cutaway_textures`.
     pub(crate) cutaway: Option<Arc<Cutaway>>,
-    /// In a model that copies share, which of its looks these are; the rest but the steps is unknown then.
+    /// In a shared model, the material slot; the other attributes except the transforms are unknown then.
     pub(crate) slot: u32,
 }
 
-/// Where an object stands as to combinations. POV-Ray obeys the switches `no_shadow`, `no_image` and `no_reflection` of
-/// a combination as a whole; within it `no_reflection` counts for the parts of unions and merges, and `no_image` for
-/// those of merges (measured for each switch in twelve arrangements). That POV-Ray then also shows what of the other
-/// parts of the merge lies in the hidden one is not done.
+/// Role of an object in CSG. POV-Ray applies the switches `no_shadow`, `no_image` and `no_reflection` of a CSG object
+/// to the whole; within it, `no_reflection` takes effect for the parts of unions and merges, and `no_image` for those
+/// of merges (measured for each switch in twelve arrangements). Not reproduced: POV-Ray then also shows the surfaces of
+/// other parts of the merge inside the hidden one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum CsgRole {
-    /// In no combination.
+    /// Outside CSG.
     #[default]
     Alone,
-    /// It is a combination as a whole.
+    /// The CSG object as a whole.
     Whole,
     /// A part of an intersection or difference.
     Cut,
-    /// A part of a union that is not taken apart.
+    /// A part of a union that is not split up.
     Union,
     /// A part of a merge.
     Merge,
 }
 
-/// A texture with the transforms that came after it.
+/// A texture and the transforms applied after it.
 #[derive(Clone, Debug)]
-pub(crate) struct PlacedTexture {
+pub(crate) struct TransformedTexture {
     pub(crate) texture: Arc<Texture>,
     pub(crate) steps: Arc<[Step]>,
 }
 
 impl Inherited {
-    /// Whether what inherits it asks for texture coordinates.
+    /// Returns true if some attribute needs texture coordinates.
     pub(crate) fn uses_uv(&self) -> bool {
         let textures = [&self.texture, &self.inside_texture];
         let mut textures = textures.into_iter().flatten();
-        self.flags.uv_mapping || textures.any(|placed| placed.texture.uses_uv())
+        self.flags.uv_mapping || textures.any(|transformed| transformed.texture.uses_uv())
     }
 
-    /// Whether what inherits the one looks like what inherits the other, wherever the two stand. `is_opaque`: all that
-    /// inherits them is, so that interiors which no scene has written are alike.
-    pub(crate) fn looks_as(&self, other: &Inherited, is_opaque: bool) -> bool {
+    /// Returns true if both give the same surface, whatever their transforms. With `is_opaque` all surfaces are opaque,
+    /// so that interiors not written in the scene do not matter.
+    pub(crate) fn is_same_material(&self, other: &Inherited, is_opaque: bool) -> bool {
         let is_unnamed = |one: &Inherited| one.interior.is_none_or(InteriorId::is_unnamed);
-        let same = |one: &Option<PlacedTexture>, other: &Option<PlacedTexture>| match (one, other) {
+        let same = |one: &Option<TransformedTexture>, other: &Option<TransformedTexture>| match (
+            one, other,
+        ) {
             (None, None) => true,
             (Some(one), Some(other)) => {
                 Arc::ptr_eq(&one.texture, &other.texture) && !one.texture.depends_on_place()
@@ -99,14 +101,14 @@ impl Inherited {
 }
 
 impl Lowering {
-    /// [`Lowering::heritage`] of a part of a combination. Most say nothing but what they are: in intersections and differences
-    /// it is then that of the combination, as far as it counts.
-    pub(crate) fn heritage_of_part<'h>(
+    /// Same as [`Lowering::inherit`], for a part of a CSG object. Most parts have no attributes of their own: in
+    /// intersections and differences they share those of the CSG object.
+    pub(crate) fn inherit_part<'h>(
         &mut self,
         object: &Object,
         above: &'h Inherited,
     ) -> Cow<'h, Inherited> {
-        let is_known = above.place == CsgRole::Cut
+        let is_known = above.role == CsgRole::Cut
             && above.obeyed.is_some()
             && above.group.is_none()
             && !above.says_uv
@@ -117,12 +119,12 @@ impl Lowering {
                 self.interiors.set_hollow(interior, above.flags.hollow);
                 Cow::Borrowed(above)
             }
-            _ => Cow::Owned(self.heritage(object, above)),
+            _ => Cow::Owned(self.inherit(object, above)),
         }
     }
 
-    /// What an object's children, or the object itself if it is a shape, look like and where they stand.
-    pub(crate) fn heritage(&mut self, object: &Object, above: &Inherited) -> Inherited {
+    /// The attributes of an object's children, or of the object itself if it is a shape.
+    pub(crate) fn inherit(&mut self, object: &Object, above: &Inherited) -> Inherited {
         if let Some(slots) = &mut self.slots {
             return Inherited {
                 slot: slots.object(object, above),
@@ -132,14 +134,14 @@ impl Lowering {
                 ..Inherited::default()
             };
         }
-        let place =
-            |own: Option<&Attached<Arc<Texture>>>, inherited: &Option<PlacedTexture>| match own {
-                Some(own) => Some(PlacedTexture {
-                    texture: Arc::clone(&own.what),
-                    steps: texture_steps(object, own.after, above),
-                }),
-                None => inherited.clone(),
-            };
+        let attach = |own: Option<&Attached<Arc<Texture>>>,
+                      inherited: &Option<TransformedTexture>| match own {
+            Some(own) => Some(TransformedTexture {
+                texture: Arc::clone(&own.what),
+                steps: texture_steps(object, own.after, above),
+            }),
+            None => inherited.clone(),
+        };
         let layers = object
             .texture
             .as_ref()
@@ -164,12 +166,12 @@ impl Lowering {
             lights: group.unwrap_or(above.lights),
             global_lights,
             group,
-            texture: place(object.texture.as_ref(), &above.texture),
-            inside_texture: place(object.interior_texture(), &above.inside_texture),
+            texture: attach(object.texture.as_ref(), &above.texture),
+            inside_texture: attach(object.interior_texture(), &above.inside_texture),
             interior: Some(interior),
             flags,
             obeyed: obeyed(&flags, above),
-            place: CsgRole::Alone,
+            role: CsgRole::Alone,
             says_uv: object.flags.uv_mapping,
             steps: joined(&object.steps, &above.steps),
             is_moved: above.is_moved || object.moves_parts(),
@@ -178,7 +180,7 @@ impl Lowering {
         }
     }
 
-    /// Makes the media of an object's interior ready.
+    /// Prepares the media of an object's interior.
     fn fill(&mut self, interior: InteriorId, object: &Object, above: &Inherited) {
         match &object.interior {
             Some(own) if !own.media.is_empty() => {
@@ -192,51 +194,50 @@ impl Lowering {
         }
     }
 
-    /// The number of the surface of a shape with these looks, and whether the shape has to stay as it is, all its
-    /// transforms outside of it.
-    pub(crate) fn surface_of(&mut self, shape: &Shape, looks: &Inherited) -> (u32, Absorb) {
-        let loses_uv = shape.loses_uv() && !looks.steps.is_empty();
+    /// The surface index for a shape with these attributes, and whether the shape may absorb its transforms.
+    pub(crate) fn surface_of(&mut self, shape: &Shape, attributes: &Inherited) -> (u32, Absorb) {
+        let loses_uv = shape.loses_uv() && !attributes.steps.is_empty();
         if let Some(slots) = &mut self.slots {
             let absorb = if loses_uv && self.keeps_uv {
                 Absorb::Nothing
             } else {
                 Absorb::AllItCan
             };
-            return (slots.shape(looks, shape.skins()), absorb);
+            return (slots.shape(attributes, shape.skins()), absorb);
         }
-        // POV-Ray moves the textures of the components of blobs in any case.
-        let moves_skins = looks.says_uv && matches!(shape, Shape::Blob(_));
+        // POV-Ray transforms the textures of blob components in any case.
+        let moves_skins = attributes.says_uv && matches!(shape, Shape::Blob(_));
         let skins_moved = moves_skins.then(|| Inherited {
             says_uv: false,
-            ..looks.clone()
+            ..attributes.clone()
         });
-        let looks = skins_moved.as_ref().unwrap_or(looks);
-        if let Some(last) = self.looks_as_last(shape, looks) {
+        let attributes = skins_moved.as_ref().unwrap_or(attributes);
+        if let Some(last) = self.same_as_last(shape, attributes) {
             return (last, Absorb::AllItCan);
         }
-        let mut surface = self.new_surface(looks, shape.skins());
+        let mut surface = self.new_surface(attributes, shape.skins());
         if loses_uv && surface.uses_uv() {
-            surface.set_unmoved(ObjectSpaceShape::new(shape, &looks.steps));
+            surface.set_unmoved(ObjectSpaceShape::new(shape, &attributes.steps));
         }
         let number = self.number_of(surface);
-        self.last_looks = Some((number, looks.clone()));
+        self.last_attributes = Some((number, attributes.clone()));
         (number, Absorb::AllItCan)
     }
 
-    /// The last surface, if that of a shape with these looks would be the same: so it is with the parts of a combination.
-    fn looks_as_last(&self, shape: &Shape, looks: &Inherited) -> Option<u32> {
-        let (number, last) = self.last_looks.as_ref()?;
+    /// The last surface, if it fits a shape with these attributes: often the case for the parts of a CSG object.
+    fn same_as_last(&self, shape: &Shape, attributes: &Inherited) -> Option<u32> {
+        let (number, last) = self.last_attributes.as_ref()?;
         let surface = &self.surfaces[*number as usize];
         let is_same = self.last_surface == Some(*number)
             && shape.skins().is_empty()
             && surface.skins().is_empty()
-            && looks.cutaway.is_none()
+            && attributes.cutaway.is_none()
             && !surface.uses_uv()
-            && looks.looks_as(last, surface.is_opaque());
+            && attributes.is_same_material(last, surface.is_opaque());
         is_same.then_some(*number)
     }
 
-    /// The number of a surface. Neighbours in the file often share theirs.
+    /// The index of a surface, new or that of the last one: neighbours in the file are often the same.
     pub(crate) fn number_of(&mut self, surface: Surface) -> u32 {
         if let Some(last) = self
             .last_surface
@@ -250,78 +251,83 @@ impl Lowering {
         number
     }
 
-    /// A surface with these looks.
-    pub(crate) fn new_surface(&mut self, looks: &Inherited, skins: &[FaceTexture]) -> Surface {
-        let texture = match &looks.texture {
-            Some(placed) => self.prepare(placed),
+    /// A surface with these attributes.
+    pub(crate) fn new_surface(&mut self, attributes: &Inherited, skins: &[FaceTexture]) -> Surface {
+        let texture = match &attributes.texture {
+            Some(transformed) => self.prepare(transformed),
             None => {
                 let fresh = || Texture::from(Layer::default()).prepare(&[], &self.settings);
                 let plain = self.plain.get_or_insert_with(|| Arc::new(fresh()));
                 OwnedOrShared::Shared(Arc::clone(plain))
             }
         };
-        let inside_texture = looks
+        let inside_texture = attributes
             .inside_texture
             .as_ref()
-            .map(|placed| self.prepare(placed).shared());
+            .map(|transformed| self.prepare(transformed).shared());
         let skin = |skin: &FaceTexture| {
-            let steps = if looks.says_uv {
+            let steps = if attributes.says_uv {
                 Arc::default()
             } else {
-                Arc::clone(&looks.steps)
+                Arc::clone(&attributes.steps)
             };
             let texture = Arc::clone(&skin.0);
-            self.prepare(&PlacedTexture { texture, steps }).shared()
+            self.prepare(&TransformedTexture { texture, steps })
+                .shared()
         };
-        let lent = looks.cutaway.as_ref();
-        let lent = lent.filter(|_| looks.texture.is_none() && skins.is_empty());
+        let lent = attributes.cutaway.as_ref();
+        let lent = lent.filter(|_| attributes.texture.is_none() && skins.is_empty());
         let skins = match lent {
             Some(cutaway) => cutaway.textures().iter().cloned().collect(),
             None => skins.iter().map(skin).collect(),
         };
-        let interior = looks.interior.unwrap_or(InteriorId::AIR);
-        let flags = looks
+        let interior = attributes.interior.unwrap_or(InteriorId::AIR);
+        let flags = attributes
             .obeyed
             .as_ref()
-            .map_or(looks.flags, |obeyed| ObjectFlags {
+            .map_or(attributes.flags, |obeyed| ObjectFlags {
                 no_shadow: obeyed.no_shadow,
                 no_image: obeyed.no_image,
                 no_reflection: obeyed.no_reflection,
                 no_radiosity: obeyed.no_radiosity,
-                ..looks.flags
+                ..attributes.flags
             });
-        let lit = (looks.lights, flags);
-        let mut surface = Surface::new(texture, inside_texture, skins, interior, lit);
+        let lights = attributes.lights;
+        let mut surface = Surface::new(texture, inside_texture, skins, interior, lights, flags);
         if let Some(cutaway) = lent {
             surface.set_cutaway(Arc::clone(cutaway));
         }
         surface
     }
 
-    /// A texture ready for points of the world. One without patterns is prepared once, wherever it is used.
-    pub(crate) fn prepare(&mut self, placed: &PlacedTexture) -> OwnedOrShared {
-        if placed.texture.depends_on_place() {
-            return OwnedOrShared::Own(placed.texture.prepare(&placed.steps, &self.settings));
+    /// Prepares a texture for points in world space. One without patterns is prepared once and shared.
+    pub(crate) fn prepare(&mut self, transformed: &TransformedTexture) -> OwnedOrShared {
+        if transformed.texture.depends_on_place() {
+            return OwnedOrShared::Own(
+                transformed
+                    .texture
+                    .prepare(&transformed.steps, &self.settings),
+            );
         }
-        // The object has it and hands it down; whoever shares it makes more.
-        if Arc::strong_count(&placed.texture) <= 2 {
-            return OwnedOrShared::Own(placed.texture.prepare(&[], &self.settings));
+        // Two references, by the object and by what it hands down; more if the texture is shared.
+        if Arc::strong_count(&transformed.texture) <= 2 {
+            return OwnedOrShared::Own(transformed.texture.prepare(&[], &self.settings));
         }
-        let key = Arc::as_ptr(&placed.texture).addr();
+        let key = Arc::as_ptr(&transformed.texture).addr();
         if let Some((_, known)) = self.prepared.get(&key) {
             return OwnedOrShared::Shared(Arc::clone(known));
         }
-        let fresh = Arc::new(placed.texture.prepare(&[], &self.settings));
-        let kept = (Arc::clone(&placed.texture), Arc::clone(&fresh));
-        self.prepared.insert(key, kept);
+        let fresh = Arc::new(transformed.texture.prepare(&[], &self.settings));
+        let entry = (Arc::clone(&transformed.texture), Arc::clone(&fresh));
+        self.prepared.insert(key, entry);
         self.lately_prepared.push(key);
         OwnedOrShared::Shared(fresh)
     }
 }
 
-/// The transforms of a texture that an object has been given after its first `after` steps. Texture coordinates stay
-/// where they are: the transforms of an object that says `uv_mapping` itself do not move its texture. Those of what hands
-/// it down do (checked with POV-Ray, which tells the parts when the whole is complete).
+/// The transforms of a texture that was attached to an object after its first `after` steps. Texture coordinates do not
+/// move: the transforms of an object that says `uv_mapping` itself do not apply to its texture. Those of its ancestors
+/// do (checked with POV-Ray, which hands `uv_mapping` to the parts when the whole is complete).
 pub(crate) fn texture_steps(object: &Object, after: usize, above: &Inherited) -> Arc<[Step]> {
     if object.flags.uv_mapping {
         return Arc::default();
@@ -329,7 +335,7 @@ pub(crate) fn texture_steps(object: &Object, after: usize, above: &Inherited) ->
     joined(&object.steps[after..], &above.steps)
 }
 
-/// The switches of an object and of what hands them down to it.
+/// The switches of an object, combined with those it inherits.
 fn handed_down(object: &Object, above: &Inherited) -> ObjectFlags {
     let (own, above) = (&object.flags, &above.flags);
     ObjectFlags {
@@ -345,11 +351,11 @@ fn handed_down(object: &Object, above: &Inherited) -> ObjectFlags {
     }
 }
 
-/// Which of its switches an object obeys.
+/// The visibility switches that take effect for an object.
 fn obeyed(flags: &ObjectFlags, above: &Inherited) -> Option<ObjectFlags> {
-    let is_merged = above.place == CsgRole::Merge;
-    let is_united = is_merged || above.place == CsgRole::Union;
-    match (above.place, &above.obeyed) {
+    let is_merged = above.role == CsgRole::Merge;
+    let is_united = is_merged || above.role == CsgRole::Union;
+    match (above.role, &above.obeyed) {
         (CsgRole::Alone, _) => None,
         (CsgRole::Whole, _) | (_, None) => Some(*flags),
         (_, Some(whole)) => Some(ObjectFlags {
@@ -361,16 +367,16 @@ fn obeyed(flags: &ObjectFlags, above: &Inherited) -> Option<ObjectFlags> {
     }
 }
 
-/// With more steps above than this they are made one, so that objects in objects in objects do not each keep the steps
-/// of all around them. No scene written by hand comes near.
-const KEPT_STEPS: usize = 250;
+/// Longer lists of inherited steps are combined into one matrix, so that deeply nested objects do not each store the
+/// steps of all ancestors. No hand-written scene comes near.
+const MOST_STEPS: usize = 250;
 
-/// The steps of an object, then those of everything above it.
+/// The steps of an object, then those of its ancestors.
 pub(crate) fn joined(own: &[Step], above: &Arc<[Step]>) -> Arc<[Step]> {
     if own.is_empty() {
         return Arc::clone(above);
     }
-    if above.len() > KEPT_STEPS {
+    if above.len() > MOST_STEPS {
         let one = Step::General(Arc::new(Transform::from_steps(above)));
         return own.iter().cloned().chain([one]).collect();
     }

@@ -1,10 +1,10 @@
-//! Unions that a scene shows again and again: prepared once, and placed by a matrix for each copy.
+//! Instancing: unions that a scene repeats are prepared once, and placed by a matrix for each copy.
 //!
-//! What is placed goes through one matrix more than what stands in the world itself, so that surfaces which coincide by
-//! the numbers of the file may come apart by a rounding. That is why small numbers of copies are taken apart as ever.
+//! A copy has one more matrix than an object in the world itself, so surfaces that coincide by the numbers in the file
+//! may differ by a rounding. That is why small numbers of copies are split up as usual.
 //!
-//! Copies may look different. A model notes which looks its parts have of their own, as *slots*; each copy has a run of
-//! surfaces, one for each slot, and the leaves of the model say which of the run is theirs.
+//! Copies may have different materials. A model records the materials of its parts as *slots*; each copy has a run of
+//! surfaces, one per slot, and the leaves of the model say which slot they use.
 
 use super::flatten::{Lowering, index};
 use super::inherit::{CsgRole, Inherited, joined};
@@ -19,27 +19,27 @@ use glam::{DAffine3, DVec3};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// A union is prepared once if its copies would come to so many primitives.
+/// Number of primitives in all copies from which a union is shared.
 const SHARED_FROM: u64 = 10_000;
 
-/// Boxes by which the bounds of a copy are found; more would be more exact.
+/// Number of pieces that bound a copy; more would be tighter.
 const HULL: usize = 32;
 
-/// Looks that a part of a model has of its own.
+/// Material of a part of a shared model.
 #[derive(Clone, Debug)]
 pub(crate) enum MaterialSlot {
-    /// Those of the copy.
+    /// The attributes of the copy.
     Whole,
     /// Those of another slot.
     Same(u32),
-    /// What an object adds to those of the slot `above`; it stands in objects that are moved by `steps`.
+    /// The attributes of an object, on top of those of the slot `above`; `steps` are the transforms of its ancestors.
     Object {
         above: u32,
         object: Arc<Object>,
         steps: Arc<[Step]>,
-        place: CsgRole,
+        role: CsgRole,
     },
-    /// The textures that a shape moved by `steps` has for its pieces, on that of the slot `above`.
+    /// The face textures of a shape with the transforms `steps`, on top of the slot `above`.
     Skins {
         above: u32,
         skins: Arc<[FaceTexture]>,
@@ -47,42 +47,42 @@ pub(crate) enum MaterialSlot {
     },
 }
 
-/// The slots of the model being made.
+/// The material slots of the model that is being built.
 #[derive(Debug)]
 pub(crate) struct SlotTable {
     list: Vec<MaterialSlot>,
-    /// Where models of the same looks stand already, by the address of the model and the slot around it.
-    placed: FxHashMap<(usize, u32), u32>,
+    /// First slot of each nested model, by the address of the model and the slot around it.
+    nested_slots: FxHashMap<(usize, u32), u32>,
 }
 
-/// What the copies of a union share.
+/// A model shared by the copies of a union.
 #[derive(Debug)]
 pub(crate) struct SharedModel {
-    /// Keeps the address taken by which this is found.
+    /// Keeps the address in use that serves as the key.
     _children: Children,
     model: Arc<Model>,
     slots: Vec<MaterialSlot>,
     hull: Vec<Piece>,
-    /// Whether copies with the same looks around them look the same.
-    looks_alike: bool,
-    /// The copy before.
+    /// True if copies with the same inherited attributes have the same surfaces.
+    is_reusable: bool,
+    /// The surfaces of the last copy.
     last: Option<CopyMaterial>,
 }
 
-/// How a copy looks.
+/// The surfaces of a copy.
 #[derive(Debug)]
 struct CopyMaterial {
     root: Inherited,
-    /// The first of its surfaces.
+    /// Index of the first surface.
     first: u32,
-    /// Whether all of them are opaque: no ray goes in, and no interior matters.
+    /// True if all of them are opaque: then no ray enters, and interiors do not matter.
     is_opaque: bool,
 }
 
-/// A part of space that holds a part of a model.
+/// A bounding volume of some parts of a model.
 #[derive(Clone, Copy, Debug)]
 enum Piece {
-    Ball { middle: DVec3, radius: f64 },
+    Sphere { middle: DVec3, radius: f64 },
     Box(Bounds),
 }
 
@@ -90,7 +90,7 @@ impl SlotTable {
     fn new() -> Self {
         SlotTable {
             list: vec![MaterialSlot::Whole],
-            placed: FxHashMap::default(),
+            nested_slots: FxHashMap::default(),
         }
     }
 
@@ -99,10 +99,10 @@ impl SlotTable {
         index(self.list.len() - 1)
     }
 
-    /// The looks of an object in those of `above`.
+    /// The slot of an object below `above`.
     pub(crate) fn object(&mut self, object: &Object, above: &Inherited) -> u32 {
-        // What it is handed down may count for it alone.
-        let is_in_sum = matches!(above.place, CsgRole::Union | CsgRole::Merge);
+        // Inherited visibility switches may take effect for it alone.
+        let is_in_sum = matches!(above.role, CsgRole::Union | CsgRole::Merge);
         let is_hidden_there = is_in_sum && (above.flags.no_image || above.flags.no_reflection);
         if object.says_no_looks() && !is_hidden_there {
             return above.slot;
@@ -111,30 +111,30 @@ impl SlotTable {
             above: above.slot,
             object: Arc::new(object.clone()),
             steps: Arc::clone(&above.steps),
-            place: above.place,
+            role: above.role,
         })
     }
 
-    /// The looks of a shape.
-    pub(crate) fn shape(&mut self, looks: &Inherited, skins: &[FaceTexture]) -> u32 {
+    /// The slot of a shape.
+    pub(crate) fn shape(&mut self, attributes: &Inherited, skins: &[FaceTexture]) -> u32 {
         if skins.is_empty() {
-            return looks.slot;
+            return attributes.slot;
         }
         self.push(MaterialSlot::Skins {
-            above: looks.slot,
+            above: attributes.slot,
             skins: skins.into(),
-            steps: Arc::clone(&looks.steps),
+            steps: Arc::clone(&attributes.steps),
         })
     }
 
-    /// The looks of a model in a model.
+    /// The first slot of a nested model.
     fn nested(&mut self, shared: &SharedModel, root: &Inherited) -> u32 {
         if shared.slots.len() == 1 {
             return root.slot;
         }
         let key = (Arc::as_ptr(&shared.model).addr(), root.slot);
-        if shared.looks_alike
-            && let Some(&first) = self.placed.get(&key)
+        if shared.is_reusable
+            && let Some(&first) = self.nested_slots.get(&key)
         {
             return first;
         }
@@ -147,12 +147,12 @@ impl SlotTable {
                     above,
                     object,
                     steps,
-                    place,
+                    role,
                 } => MaterialSlot::Object {
                     above: first + above,
                     object: Arc::clone(object),
                     steps: joined(steps, &root.steps),
-                    place: *place,
+                    role: *role,
                 },
                 MaterialSlot::Skins {
                     above,
@@ -165,14 +165,14 @@ impl SlotTable {
                 },
             });
         }
-        self.placed.insert(key, first);
+        self.nested_slots.insert(key, first);
         first
     }
 }
 
 impl MaterialSlot {
-    /// Whether it is the same for all copies with the same looks.
-    fn looks_alike(&self) -> bool {
+    /// Returns true if it gives the same surface for all copies with the same inherited attributes.
+    fn is_reusable(&self) -> bool {
         let is_fixed = |texture: &Texture| {
             let mut layers = texture.layers().iter();
             !texture.depends_on_place()
@@ -195,7 +195,7 @@ impl MaterialSlot {
 }
 
 impl Lowering {
-    /// Takes in a copy of a union that others are copies of too, if it is worth while; says whether it did.
+    /// Adds a copy of a repeated union as an instance, if that pays off; returns true if it did.
     pub(crate) fn add_copy(&mut self, object: &Object, below: &Inherited) -> bool {
         let Some(children) = object.shared_parts() else {
             return false;
@@ -203,7 +203,8 @@ impl Lowering {
         let keeps_uv = self.keeps_uv || object.uses_uv() || below.uses_uv();
         let key = (Arc::as_ptr(children).addr(), keeps_uv);
         let Some(mut shared) = self.shared.remove(&key).or_else(|| {
-            // Counted once: when copies that have been taken in are gone is up to another thread.
+            // Counted once: the number of references depends on how fast another thread drops copies that are already
+            // lowered.
             let copies = *self
                 .copies
                 .entry(key.0)
@@ -217,7 +218,7 @@ impl Lowering {
         let bounds = shared
             .hull
             .iter()
-            .map(|piece| piece.placed(&transform.world_from_object))
+            .map(|piece| piece.transformed_bounds(&transform.world_from_object))
             .fold(Bounds::EMPTY, |sum, bounds| sum.union(&bounds));
         if !bounds.is_empty() {
             let surface = match &mut self.slots {
@@ -237,12 +238,12 @@ impl Lowering {
         true
     }
 
-    /// Prepares what copies share, with shapes that know their texture coordinates if they may be asked for.
+    /// Prepares the shared model; with `keeps_uv` its shapes retain their texture coordinates.
     fn share(&mut self, children: &Children, keeps_uv: bool) -> SharedModel {
         let keeps_uv_around = std::mem::replace(&mut self.keeps_uv, keeps_uv);
         let around = std::mem::take(&mut self.parts);
         let slots_around = self.slots.replace(SlotTable::new());
-        // The copies are in different places.
+        // The copies have different transforms.
         let nothing = Inherited {
             is_moved: true,
             ..Inherited::default()
@@ -259,46 +260,46 @@ impl Lowering {
         SharedModel {
             _children: Arc::clone(children),
             model: Arc::new(model),
-            looks_alike: slots.iter().all(MaterialSlot::looks_alike),
+            is_reusable: slots.iter().all(MaterialSlot::is_reusable),
             slots,
             hull,
             last: None,
         }
     }
 
-    /// The first of a run of surfaces, one for each slot, for a copy that looks like `root`.
+    /// The first surface of a run, one surface per slot, for a copy with the attributes `root`.
     fn surfaces_of(&mut self, shared: &mut SharedModel, root: &Inherited) -> u32 {
         if shared.slots.len() == 1 {
             let surface = self.new_surface(root, &[]);
             return self.number_of(surface);
         }
         if let Some(last) = &shared.last
-            && shared.looks_alike
-            && last.root.looks_as(root, last.is_opaque)
+            && shared.is_reusable
+            && last.root.is_same_material(root, last.is_opaque)
         {
             return last.first;
         }
         let first = index(self.surfaces.len());
-        let mut looks: Vec<Inherited> = Vec::with_capacity(shared.slots.len());
+        let mut attributes: Vec<Inherited> = Vec::with_capacity(shared.slots.len());
         for slot in &shared.slots {
             let moved = |above: u32, steps: &Arc<[Step]>| Inherited {
                 steps: joined(steps, &root.steps),
-                ..looks[above as usize].clone()
+                ..attributes[above as usize].clone()
             };
             let (own, skins) = match slot {
                 MaterialSlot::Whole => (root.clone(), &[][..]),
-                MaterialSlot::Same(of) => (looks[*of as usize].clone(), &[][..]),
+                MaterialSlot::Same(of) => (attributes[*of as usize].clone(), &[][..]),
                 MaterialSlot::Object {
                     above,
                     object,
                     steps,
-                    place,
+                    role,
                 } => {
                     let around = Inherited {
-                        place: *place,
+                        role: *role,
                         ..moved(*above, steps)
                     };
-                    (self.heritage(object, &around), &[][..])
+                    (self.inherit(object, &around), &[][..])
                 }
                 MaterialSlot::Skins {
                     above,
@@ -308,7 +309,7 @@ impl Lowering {
             };
             let surface = self.new_surface(&own, skins);
             self.surfaces.push(surface);
-            looks.push(own);
+            attributes.push(own);
         }
         shared.last = Some(CopyMaterial {
             root: root.clone(),
@@ -321,18 +322,18 @@ impl Lowering {
     }
 }
 
-/// What holds the parts of a model: one piece for each, if they are few.
+/// Bounding pieces of a model: one per item if there are only a few.
 fn hull(parts: &ModelBuilder) -> Vec<Piece> {
-    let ball = |item: &PendingItem| match item {
-        PendingItem::Leaf(leaf) => parts.leaves[*leaf as usize].ball(),
-        PendingItem::Ball(ball) => {
-            let ball = parts.balls.ball(*ball);
-            Some((ball.centre, ball.radius))
+    let sphere = |item: &PendingItem| match item {
+        PendingItem::Leaf(leaf) => parts.leaves[*leaf as usize].sphere(),
+        PendingItem::Sphere(sphere) => {
+            let sphere = parts.spheres.sphere(*sphere);
+            Some((sphere.centre, sphere.radius))
         }
         PendingItem::Program(_) | PendingItem::Instance(_) => None,
     };
-    let piece = |(item, bounds): (&PendingItem, &Bounds)| match ball(item) {
-        Some((middle, radius)) => Piece::Ball { middle, radius },
+    let piece = |(item, bounds): (&PendingItem, &Bounds)| match sphere(item) {
+        Some((middle, radius)) => Piece::Sphere { middle, radius },
         None => Piece::Box(*bounds),
     };
     if parts.items.len() <= HULL {
@@ -349,18 +350,22 @@ fn hull(parts: &ModelBuilder) -> Vec<Piece> {
 }
 
 impl Piece {
-    /// The bounds of the piece where a matrix puts it.
-    fn placed(&self, to_from: &DAffine3) -> Bounds {
+    /// The bounds of the transformed piece.
+    fn transformed_bounds(&self, to_from: &DAffine3) -> Bounds {
         match self {
             Piece::Box(bounds) => bounds.transformed(to_from),
-            Piece::Ball { middle, radius } => {
+            Piece::Sphere { middle, radius } => {
                 let middle = to_from.transform_point3(*middle);
                 let rows = to_from.matrix3.transpose();
-                let reach = |row: DVec3| radius * row.length();
-                let reach = DVec3::new(reach(rows.x_axis), reach(rows.y_axis), reach(rows.z_axis));
+                let extent = |row: DVec3| radius * row.length();
+                let extent = DVec3::new(
+                    extent(rows.x_axis),
+                    extent(rows.y_axis),
+                    extent(rows.z_axis),
+                );
                 Bounds {
-                    min: middle - reach,
-                    max: middle + reach,
+                    min: middle - extent,
+                    max: middle + extent,
                 }
             }
         }

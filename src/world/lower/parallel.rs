@@ -1,5 +1,4 @@
-//! Shapes of one colour that follow each other at the top level of a scene: taken in by all threads, for there may be
-//! millions of them.
+//! Parallel lowering of runs of top-level shapes of one colour, of which there may be millions.
 
 use super::flatten::{Lowering, index};
 use crate::base::color::Color;
@@ -19,149 +18,158 @@ use std::mem::take;
 use std::ptr;
 use std::sync::Arc;
 
-/// Fewer objects are not worth asking other threads.
-const FEW: usize = 64;
+/// Fewest objects worth parallel lowering.
+const MIN_PARALLEL: usize = 64;
 
-/// So many leave much room when they are let go.
+/// Number of freed objects from which trimming the heap pays off.
 const LARGE: usize = 4096;
 
-/// Shapes of one colour: in pieces, of which all but the last are of one size.
+/// Shapes of one colour each, in chunks that have the same size except for the last.
 #[derive(Debug)]
 pub(crate) struct PlainShapes {
     pieces: Vec<Vec<Entry>>,
-    /// The size is two to this; a piece by itself may have less.
+    /// Logarithm (base 2) of the chunk size; a single chunk may be smaller.
     log_size: u32,
 }
 
-/// The surfaces of what looks alike but for its colour, of which one thread makes many. Each thread keeps the finish of its
-/// own: threads that count who has it would wait for each other.
+/// Per-thread template for surfaces that differ only in colour. Each thread has its own copy of the finish, since
+/// contention on a shared reference count would serialise the threads.
 #[derive(Default)]
 pub(crate) struct SurfaceTemplate {
-    /// Where the finish was seen last.
+    /// Address of the last finish seen.
     seen: usize,
     finish: Arc<Finish>,
-    /// What has this finish: in a colour that lets no light through, and in one that does.
+    /// Surfaces with this finish: in an opaque colour, and in a transmissive one.
     known: [Option<Surface>; 2],
 }
 
 impl Lowering {
-    /// Takes in all objects of the scene's top level; `let_go` gets those that are needed no more, one by one.
-    pub(crate) fn lower_all(&mut self, objects: Objects, let_go: &mut dyn FnMut(Arc<Object>)) {
+    /// Lowers all top-level objects; passes each to `drop_object` when it is no longer needed.
+    pub(crate) fn lower_all(&mut self, objects: Objects, drop_object: &mut dyn FnMut(Arc<Object>)) {
         let (pieces, size) = objects.into_pieces();
-        let suits = |piece: &Vec<Entry>| piece.iter().all(|entry| self.suits_row(entry));
+        let suits = |piece: &Vec<Entry>| piece.iter().all(|entry| self.is_plain_entry(entry));
         let suited: Vec<bool> = pieces.par_iter().map(suits).collect();
         let mut pieces = pieces.into_iter().zip(suited).peekable();
         while let Some((piece, is_suited)) = pieces.next() {
             if is_suited {
-                let mut row = vec![piece];
+                let mut shapes = vec![piece];
                 while let Some((piece, _)) = pieces.next_if(|(_, is_suited)| *is_suited) {
-                    row.push(piece);
+                    shapes.push(piece);
                 }
-                self.take_row(PlainShapes::new(row, size));
+                self.add_plain_shapes(PlainShapes::new(shapes, size));
                 continue;
             }
             let mut run = Vec::new();
             for entry in piece {
-                if self.suits_row(&entry) {
+                if self.is_plain_entry(&entry) {
                     run.push(entry);
                 } else {
-                    self.take_run(take(&mut run), let_go);
-                    self.take_one(entry, let_go);
+                    self.add_run(take(&mut run), drop_object);
+                    self.add_one(entry, drop_object);
                 }
             }
-            self.take_run(run, let_go);
+            self.add_run(run, drop_object);
         }
     }
 
-    fn take_one(&mut self, entry: Entry, let_go: &mut dyn FnMut(Arc<Object>)) {
+    fn add_one(&mut self, entry: Entry, drop_object: &mut dyn FnMut(Arc<Object>)) {
         if let Some(object) = self.take(entry.taken()) {
-            let_go(object);
+            drop_object(object);
         }
     }
 
-    /// Takes in any number of objects that suit.
-    fn take_run(&mut self, run: Vec<Entry>, let_go: &mut dyn FnMut(Arc<Object>)) {
-        if run.len() < FEW {
+    /// Lowers plain entries: in parallel, if there are enough.
+    fn add_run(&mut self, run: Vec<Entry>, drop_object: &mut dyn FnMut(Arc<Object>)) {
+        if run.len() < MIN_PARALLEL {
             run.into_iter()
-                .for_each(|entry| self.take_one(entry, let_go));
+                .for_each(|entry| self.add_one(entry, drop_object));
         } else {
             let size = run.len();
-            self.take_row(PlainShapes::new(vec![run], size));
+            self.add_plain_shapes(PlainShapes::new(vec![run], size));
         }
     }
 
-    /// Whether an object takes nothing but a place in the lists. Photons have to know where things stand.
-    fn suits_row(&self, entry: &Entry) -> bool {
+    /// Returns true if lowering an object only appends to the lists. Photons need the positions of objects.
+    fn is_plain_entry(&self, entry: &Entry) -> bool {
         let is_plain = |Colored { shape, finish, .. }: Colored<'_>| {
             shape.skins().is_empty() && !finish.has_interior() && !shape.bounds().is_empty()
         };
         self.targets.is_none() && entry.colored().is_some_and(is_plain)
     }
 
-    fn take_row(&mut self, row: PlainShapes) {
+    fn add_plain_shapes(&mut self, shapes: PlainShapes) {
         self.last_surface = None;
-        let interior = self.interiors.unnamed_ones(index(row.len()));
-        if row.is_of_balls() {
-            self.take_balls(row, interior);
+        let interior = self.interiors.unnamed_ones(index(shapes.len()));
+        if shapes.has_only_spheres() {
+            self.add_spheres(shapes, interior);
         } else {
-            self.take_shapes(&row, interior);
-            let is_large = row.len() >= LARGE;
-            row.forget();
+            self.add_shapes(&shapes, interior);
+            let is_large = shapes.len() >= LARGE;
+            shapes.free();
             if is_large {
                 memory::trim_heap();
             }
         }
     }
 
-    /// Takes in the balls of a row; their interiors begin at `interior`.
-    fn take_balls(&mut self, row: PlainShapes, interior: InteriorId) {
-        let count = index(row.len());
+    /// Adds the shapes, all spheres, as deferred spheres; their interiors start at `interior`.
+    fn add_spheres(&mut self, shapes: PlainShapes, interior: InteriorId) {
+        let count = index(shapes.len());
         let parts = &mut self.parts;
-        let places = (0..row.len()).into_par_iter();
-        let bounds = |at| row.ball(at).map_or(Bounds::EMPTY, |ball| ball.bounds());
-        parts.bounds.par_extend(places.map(bounds));
-        let first = parts.balls.add(row, count, interior);
-        let balls = (first..first + count).into_par_iter();
-        parts.items.par_extend(balls.map(PendingItem::Ball));
+        let indices = (0..shapes.len()).into_par_iter();
+        let bounds = |at| {
+            shapes
+                .sphere(at)
+                .map_or(Bounds::EMPTY, |sphere| sphere.bounds())
+        };
+        parts.bounds.par_extend(indices.map(bounds));
+        let first = parts.spheres.add(shapes, count, interior);
+        let spheres = (first..first + count).into_par_iter();
+        parts.items.par_extend(spheres.map(PendingItem::Sphere));
     }
 
-    /// Takes in the shapes of a row as leaves; their interiors begin at `interior`.
-    fn take_shapes(&mut self, row: &PlainShapes, interior: InteriorId) {
+    /// Adds the shapes as leaves; their interiors start at `interior`.
+    fn add_shapes(&mut self, shapes: &PlainShapes, interior: InteriorId) {
         let surface = index(self.surfaces.len());
-        self.take_looks(row, interior);
-        let count = row.len();
+        self.add_surfaces(shapes, interior);
+        let count = shapes.len();
         let numbers = |first: u32| first..first + index(count);
         let parts = &mut self.parts;
         let (leaves, surfaces) = (numbers(index(parts.leaves.len())), numbers(surface));
-        let places = (0..count).into_par_iter();
+        let indices = (0..count).into_par_iter();
         let leaf = |(at, surface)| {
-            let Colored { shape, steps, .. } = row.object(at);
-            let place = (steps, Absorb::AllItCan);
-            Leaf::new(shape.into_owned(), place, surface, Extent::Surface)
+            let Colored { shape, steps, .. } = shapes.object(at);
+            Leaf::new(
+                shape.into_owned(),
+                steps,
+                Absorb::AllItCan,
+                surface,
+                Extent::Surface,
+            )
         };
         let mut lists = (take(&mut parts.leaves), take(&mut parts.bounds));
-        lists.par_extend(places.zip(surfaces).map(leaf));
+        lists.par_extend(indices.zip(surfaces).map(leaf));
         (parts.leaves, parts.bounds) = lists;
         parts
             .items
             .par_extend(leaves.into_par_iter().map(PendingItem::Leaf));
     }
 
-    /// Takes in how the shapes of a row look.
-    fn take_looks(&mut self, row: &PlainShapes, InteriorId(first): InteriorId) {
-        let count = row.len();
-        let surface = |alike: &mut SurfaceTemplate, (at, interior)| {
-            alike.surface_at(row, at, InteriorId(interior))
+    /// Adds the surfaces of the shapes.
+    fn add_surfaces(&mut self, shapes: &PlainShapes, InteriorId(first): InteriorId) {
+        let count = shapes.len();
+        let surface = |template: &mut SurfaceTemplate, (at, interior)| {
+            template.surface_at(shapes, at, InteriorId(interior))
         };
-        let places = (0..count).into_par_iter();
-        let looks = places.zip(first..first + index(count));
-        let looks = looks.map_init(SurfaceTemplate::default, surface);
-        self.surfaces.par_extend(looks);
+        let indices = (0..count).into_par_iter();
+        let surfaces = indices.zip(first..first + index(count));
+        let surfaces = surfaces.map_init(SurfaceTemplate::default, surface);
+        self.surfaces.par_extend(surfaces);
     }
 }
 
 impl PlainShapes {
-    /// Pieces of a size that is a power of two, unless there is but one.
+    /// Takes chunks whose size is a power of two, or a single chunk.
     fn new(pieces: Vec<Vec<Entry>>, size: usize) -> Self {
         debug_assert!(pieces.len() == 1 || size.is_power_of_two());
         PlainShapes {
@@ -179,55 +187,55 @@ impl PlainShapes {
         &self.pieces[piece][at - (piece << self.log_size)]
     }
 
-    /// The object at a place.
+    /// The object at an index.
     fn object(&self, at: usize) -> Colored<'_> {
         let colored = self.entry(at).colored();
         colored.expect("it was found to be of one colour")
     }
 
-    /// The object at a place, if it is a ball.
-    pub(crate) fn ball(&self, at: usize) -> Option<Sphere> {
+    /// The object at an index, if it is a sphere.
+    pub(crate) fn sphere(&self, at: usize) -> Option<Sphere> {
         self.entry(at).ball()
     }
 
-    /// Says that the object at a place will be asked for soon.
+    /// Prefetches the object at an index.
     #[inline]
     pub(crate) fn expect(&self, at: usize) {
         prefetch(self.entry(at));
     }
 
-    fn is_of_balls(&self) -> bool {
-        let is_ball = |entry: &Entry| entry.ball().is_some();
+    fn has_only_spheres(&self) -> bool {
+        let is_sphere = |entry: &Entry| entry.ball().is_some();
         let pieces = self.pieces.par_iter();
-        pieces.all(|piece| piece.iter().all(is_ball))
+        pieces.all(|piece| piece.iter().all(is_sphere))
     }
 
-    /// Lets go of them.
-    pub(crate) fn forget(self) {
+    /// Frees them in parallel.
+    pub(crate) fn free(self) {
         self.pieces.into_par_iter().for_each(drop);
     }
 }
 
 impl SurfaceTemplate {
-    /// The surface of the object at a place of a row.
+    /// The surface of the shape at an index.
     #[inline]
     pub(crate) fn surface_at(
         &mut self,
-        row: &PlainShapes,
+        shapes: &PlainShapes,
         at: usize,
         interior: InteriorId,
     ) -> Surface {
-        let looks = row.entry(at).looks();
-        let (color, finish) = looks.expect("it was found to be of one colour");
+        let attributes = shapes.entry(at).looks();
+        let (color, finish) = attributes.expect("it was found to be of one colour");
         self.surface(color, finish, interior)
     }
 
-    /// The surface of this colour and finish.
+    /// The surface with this colour and finish.
     #[inline]
     fn surface(&mut self, color: Color, finish: &Arc<Finish>, interior: InteriorId) -> Surface {
-        let place = ptr::from_ref(&**finish).addr();
-        if self.seen != place {
-            self.seen = place;
+        let address = ptr::from_ref(&**finish).addr();
+        if self.seen != address {
+            self.seen = address;
             if *self.finish != **finish {
                 self.finish = Arc::new((**finish).clone());
                 self.known = [None, None];
@@ -236,13 +244,13 @@ impl SurfaceTemplate {
         let known = &mut self.known[usize::from(color.is_transparent())];
         let like = known.get_or_insert_with(|| {
             let texture = PreparedTexture::colored(color, Arc::clone(&self.finish));
-            let lit = (LightList::default(), ObjectFlags::default());
             Surface::new(
                 OwnedOrShared::Own(texture),
                 None,
                 Box::default(),
                 interior,
-                lit,
+                LightList::default(),
+                ObjectFlags::default(),
             )
         });
         let surface = like.in_color(color, interior);
@@ -263,36 +271,36 @@ mod tests {
     }
 
     #[test]
-    fn balls_in_rows_keep_their_looks_wherever_the_tree_puts_them() {
+    fn deferred_spheres_keep_their_surfaces_in_any_tree_order() {
         let mut text = String::from(
             "#version 3.7; global_settings { assumed_gamma 1 } light_source { 9, 1 } plane { y, -50 pigment { rgb 1 } }\n",
         );
         for at in 0..5000 {
             let (x, z) = (at * 37 % 101, at / 101);
             let red = f64::from(x) / 128.0;
-            let ball = format!("sphere {{ <{x}, 0, {z}>, 0.25 pigment {{ rgb <{red}, 0, 0>");
+            let object = format!("sphere {{ <{x}, 0, {z}>, 0.25 pigment {{ rgb <{red}, 0, 0>");
             let more = match at {
                 2000 => "} } box { <-9, -9, -9>, <-8, -8, -8> pigment { rgb 1",
                 _ if at % 3 == 0 => " transmit 0.5",
                 _ => "",
             };
-            writeln!(text, "{ball}{more} }} }}").unwrap();
+            writeln!(text, "{object}{more} }} }}").unwrap();
         }
         let mut sources = Sources::new(Vec::new());
         let file = sources.add_text("test.pov", &text);
         let reading = evaluate(file, &mut sources, &ReadOptions::default());
         let world = crate::world::compile(reading.scene.unwrap(), &RenderOptions::default());
-        let mut balls = 0;
+        let mut spheres = 0;
         for leaf in world.leaves() {
-            let Some((centre, _)) = leaf.ball() else {
+            let Some((centre, _)) = leaf.sphere() else {
                 continue;
             };
-            balls += 1;
+            spheres += 1;
             let surface = &world.surfaces[leaf.surface as usize];
             let (color, _) = surface.texture.plain().unwrap();
             assert_eq!(f64::from(color.rgb.r), centre.x / 128.0);
             assert_eq!(surface.is_opaque(), !color.is_transparent());
         }
-        assert_eq!(balls, 5000);
+        assert_eq!(spheres, 5000);
     }
 }

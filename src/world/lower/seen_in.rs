@@ -1,4 +1,4 @@
-//! Boxes within which objects are seen (see `scene::seen_in`), as bounds of combinations that show more.
+//! Boxes outside which objects are invisible (see `scene::seen_in`), as bounds of CSG programs that would show more.
 
 use super::flatten::{Lowering, index};
 use super::inherit::Inherited;
@@ -9,10 +9,10 @@ use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Ope
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use smallvec::smallvec;
 
-/// By how much of its size a box may be smaller than what it holds: boxes are kept in single precision.
+/// Relative amount by which a box may be smaller than its contents: boxes are stored in single precision.
 const SLACK: f64 = 1e-6;
 
-/// The box in the world within which an object is seen.
+/// The world-space box outside which an object is invisible.
 pub(crate) fn seen_in(object: &Object, above: &Inherited) -> Option<Bounds> {
     let seen_in = object.seen_in()?;
     if above.is_moved && matches!(object.kind, Kind::Shape(_)) {
@@ -27,7 +27,7 @@ pub(crate) fn seen_in(object: &Object, above: &Inherited) -> Option<Bounds> {
     Some(seen_in.what.transformed(&to_world))
 }
 
-/// Tells whether a box holds what is shown, but for the roundings of boxes.
+/// Returns true if a box contains everything shown, up to the rounding of boxes.
 pub(crate) fn holds(seen_in: &Bounds, shown: &Bounds) -> bool {
     let slack = SLACK * seen_in.min.abs().max(seen_in.max.abs()).max_element();
     let is_held = shown.min.cmpge(seen_in.min - slack) & shown.max.cmple(seen_in.max + slack);
@@ -35,9 +35,9 @@ pub(crate) fn holds(seen_in: &Bounds, shown: &Bounds) -> bool {
 }
 
 impl Lowering {
-    /// What shows a combination to those rays alone that meet a box.
+    /// A gate that shows a program only to the rays that hit a box.
     pub(crate) fn gate(&mut self, program: &CsgProgram, seen_in: Bounds) -> BoundGate {
-        // No ray meets a box of which one side is negative, nor a ball of no size.
+        // No ray hits a box with a negative side, or a sphere of radius zero.
         let shape = if seen_in.is_empty() {
             Shape::Sphere(Sphere {
                 centre: seen_in.min,
@@ -50,8 +50,7 @@ impl Lowering {
         let surface = leaves
             .get(program.first as usize)
             .map_or(0, |leaf| leaf.surface);
-        let nowhere: (&[Step], Absorb) = (&[], Absorb::AllItCan);
-        let (leaf, bounds) = Leaf::new(shape, nowhere, surface, Extent::Solid);
+        let (leaf, bounds) = Leaf::new(shape, &[], Absorb::AllItCan, surface, Extent::Solid);
         let mut bound = CsgProgram {
             nodes: smallvec![Node {
                 combine: Combine::Union,

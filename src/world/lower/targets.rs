@@ -1,31 +1,31 @@
-//! What photons are sent to: objects that say `target`, each with its box.
+//! Photon targets: objects that say `target`, each with its bounding box.
 
 use super::inherit::Inherited;
 use crate::render::photons::PhotonTarget;
 use crate::scene::Object;
 use crate::scene::light::PhotonRole;
 
-/// The targets of a scene, in its order.
+/// The targets of a scene, in file order.
 #[derive(Debug, Default)]
 pub(crate) struct Targets(Vec<PhotonTarget>);
 
 impl Targets {
-    /// How many there are.
+    /// Number of targets.
     pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Forgets all but the first of this number.
+    /// Removes all but the first `len` targets.
     pub(crate) fn truncate(&mut self, len: usize) {
         self.0.truncate(len);
     }
 
-    /// All of them.
+    /// All targets.
     pub(crate) fn into_list(self) -> Vec<PhotonTarget> {
         self.0
     }
 
-    /// What an object does with photons. A part of a target is no target of its own.
+    /// The photon settings of an object. A part of a target is not a target of its own.
     pub(crate) fn role(&mut self, object: &Object, above: &Inherited) -> PhotonRole {
         let Some(own) = object.photons() else {
             return above.flags.photons;
@@ -34,11 +34,11 @@ impl Targets {
         let density = own.target.filter(|_| role.target.is_none());
         let is_lit = above.global_lights != Some(false);
         if let Some(density) = density.filter(|_| is_lit) {
-            let mut placed = object.clone();
-            placed.steps.extend_from_slice(&above.steps);
+            let mut transformed = object.clone();
+            transformed.steps.extend_from_slice(&above.steps);
             role.target = u32::try_from(self.0.len()).ok();
             self.0.push(PhotonTarget {
-                around: placed.stored_box(),
+                around: transformed.stored_box(),
                 density: f64::from(single(density)),
                 role,
             });
@@ -47,7 +47,7 @@ impl Targets {
     }
 }
 
-/// POV-Ray keeps the factor on spacings in single precision.
+/// POV-Ray stores the factor on spacings in single precision.
 #[allow(clippy::cast_possible_truncation, reason = "it is asked for")]
 fn single(density: f64) -> f32 {
     density as f32

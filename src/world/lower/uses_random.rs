@@ -1,14 +1,14 @@
-//! What of a scene hangs on random numbers.
+//! Dependence of the image on random numbers.
 //!
-//! POV-Ray's threads each take such numbers from one row as long as they draw, so that what a pixel gets hangs on all that
-//! was drawn before. Its pictures by one thread are the same every time. Scenes in which that matters are drawn here in
-//! that order too, by one thread, whatever their number.
+//! Each thread of POV-Ray takes its random numbers from one sequence for the whole picture, so that a pixel depends on
+//! all earlier draws. With one thread its pictures are reproducible. Scenes in which that matters are rendered here in
+//! the same order, by one thread, whatever the thread count.
 
 use crate::scene::interior::{PreparedMedia, Sampling};
 use crate::world::World;
 
 impl World {
-    /// Whether random numbers can be seen in the picture: in lamps, grain, rainbows or media.
+    /// Returns true if random numbers affect the picture: in lights, grain, rainbows or media.
     #[must_use]
     pub fn uses_random(&self) -> bool {
         let mut lights = self.lights.iter();
@@ -18,13 +18,13 @@ impl World {
                 .media
                 .iter()
                 .chain(self.interiors.all_media())
-                .any(takes_chances)
-            || self.overview.is_grainy
+                .any(is_sampled_randomly)
+            || self.summary.is_grainy
     }
 }
 
-/// Whether samples of a medium lie at random places, or their number does.
-fn takes_chances(media: &PreparedMedia) -> bool {
+/// Returns true if the positions or the number of a medium's samples are random.
+fn is_sampled_randomly(media: &PreparedMedia) -> bool {
     let Sampling {
         method,
         jitter,

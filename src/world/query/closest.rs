@@ -1,6 +1,7 @@
-//! The nearest surface on a ray, and what is known of the place where it is met.
+//! Closest-hit queries: the nearest visible surface on a ray, the rules for ties, and error bounds at the ray's origin.
 
 use super::intersect::{HitPolicy, IndexBase, Search};
+use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
 use super::{ClosestHit, Hit, Query, RayKind, Scratch, SpawnSurface};
@@ -13,20 +14,20 @@ use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 
-/// How far along a ray, as a share of the coordinates' size, a surface may be met on which the ray starts but for
-/// rounding: 4096 roundings of a double.
+/// Distance along a ray, relative to the size of the coordinates, within which rounding can make the ray hit the
+/// surface it starts on: 4096 roundings of a double.
 pub(in crate::world) const BLUR: f64 = 1.0 / (1u64 << 40) as f64;
-/// How far across itself such a surface may be off the start of the ray, as a share of [`BLUR`]: 256 roundings of the
-/// coordinates, which covers a chain of transforms.
+/// Distance across such a surface, relative to [`BLUR`], within which a hit counts as one on the surface that the ray
+/// starts on: 256 roundings of the coordinates, which covers a chain of transforms.
 pub(in crate::world) const SKIN: f64 = 1.0 / 16.0;
-/// POV-Ray's least distances, in units of the scene: for shadows and for all other rays.
+/// POV-Ray's minimum hit distances, in scene units: for shadow rays and for all other rays.
 pub(in crate::world) const POV_RAY_SHADOW: f64 = 1e-3;
 const POV_RAY_LEAST: f64 = 1e-4;
 
 /// Least cosine between the directions of coherent rays.
 const COHERENT: f64 = 0.98;
 
-/// Asks for the first surface that can be seen.
+/// Accepts the first hit that the query's kind of ray sees.
 struct ClosestQuery<'w> {
     world: &'w World,
     query: &'w Query,
@@ -36,8 +37,31 @@ impl HitPolicy for ClosestQuery<'_> {
     const ANY: bool = false;
 
     #[inline(always)]
-    fn takes(&mut self, found: &RawHit) -> bool {
-        self.world.is_seen(found, self.query.kind) && !self.world.is_left(found, self.query)
+    fn accepts(&mut self, hit: &RawHit) -> bool {
+        self.world.is_seen(hit, self.query.kind) && !self.world.is_self_hit(hit, self.query)
+    }
+}
+
+/// Rays of one kind in a stream.
+struct StreamRays<'a, Q> {
+    /// The query of each ray, by index.
+    query: &'a Q,
+    kind: RayKind,
+    /// Mask of the active rays.
+    active: u32,
+}
+
+impl<'a, Q> StreamRays<'a, Q> {
+    /// The active ones of these rays, and an item to intersect them with.
+    #[inline(always)]
+    fn for_item(&self, item: IndexedItem, active: u32) -> ItemRays<'a, Q> {
+        ItemRays {
+            item,
+            kind: self.kind,
+            first: 0,
+            active,
+            query: self.query,
+        }
     }
 }
 
@@ -48,12 +72,12 @@ impl World {
         scratch.rays.count(query);
         let best = with_widest(
             #[inline(always)]
-            |lanes| self.nearest_found(lanes, query, scratch),
+            |lanes| self.closest_hit(lanes, query, scratch),
         );
-        best.map(|best| self.hit(&query.ray, &best.found))
+        best.map(|best| self.hit(&query.ray, &best.hit))
     }
 
-    /// The same for up to eight rays, which need have nothing in common.
+    /// Closest hits of a stream of up to eight rays, which need not be coherent.
     pub fn nearest_of_stream<'q>(
         &self,
         count: usize,
@@ -63,21 +87,25 @@ impl World {
     ) {
         let count = count.min(STREAM);
         let first = query(0);
-        let sees_alike = |ray: usize| !self.overview.hides_some || query(ray).kind == first.kind;
+        let sees_same = |ray: usize| !self.summary.hides_some || query(ray).kind == first.kind;
         let is_coherent = |ray: usize| query(ray).ray.dir.dot(first.ray.dir) > COHERENT;
-        let walks_together = self.streams || (1..count).all(is_coherent);
-        if !(self.asks_in_fours || walks_together) || !(1..count).all(sees_alike) {
-            for (four, hits) in hits.iter_mut().enumerate().take(count.div_ceil(4)) {
-                let queries = (4 * four..count.min(4 * four + 4)).map(&query);
-                self.nearest_of_four(queries, hits, scratch);
+        let uses_stream = self.streams || (1..count).all(is_coherent);
+        if !(self.uses_packets || uses_stream) || !(1..count).all(sees_same) {
+            for (packet, hits) in hits.iter_mut().enumerate().take(count.div_ceil(4)) {
+                let queries = (4 * packet..count.min(4 * packet + 4)).map(&query);
+                self.nearest_of_packet4(queries, hits, scratch);
             }
             return;
         }
         // Lanes past the last ray repeat it.
         let query = |ray: usize| *query(ray.min(count - 1));
-        let asked = (&query, first.kind, 0xff >> (8 - count));
+        let rays = StreamRays {
+            query: &query,
+            kind: first.kind,
+            active: 0xff >> (8 - count),
+        };
         let mut bests = [None; STREAM];
-        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
         with_widest(
             #[inline(always)]
             |lanes| {
@@ -90,15 +118,15 @@ impl World {
                         origin[ray % 4] = query.ray.origin[axis];
                     }
                 }
-                lot.follow(count, query, |query| self.t_min(query));
-                self.intersect_unbounded(lanes, asked, (&mut lot, &mut bests), scratch);
-                if walks_together {
-                    self.closest_hits_stream(lanes, asked, (&mut lot, &mut bests), scratch);
+                stream.load_rays(count, query, |query| self.t_min(query));
+                self.intersect_unbounded(lanes, &rays, &mut stream, &mut bests, scratch);
+                if uses_stream {
+                    self.closest_hits_stream(lanes, &rays, &mut stream, &mut bests, scratch);
                 } else {
                     for (ray, best) in bests.iter_mut().enumerate().take(count) {
                         let query = &query(ray);
-                        let asked = (query, &self.search_for(query));
-                        self.nearest_in_tree(lanes, asked, best, scratch);
+                        let search = &self.search_for(query);
+                        self.nearest_in_tree(lanes, query, search, best, scratch);
                     }
                 }
                 for ((origin, bests), hits) in origins.iter().zip(bests.chunks(4)).zip(hits) {
@@ -106,11 +134,11 @@ impl World {
                 }
             },
         );
-        scratch.lot = lot;
+        scratch.ray_stream = stream;
     }
 
-    /// The same for up to four rays, one after the other.
-    fn nearest_of_four<'q>(
+    /// Closest hits of up to four rays, one after the other.
+    fn nearest_of_packet4<'q>(
         &self,
         queries: impl Iterator<Item = &'q Query>,
         hits: &mut HitPacket4,
@@ -123,7 +151,7 @@ impl World {
             |lanes| {
                 for (lane, query) in queries.enumerate().take(4) {
                     scratch.rays.count(query);
-                    bests[lane] = self.nearest_found(lanes, query, scratch);
+                    bests[lane] = self.closest_hit(lanes, query, scratch);
                     hits.aim(lane, query.ray.dir);
                     for (axis, origin) in origin.iter_mut().enumerate() {
                         origin[lane] = query.ray.origin[axis];
@@ -139,42 +167,45 @@ impl World {
     fn intersect_unbounded(
         &self,
         lanes: SimdLevel,
-        (query, seen, rays): (&impl Fn(usize) -> Query, RayKind, u32),
-        (lot, bests): (&mut RayStream, &mut [Option<ClosestHit>]),
+        rays: &StreamRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
+        bests: &mut [Option<ClosestHit>],
         scratch: &mut Scratch,
     ) {
-        for &item in &self.finder().unbounded {
-            let asked = ((item, seen), (0, rays), query);
-            self.see_by(lanes, asked, (lot, bests), &mut NewEnds::default(), scratch);
+        for &item in &self.bvh().unbounded {
+            let rays = &rays.for_item(item, rays.active);
+            let ended = &mut NewEnds::default();
+            self.intersect_packet8(lanes, rays, stream, bests, ended, scratch);
         }
     }
 
-    /// Intersects them with the items of the tree in one traversal.
+    /// Intersects the marked rays of a stream with the bounded items in one traversal.
     #[inline(always)]
     fn closest_hits_stream(
         &self,
         lanes: SimdLevel,
-        (query, seen, rays): (&impl Fn(usize) -> Query, RayKind, u32),
-        (lot, bests): (&mut RayStream, &mut [Option<ClosestHit>]),
+        rays: &StreamRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
+        bests: &mut [Option<ClosestHit>],
         scratch: &mut Scratch,
     ) {
-        let ends = lot.ends();
-        self.finder().tree.stream(
+        let ends = stream.ends();
+        self.bvh().tree.stream(
             lanes,
-            rays,
+            rays.active,
             #[inline(always)]
-            |lane| (query(lane).ray, ends[lane]),
+            |lane| ((rays.query)(lane).ray, ends[lane]),
             #[inline(always)]
-            |number, rays, ended| {
-                let item = self.finder().bounded[number as usize];
-                let asked = ((item, seen), (0, rays), query);
-                self.see_by(lanes, asked, (&mut *lot, &mut *bests), ended, scratch);
+            |number, active, ended| {
+                let item = self.bvh().bounded[number as usize];
+                let rays = &rays.for_item(item, active);
+                self.intersect_packet8(lanes, rays, stream, bests, ended, scratch);
             },
         );
     }
 
     #[inline(always)]
-    pub(in crate::world) fn nearest_found(
+    pub(in crate::world) fn closest_hit(
         &self,
         lanes: SimdLevel,
         query: &Query,
@@ -183,10 +214,10 @@ impl World {
         let mut best: Option<ClosestHit> = None;
         let mut far = query.t_max;
         let search = self.search_for(query);
-        for &item in &self.finder().unbounded {
-            far = self.test_item(item, (query, &search), far, &mut best, scratch);
+        for &item in &self.bvh().unbounded {
+            far = self.test_item(item, query, &search, far, &mut best, scratch);
         }
-        self.nearest_in_tree(lanes, (query, &search), &mut best, scratch);
+        self.nearest_in_tree(lanes, query, &search, &mut best, scratch);
         best
     }
 
@@ -195,93 +226,98 @@ impl World {
     fn nearest_in_tree(
         &self,
         lanes: SimdLevel,
-        (query, search): (&Query, &Search),
+        query: &Query,
+        search: &Search,
         best: &mut Option<ClosestHit>,
         scratch: &mut Scratch,
     ) {
-        let far = best.map_or(query.t_max, |best| best.found.root.t);
-        self.finder().tree.nearest_in(
+        let far = best.map_or(query.t_max, |best| best.hit.root.t);
+        self.bvh().tree.nearest_in(
             lanes,
             &query.ray,
             (0.0, far),
             #[inline(always)]
             |number, far| {
-                let item = self.finder().bounded[number as usize];
-                self.test_item(item, (query, search), far, best, scratch)
+                let item = self.bvh().bounded[number as usize];
+                self.test_item(item, query, search, far, best, scratch)
             },
         );
     }
 
-    /// Tries one item; gives the new far limit.
+    /// Intersects one item and returns the new far limit.
     #[inline(always)]
     pub(in crate::world) fn test_item(
         &self,
         item: IndexedItem,
-        (query, search): (&Query, &Search),
+        query: &Query,
+        search: &Search,
         far: f64,
         best: &mut Option<ClosestHit>,
         scratch: &mut Scratch,
     ) -> f64 {
-        match self.intersect_item(item, (query, search), far, scratch) {
+        match self.intersect_item(item, query, search, far, scratch) {
             None => far,
-            Some(found) => self.accept_if_closer(item.number, found, query, far, best),
+            Some(hit) => self.accept_if_closer(item.number, hit, query, far, best),
         }
     }
 
-    /// The first visible surface of one item up to and including `far`.
+    /// The first visible hit on one item up to and including `far`.
     #[inline(always)]
     pub(in crate::world) fn intersect_item(
         &self,
         item: IndexedItem,
-        (query, search): (&Query, &Search),
+        query: &Query,
+        search: &Search,
         far: f64,
         scratch: &mut Scratch,
     ) -> Option<RawHit> {
         if self.is_hidden(item.item, query.kind) {
             return None;
         }
-        let mut wants = ClosestQuery { world: self, query };
-        self.model.find(item.item, search, far, scratch, &mut wants)
+        let mut policy = ClosestQuery { world: self, query };
+        self.model
+            .first_hit(item.item, search, far, scratch, &mut policy)
     }
 
-    /// Takes what was found of an item if it is the best so far; gives the new far limit.
+    /// Replaces the closest hit so far by `hit` if that is closer, and returns the new far limit.
     #[inline(always)]
     pub(in crate::world) fn accept_if_closer(
         &self,
         item: u32,
-        found: RawHit,
+        hit: RawHit,
         query: &Query,
         far: f64,
         best: &mut Option<ClosestHit>,
     ) -> f64 {
-        if found.root.t >= query.t_max {
+        if hit.root.t >= query.t_max {
             return far;
         }
         let is_better = match best {
             None => true,
             Some(best) => {
-                found.root.t < best.found.root.t
-                    || (found.root.t == best.found.root.t
+                hit.root.t < best.hit.root.t
+                    || (hit.root.t == best.hit.root.t
                         && self.comes_first(item, best.item, &query.ray))
             }
         };
         if !is_better {
             return far;
         }
-        *best = Some(ClosestHit { found, item });
-        found.root.t
+        *best = Some(ClosestHit { hit, item });
+        hit.root.t
     }
 
-    /// The distance up to which surfaces are not met: the error of the point that the ray leaves.
+    /// Distance up to which hits are ignored: the error of the ray's origin.
     pub(in crate::world) fn t_min(&self, query: &Query) -> f64 {
-        self.least_from(query.origin_surface.map(|left| left.blur), query.kind)
+        self.t_min_from(query.origin_surface.map(|origin| origin.blur), query.kind)
     }
 
-    /// The same for a ray that leaves a point of such a blur, if it leaves any.
+    /// Same, from the error `blur` of the ray's origin; `None` if the ray leaves no surface.
     #[inline(always)]
-    pub(in crate::world) fn least_from(&self, blur: Option<f64>, seen: RayKind) -> f64 {
-        match (self.least_distance, seen) {
-            // How far samples reach depends on what is nearest to them, and the picture on how far they reach.
+    pub(in crate::world) fn t_min_from(&self, blur: Option<f64>, kind: RayKind) -> f64 {
+        match (self.least_distance, kind) {
+            // POV-Ray's in any case: nearest hits decide how far a radiosity sample reaches, and the reach shows in the
+            // picture.
             (_, RayKind::Radiosity) => POV_RAY_LEAST,
             (LeastDistance::Rounding, _) => blur.map_or(0.0, |blur| SKIN * blur),
             (LeastDistance::PovRay, RayKind::Shadow) => POV_RAY_SHADOW,
@@ -289,35 +325,35 @@ impl World {
         }
     }
 
-    /// Whether a ray starts on the surface that was found, but for rounding: one that coincides with the surface it left.
+    /// Returns true for a self-intersection: the hit lies, within rounding, on the surface that the ray starts on.
     #[inline(always)]
-    pub(in crate::world) fn is_left(&self, found: &RawHit, query: &Query) -> bool {
+    pub(in crate::world) fn is_self_hit(&self, hit: &RawHit, query: &Query) -> bool {
         match query.origin_surface {
-            Some(left) if found.root.t <= left.blur => {
-                self.is_within_rounding(found, query, left.blur)
+            Some(origin) if hit.root.t <= origin.blur => {
+                self.is_within_rounding(hit, query, origin.blur)
             }
             _ => false,
         }
     }
 
     #[cold]
-    fn is_within_rounding(&self, found: &RawHit, query: &Query, blur: f64) -> bool {
+    fn is_within_rounding(&self, hit: &RawHit, query: &Query, blur: f64) -> bool {
         if self.least_distance == LeastDistance::PovRay {
             return false;
         }
-        let Root { t, face, .. } = found.root;
-        let (normal, _) = self.model.normals(found.leaf, query.ray.at(t), face);
+        let Root { t, face, .. } = hit.root;
+        let (normal, _) = self.model.normals(hit.leaf, query.ray.at(t), face);
         t * normal.dot(query.ray.dir).abs() <= SKIN * blur
     }
 
-    /// A query as the model sees it.
+    /// The query in the form that the model takes.
     #[inline(always)]
     pub(in crate::world) fn search_for<'q>(&self, query: &'q Query) -> Search<'q> {
         Search {
             ray: &query.ray,
             origin_surface: query.origin_surface.as_ref(),
             t_min: self.t_min(query),
-            origin_error: query.origin_surface.map_or(0.0, |left| left.blur),
+            origin_error: query.origin_surface.map_or(0.0, |origin| origin.blur),
             start: IndexBase::default(),
             exited_leaf: self
                 .model
@@ -325,8 +361,8 @@ impl World {
         }
     }
 
-    /// Which of two items at exactly the same distance is drawn: unbounded ones come first, then the one whose box
-    /// the ray enters first, then the one that stands first in the file (facts 11.2).
+    /// Tie rule for two items at exactly the same distance: unbounded ones come first, then the one whose box the ray
+    /// enters first, then the first in the file (facts 11.2).
     #[cold]
     fn comes_first(&self, a: u32, b: u32, ray: &Ray) -> bool {
         if self.ties_by_box {
@@ -347,15 +383,15 @@ impl World {
     }
 
     #[inline]
-    pub(in crate::world) fn hit(&self, ray: &Ray, found: &RawHit) -> Hit {
+    pub(in crate::world) fn hit(&self, ray: &Ray, hit: &RawHit) -> Hit {
         let Root {
             t, face, crossing, ..
-        } = found.root;
+        } = hit.root;
         let point = ray.at(t);
-        let (normal, shading_normal) = self.model.normals(found.leaf, point, face);
+        let (normal, shading_normal) = self.model.normals(hit.leaf, point, face);
         let blur = BLUR * point.abs().max_element().max(t);
         let departure = SpawnSurface {
-            leaf: found.leaf,
+            leaf: hit.leaf,
             face,
             normal,
             crossing,
@@ -365,13 +401,13 @@ impl World {
             t,
             point,
             shading_normal,
-            surface: found.surface,
+            surface: hit.surface,
             departure,
         }
     }
 }
 
-/// Where the line of a ray enters a box, not clamped at its start.
+/// Distance at which the line of a ray enters a box, not clamped at its origin.
 fn slab_entry(bounds: &Bounds, ray: &Ray) -> f64 {
     (0..3).fold(f64::NEG_INFINITY, |entry, axis| {
         let d = ray.dir[axis];

@@ -1,4 +1,4 @@
-//! What lies between a point and a light.
+//! Occlusion queries: opaque and transmissive surfaces between a point and a light.
 
 use super::closest::{BLUR, POV_RAY_SHADOW};
 use super::intersect::{HitPolicy, Search};
@@ -11,12 +11,12 @@ use crate::world::csg::program::RawHit;
 use crate::world::model::Item;
 use glam::DVec3;
 
-/// Asks for a surface that lets no light through; notes those that may.
+/// Accepts opaque hits and records transmissive ones.
 struct OcclusionQuery<'w> {
     world: &'w World,
     query: &'w Query,
-    way: &'w mut Occlusion,
-    /// Takes in the others in the order in which they are found, which of a combination are all of them.
+    occlusion: &'w mut Occlusion,
+    /// Receives the transmissive hits in the order of the search; for a CSG program these are all of its hits.
     passed: Option<&'w mut Vec<RawHit>>,
 }
 
@@ -24,13 +24,13 @@ impl HitPolicy for OcclusionQuery<'_> {
     const ANY: bool = true;
 
     #[inline(always)]
-    fn takes(&mut self, found: &RawHit) -> bool {
-        let mut way = Occlusion::Clear;
-        let blocks = self.world.blocks_light(found, self.query, &mut way);
-        if way == Occlusion::Transmissive {
-            *self.way = way;
+    fn accepts(&mut self, hit: &RawHit) -> bool {
+        let mut occlusion = Occlusion::Clear;
+        let blocks = self.world.blocks_light(hit, self.query, &mut occlusion);
+        if occlusion == Occlusion::Transmissive {
+            *self.occlusion = occlusion;
             if let Some(passed) = &mut self.passed {
-                passed.push(*found);
+                passed.push(*hit);
             }
         }
         blocks
@@ -38,33 +38,33 @@ impl HitPolicy for OcclusionQuery<'_> {
 }
 
 impl World {
-    /// Whether a surface lies opaque on a ray to a light; notes if it lies there and is not opaque.
+    /// Returns true if an opaque surface was hit on a shadow ray; records a transmissive one in `occlusion`.
     #[inline(always)]
     pub(in crate::world) fn blocks_light(
         &self,
-        found: &RawHit,
+        hit: &RawHit,
         query: &Query,
-        way: &mut Occlusion,
+        occlusion: &mut Occlusion,
     ) -> bool {
-        if !self.is_seen(found, query.kind)
-            || found.root.t >= query.t_max
-            || self.is_left(found, query)
+        if !self.is_seen(hit, query.kind)
+            || hit.root.t >= query.t_max
+            || self.is_self_hit(hit, query)
         {
             return false;
         }
-        let is_opaque = self.ends_light(found);
+        let is_opaque = self.ends_light(hit);
         if !is_opaque {
-            *way = Occlusion::Transmissive;
+            *occlusion = Occlusion::Transmissive;
         }
         is_opaque
     }
 
-    /// How far a ray to a light at `centre` goes so that a surface on which the light itself stands is not met.
+    /// Far limit of a shadow ray to a light at `centre`, short of a surface on which the light itself stands.
     ///
-    /// Whether a light stands on a surface is known to the roundings of its numbers and of those of the transforms that
-    /// brought both there, a thousand turns of which add up to some 450; a ray that grazes the surface meets it that much
-    /// farther away as the sine of its angle is small. So this is a bound and not a sharp decision: what is nearer to the
-    /// light than 2^-40, as a share of the distance or of its largest coordinate (4096 roundings), casts no shadow.
+    /// Rounding of the coordinates, and of the transforms that brought light and surface there, blurs their contact: a
+    /// thousand rotations add up to some 450 roundings. A ray that grazes the surface hits it farther away, by the
+    /// inverse of the sine of its angle. So this is a bound, not a sharp decision: a surface closer to the light than
+    /// 2^-40 (4096 roundings), relative to the distance or to the light's largest coordinate, casts no shadow.
     #[must_use]
     pub fn shadow_t_max(&self, centre: DVec3, distance: f64) -> f64 {
         match self.least_distance {
@@ -73,7 +73,7 @@ impl World {
         }
     }
 
-    /// The same for four rays, by their distances and the largest of the coordinates of `centre` and the distance.
+    /// Same for four rays, from their distances and the largest of the coordinates of `centre` and the distance.
     #[must_use]
     #[inline(always)]
     pub(crate) fn reach_of_four(&self, distance: &[f64; 4], size: &[f64; 4]) -> [f64; 4] {
@@ -87,19 +87,19 @@ impl World {
         reach
     }
 
-    /// How far things cast shadows on a ray to a light that asks up to `query.far`; `None` where no light comes along
-    /// the ray, since it misses what the light is projected through.
+    /// Far limit of a shadow ray, at most `query.t_max`, that ends at the object which the light is projected through;
+    /// `None` where the ray misses that object, so that no light arrives.
     #[must_use]
     pub fn shadow_reach(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Option<f64> {
-        // The object may stand in the scene as well, and the ray leave its surface.
+        // The projector may be part of the scene, and the ray may start on its surface.
         let least = self.t_min(query);
-        let wanted = |found: &RawHit| !self.is_left(found, query);
+        let wanted = |hit: &RawHit| !self.is_self_hit(hit, query);
         let leaves = &self.model.leaves;
         self.lights
-            .reach(light, leaves, (query, least), wanted, scratch)
+            .t_max_at_projector(light, leaves, query, least, wanted, scratch)
     }
 
-    /// What lies on a ray to the light of this number. Where that is transparent it is gathered for
+    /// Occlusion of a shadow ray to the light of this index. Transmissive items on it are gathered for
     /// [`World::next_transmissive_hit`].
     #[must_use]
     pub fn way(&self, query: &Query, light: u32, scratch: &mut Scratch) -> Occlusion {
@@ -107,7 +107,7 @@ impl World {
         self.occlusion_unrecorded(query, light, scratch)
     }
 
-    /// The same of a ray that was asked about before together with others, where only answers are kept.
+    /// Same for a ray already counted in the ray statistics, because a bundle or stream tested it before.
     pub fn occlusion_unrecorded(
         &self,
         query: &Query,
@@ -116,12 +116,12 @@ impl World {
     ) -> Occlusion {
         with_widest(
             #[inline(always)]
-            |lanes| self.way_found(lanes, query, light, scratch),
+            |lanes| self.find_occlusion(lanes, query, light, scratch),
         )
     }
 
     #[inline(always)]
-    pub(in crate::world) fn way_found(
+    pub(in crate::world) fn find_occlusion(
         &self,
         lanes: SimdLevel,
         query: &Query,
@@ -129,31 +129,30 @@ impl World {
         scratch: &mut Scratch,
     ) -> Occlusion {
         let search = self.search_for(query);
-        let asked = (query, &search);
         let light = number as usize;
         if scratch.blockers.len() <= light {
             scratch.blockers.resize(light + 1, None);
         }
-        // Neighbouring points are often in the shadow of the same object. Where it is known what lies around a lamp, to try it
+        // Neighbouring points are often in the shadow of the same object. With a light buffer, testing that object
         // first costs more than it saves.
         let last = scratch.blockers[light].filter(|_| !self.knows_around(number));
-        // It need not be asked again if it is known not to lie there.
+        // Not tested again in the traversal if it is clear of the ray.
         let mut passed = u32::MAX;
         if let Some(item) = last {
-            let mut way = Occlusion::Clear;
-            if self.occludes(item, asked, &mut way, scratch) {
+            let mut occlusion = Occlusion::Clear;
+            if self.occludes(item, query, &search, &mut occlusion, scratch) {
                 return Occlusion::Opaque;
             }
-            // What lets light through is gathered later on.
-            if way == Occlusion::Clear {
+            // Transmissive items are gathered in the traversal.
+            if occlusion == Occlusion::Clear {
                 passed = item.number;
             }
         }
-        let mut way = Occlusion::Clear;
-        scratch.among.clear();
+        let mut occlusion = Occlusion::Clear;
+        scratch.transmissive_items.clear();
         scratch.passed.clear();
-        for &item in &self.model.finder.unbounded {
-            if self.occludes_and_record(item, asked, &mut way, scratch) {
+        for &item in &self.model.bvh.unbounded {
+            if self.occludes_and_record(item, query, &search, &mut occlusion, scratch) {
                 scratch.blockers[light] = Some(item);
                 return Occlusion::Opaque;
             }
@@ -163,23 +162,28 @@ impl World {
             query,
             number,
             #[inline(always)]
-            |place| {
-                let item = self.model.finder.bounded[place as usize];
+            |position| {
+                let item = self.model.bvh.bounded[position as usize];
                 if passed == item.number {
                     return false;
                 }
-                let blocks = self.occludes_and_record(item, asked, &mut way, scratch);
+                let blocks =
+                    self.occludes_and_record(item, query, &search, &mut occlusion, scratch);
                 if blocks {
                     scratch.blockers[light] = Some(item);
                 }
                 blocks
             },
         );
-        if is_blocked { Occlusion::Opaque } else { way }
+        if is_blocked {
+            Occlusion::Opaque
+        } else {
+            occlusion
+        }
     }
 
-    /// Visits bounded items, by their place, that a ray to the light of this number may meet until `visit` says to stop.
-    /// Says whether it did.
+    /// Visits the bounded items, by position, that a ray to the light of this index may hit, until `visit` returns
+    /// true. Returns true if it did.
     #[inline(always)]
     fn any_between(
         &self,
@@ -189,26 +193,27 @@ impl World {
         visit: impl FnMut(u32) -> bool,
     ) -> bool {
         let span = (0.0, query.t_max);
-        match self.vistas.of_light(light) {
-            Some(vista) => vista.between(query.ray.origin, visit),
-            None => self.finder().tree.any_in(lanes, &query.ray, span, visit),
+        match self.light_buffers.of_light(light) {
+            Some(buffer) => buffer.between(query.ray.origin, visit),
+            None => self.bvh().tree.any_in(lanes, &query.ray, span, visit),
         }
     }
 
-    /// As [`World::occludes`]; an item that lies there and is not opaque is gathered.
+    /// Same as [`World::occludes`]; also gathers an item that is transmissive.
     #[inline(always)]
     fn occludes_and_record(
         &self,
         item: IndexedItem,
-        asked: (&Query, &Search),
-        way: &mut Occlusion,
+        query: &Query,
+        search: &Search,
+        occlusion: &mut Occlusion,
         scratch: &mut Scratch,
     ) -> bool {
         let mut of_item = Occlusion::Clear;
         let is_program = matches!(item.item, Item::Program(_));
         let mut passed = is_program.then(|| std::mem::take(&mut scratch.passed));
-        let noted = (&mut of_item, passed.as_mut());
-        let blocks = self.blocks_noting(item, asked, noted, scratch);
+        let blocks =
+            self.occludes_with(item, query, search, &mut of_item, passed.as_mut(), scratch);
         if let Some(passed) = passed {
             scratch.passed = passed;
         }
@@ -216,45 +221,48 @@ impl World {
             return true;
         }
         if of_item == Occlusion::Transmissive {
-            *way = Occlusion::Transmissive;
-            scratch.among.push(item);
+            *occlusion = Occlusion::Transmissive;
+            scratch.transmissive_items.push(item);
         }
         false
     }
 
-    /// Whether an item lies opaque on a ray to a light; notes if it lies there and is not opaque.
+    /// Returns true if an item is opaque to a shadow ray; records a transmissive item in `occlusion`.
     #[inline(always)]
     pub(in crate::world) fn occludes(
         &self,
         item: IndexedItem,
-        asked: (&Query, &Search),
-        way: &mut Occlusion,
+        query: &Query,
+        search: &Search,
+        occlusion: &mut Occlusion,
         scratch: &mut Scratch,
     ) -> bool {
-        self.blocks_noting(item, asked, (way, None), scratch)
+        self.occludes_with(item, query, search, occlusion, None, scratch)
     }
 
-    /// The same; surfaces that may let light through are noted.
+    /// Same; appends the transmissive hits to `passed`.
     #[inline(always)]
-    fn blocks_noting(
+    fn occludes_with(
         &self,
         item: IndexedItem,
-        (query, search): (&Query, &Search),
-        (way, passed): (&mut Occlusion, Option<&mut Vec<RawHit>>),
+        query: &Query,
+        search: &Search,
+        occlusion: &mut Occlusion,
+        passed: Option<&mut Vec<RawHit>>,
         scratch: &mut Scratch,
     ) -> bool {
         if self.is_hidden(item.item, query.kind) {
             return false;
         }
-        let mut wants = OcclusionQuery {
+        let mut policy = OcclusionQuery {
             world: self,
             query,
-            way,
+            occlusion,
             passed,
         };
-        let found = self
+        let hit = self
             .model
-            .find(item.item, search, query.t_max, scratch, &mut wants);
-        found.is_some()
+            .first_hit(item.item, search, query.t_max, scratch, &mut policy);
+        hit.is_some()
     }
 }

@@ -1,4 +1,4 @@
-//! Rays and points at single objects, before there is a world.
+//! Ray and point queries on single objects while the scene is read: `trace`, `inside` and `object` patterns.
 
 use super::{Query, RayKind, Scratch};
 use crate::base::math::Ray;
@@ -15,22 +15,22 @@ use glam::DVec3;
 use std::any::Any;
 use std::sync::Arc;
 
-/// How many objects stay compiled: a scene asks about a few objects again and again, or about each new one once.
-const KEPT: usize = 32;
+/// Capacity of the cache of compiled objects: a scene queries a few objects repeatedly, or each new one once.
+const CACHED: usize = 32;
 
-/// Objects compiled for questions of the scene that makes them.
+/// Cache of compiled objects, for queries of the scene that is being read.
 #[derive(Debug, Default)]
 pub struct ProbeModel {
-    /// The object asked last comes last.
+    /// The most recently used object is last.
     worlds: Vec<(Arc<Object>, World)>,
     scratch: Scratch,
 }
 
 impl ProbeModel {
-    /// The first surface of an object on a ray: the point, and the unit normal there before any `normal` pattern,
-    /// which points out of the solid. What hides from some rays (`no_image`) is met.
+    /// The first hit of a ray on an object: the point, and the unit normal there before any `normal` pattern, out of
+    /// the solid. Objects hidden from some rays (`no_image`) are hit.
     ///
-    /// POV-Ray's least distance holds, 1/10000 of a unit, for scenes that trace on from where they were.
+    /// POV-Ray's least distance applies, 1/10000 of a unit, for scenes that trace on from the hit point.
     pub fn trace(
         &mut self,
         object: &Arc<Object>,
@@ -51,7 +51,7 @@ impl ProbeModel {
         };
         let hit = world.nearest(&query, &mut self.scratch)?;
         let leaf = hit.departure.leaf;
-        // POV-Ray gives those of single triangles as they are.
+        // POV-Ray does not flip the normals of single triangles.
         let is_triangle = matches!(
             world.shape(leaf),
             Shape::Triangle(_) | Shape::SmoothTriangle(_)
@@ -61,21 +61,21 @@ impl ProbeModel {
         Some((hit.point, if is_turned { -normal } else { normal }))
     }
 
-    /// Whether a point lies in an object.
+    /// Returns true if a point lies in an object.
     pub fn is_inside(&mut self, object: &Arc<Object>, point: DVec3) -> bool {
         self.prepare(object);
         let world = self.worlds.last();
         point.is_finite() && world.is_some_and(|(_, world)| world.holds(point))
     }
 
-    /// Makes the object the last of those that are compiled.
+    /// Moves the object to the end of the cache, and compiles it if needed.
     fn prepare(&mut self, object: &Arc<Object>) {
         let known = |(known, _): &(Arc<Object>, World)| Arc::ptr_eq(known, object);
         match self.worlds.iter().rposition(known) {
             Some(at) if at + 1 == self.worlds.len() => {}
             Some(at) => self.worlds[at..].rotate_left(1),
             None => {
-                if self.worlds.len() == KEPT {
+                if self.worlds.len() == CACHED {
                     self.worlds.remove(0);
                 }
                 self.worlds.push((Arc::clone(object), compiled(object)));
@@ -84,7 +84,7 @@ impl ProbeModel {
     }
 }
 
-/// An object as patterns ask for it.
+/// A compiled object for `object` patterns.
 #[derive(Debug)]
 struct ProbedObject(World);
 
@@ -94,16 +94,16 @@ impl Solid for ProbedObject {
     }
 }
 
-/// An object of a scene ready for points.
+/// Compiles an object for point queries.
 pub fn solid_of(object: &Arc<dyn Any + Send + Sync>) -> Option<Arc<dyn Solid>> {
     let object = Arc::clone(object).downcast::<Object>().ok()?;
     Some(Arc::new(ProbedObject(compiled(&object))))
 }
 
-/// A world of one object that hides from nobody.
+/// A world of one object, visible to all rays.
 pub(in crate::world) fn compiled(object: &Arc<Object>) -> World {
     let mut flat = Lowering::default();
-    flat.asks_insides = true;
+    flat.needs_insides = true;
     flat.add(object);
     flat.surfaces.iter_mut().for_each(Surface::show);
     let scene = Scene {

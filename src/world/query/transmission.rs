@@ -1,4 +1,4 @@
-//! What light passes on its way: found in one search, then met one after the other without searching again.
+//! Transmissive hits along a shadow ray: collected in one traversal, then iterated without another one.
 
 use super::closest::BLUR;
 use super::{ClosestHit, Hit, Query, Scratch};
@@ -12,24 +12,24 @@ use crate::world::csg::program::{RawHit, hide_departure};
 use crate::world::model::Item;
 use smallvec::SmallVec;
 
-/// Some items of a world.
+/// Some items of a model.
 pub(in crate::world) type ItemSet = SmallVec<[IndexedItem; 8]>;
 
-/// A surface on a ray.
+/// A transmissive surface on a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct TransmissiveHit(RawHit);
 
-/// Surfaces on a ray, the nearest first.
+/// Transmissive surfaces on a shadow ray, sorted by distance.
 pub type TransmissiveHits = SmallVec<[TransmissiveHit; 4]>;
 
 impl TransmissiveHit {
-    /// How far along the ray it lies.
+    /// Distance along the ray.
     #[must_use]
     pub fn t(&self) -> f64 {
         self.0.root.t
     }
 
-    /// Its number.
+    /// Index of its surface.
     #[must_use]
     pub fn surface(&self) -> u32 {
         self.0.surface
@@ -37,19 +37,19 @@ impl TransmissiveHit {
 }
 
 impl World {
-    /// All surfaces on the ray that was last asked about with what it meets gathered. `None` where something may matter
-    /// besides which they are and how they stand there: where on a surface it is passed, or what was met before (surfaces
-    /// that coincide, flat pieces).
+    /// All transmissive hits on the last shadow ray tested, whose items were gathered. `None` where their transmittance
+    /// depends on more than the sequence of surfaces: on the point of a surface, or on earlier hits (coincident
+    /// surfaces, flat faces).
     #[must_use]
     pub fn transmissive_hits(
         &self,
         query: &Query,
         scratch: &mut Scratch,
     ) -> Option<TransmissiveHits> {
-        let among = std::mem::take(&mut scratch.among);
+        let items = std::mem::take(&mut scratch.transmissive_items);
         let mut roots = std::mem::take(&mut scratch.roots);
-        let passed = self.passed(query, (&among, &scratch.passed), &mut roots);
-        scratch.among = among;
+        let passed = self.passed(query, &items, &scratch.passed, &mut roots);
+        scratch.transmissive_items = items;
         scratch.roots = roots;
         scratch.rays.filtered += passed.as_ref().map_or(0, |passed| passed.len() as u64);
         passed
@@ -58,7 +58,8 @@ impl World {
     fn passed(
         &self,
         query: &Query,
-        (among, of_programs): (&ItemSet, &[RawHit]),
+        items: &ItemSet,
+        program_hits: &[RawHit],
         roots: &mut Vec<Root>,
     ) -> Option<TransmissiveHits> {
         if self.least_distance == LeastDistance::PovRay {
@@ -66,21 +67,21 @@ impl World {
         }
         let search = self.search_for(query);
         let mut passed = TransmissiveHits::new();
-        for item in among {
+        for item in items {
             let number = match item.item {
                 Item::Leaf(number) => number,
                 Item::Program(number) => {
                     let leaves = self.model.programs[number as usize].leaves();
-                    if !leaves.clone().all(|leaf| self.has_lasting_roots(leaf)) {
+                    if !leaves.clone().all(|leaf| self.has_stable_roots(leaf)) {
                         return None;
                     }
-                    let own = |found: &&RawHit| leaves.contains(&found.leaf);
-                    for found in of_programs.iter().filter(own) {
-                        self.even_filter(found.surface)?;
-                        if found.root.t <= search.origin_error {
+                    let own = |hit: &&RawHit| leaves.contains(&hit.leaf);
+                    for hit in program_hits.iter().filter(own) {
+                        self.even_filter(hit.surface)?;
+                        if hit.root.t <= search.origin_error {
                             return None;
                         }
-                        passed.push(TransmissiveHit(*found));
+                        passed.push(TransmissiveHit(*hit));
                     }
                     continue;
                 }
@@ -89,15 +90,15 @@ impl World {
             let leaf = &self.model.leaves[number as usize];
             let surface = &self.surfaces[leaf.surface as usize];
             self.even_filter(leaf.surface)?;
-            if !self.has_lasting_roots(number) {
+            if !self.has_stable_roots(number) {
                 return None;
             }
             roots.clear();
             leaf.roots(&query.ray, roots);
-            if let Some(left) = search.origin_surface
-                && left.leaf == number
+            if let Some(origin) = search.origin_surface
+                && origin.leaf == number
             {
-                hide_departure(roots, left, leaf, query.ray.dir);
+                hide_departure(roots, origin, leaf, query.ray.dir);
             }
             for root in roots.iter().filter(|root| root.is_visible) {
                 if root.t > search.t_min && root.t < query.t_max {
@@ -121,35 +122,35 @@ impl World {
         (!passed.windows(2).any(coincide)).then_some(passed)
     }
 
-    /// Whether a ray finds the same roots of a leaf wherever along its line it starts.
-    fn has_lasting_roots(&self, leaf: u32) -> bool {
+    /// Returns true if the roots of a leaf do not depend on the ray's origin along its line.
+    fn has_stable_roots(&self, leaf: u32) -> bool {
         let shape = &self.model.leaves[leaf as usize].shape;
         !shape.is_faceted() && !shape.knows_departures()
     }
 
-    /// What is known of the place where a ray passes a surface.
+    /// Shading data at a transmissive hit.
     #[must_use]
-    pub fn hit_at(&self, ray: &Ray, passing: &TransmissiveHit) -> Hit {
-        self.hit(ray, &passing.0)
+    pub fn hit_at(&self, ray: &Ray, surface_hit: &TransmissiveHit) -> Hit {
+        self.hit(ray, &surface_hit.0)
     }
 
-    /// The nearest visible surface on a part of the ray to a light that was last asked about.
+    /// The nearest visible surface on a segment of the last shadow ray tested.
     #[must_use]
     pub fn next_transmissive_hit(&self, query: &Query, scratch: &mut Scratch) -> Option<Hit> {
         scratch.rays.filtered += 1;
-        let among = std::mem::take(&mut scratch.among);
+        let items = std::mem::take(&mut scratch.transmissive_items);
         let mut best: Option<ClosestHit> = None;
         let mut far = query.t_max;
         let search = self.search_for(query);
         with_widest(
             #[inline(always)]
             |_| {
-                for &item in &among {
-                    far = self.test_item(item, (query, &search), far, &mut best, scratch);
+                for &item in &items {
+                    far = self.test_item(item, query, &search, far, &mut best, scratch);
                 }
             },
         );
-        scratch.among = among;
-        best.map(|best| self.hit(&query.ray, &best.found))
+        scratch.transmissive_items = items;
+        best.map(|best| self.hit(&query.ray, &best.hit))
     }
 }

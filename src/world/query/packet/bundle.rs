@@ -1,4 +1,4 @@
-//! Questions of many rays from one point, answered together: the same answers as one by one, to the bit.
+//! Closest-hit and occlusion queries for bundles and streams of rays: bit for bit the results of single rays.
 
 use super::hits::{HitPacket4, ShadowPacket4};
 use super::rays::RayStream;
@@ -13,7 +13,34 @@ use crate::world::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 
-/// Calls `visit` with the place of each bit that is set.
+/// An item, and up to eight rays of a stream to be intersected with it.
+pub(in crate::world) struct ItemRays<'a, Q> {
+    pub(in crate::world) item: IndexedItem,
+    pub(in crate::world) kind: RayKind,
+    /// Index of the first ray.
+    pub(in crate::world) first: usize,
+    /// Mask of the active rays, from the first on.
+    pub(in crate::world) active: u32,
+    /// The query of each ray, by index.
+    pub(in crate::world) query: &'a Q,
+}
+
+/// A packet of four rays in a stream.
+pub(in crate::world) struct StreamPacket<'a> {
+    pub(in crate::world) stream: &'a mut RayStream,
+    /// Index of the first ray.
+    pub(in crate::world) start: usize,
+    /// Mask of the active lanes.
+    pub(in crate::world) active: u32,
+}
+
+/// A bundle of rays that share a point.
+pub(in crate::world) struct PointBundle<'a> {
+    pub(in crate::world) bundle: &'a mut Bundle,
+    pub(in crate::world) point: DVec3,
+}
+
+/// Calls `visit` with the index of each set bit.
 #[inline(always)]
 pub(in crate::world) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
     while bits != 0 {
@@ -23,8 +50,8 @@ pub(in crate::world) fn each_bit(mut bits: u32, mut visit: impl FnMut(usize)) {
 }
 
 impl World {
-    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, which lie in an
-    /// order in which neighbours differ little; behind the last of them some ray stands again.
+    /// Finds the closest visible hits of the first `count` camera rays from `origin`, ordered so that neighbours differ
+    /// little. Lanes past the last ray repeat some ray.
     pub fn closest_hits_bundle(
         &self,
         origin: DVec3,
@@ -33,13 +60,13 @@ impl World {
         scratch: &mut Scratch,
     ) {
         scratch.rays.camera += count as u64;
-        if let Some(vista) = &self.vistas.camera {
-            self.closest_hits_grid(vista, (origin, count), hits, scratch);
+        if let Some(light_buffer) = &self.light_buffers.camera {
+            self.closest_hits_grid(light_buffer, origin, count, hits, scratch);
             return;
         }
         let mut bundle = std::mem::take(&mut scratch.bundle);
         let mut bests = std::mem::take(&mut scratch.bests);
-        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
         bests.clear();
         bests.resize(count, None);
         with_widest(
@@ -52,42 +79,59 @@ impl World {
                     t_max: f64::INFINITY,
                     kind: RayKind::Camera,
                 };
-                lot.load_camera_rays(origin, self.t_min(&query(0)), rays);
-                for &item in &self.finder().unbounded {
+                stream.load_camera_rays(origin, self.t_min(&query(0)), rays);
+                for &item in &self.bvh().unbounded {
                     for first in (0..count).step_by(8) {
-                        let rays = 0xff >> (8 - (count - first).min(8));
-                        let asked = ((item, RayKind::Camera), (first, rays), &query);
+                        let rays = ItemRays {
+                            item,
+                            kind: RayKind::Camera,
+                            first,
+                            active: 0xff >> (8 - (count - first).min(8)),
+                            query: &query,
+                        };
+                        let (stream, bests) = (&mut stream, &mut bests);
                         let ended = &mut NewEnds::default();
-                        self.see_by(lanes, asked, (&mut lot, &mut bests), ended, scratch);
+                        self.intersect_packet8(lanes, &rays, stream, bests, ended, scratch);
                     }
                 }
                 let is_done = bundle.fill(
-                    &self.finder().tree,
+                    &self.bvh().tree,
                     origin,
                     count,
                     #[inline(always)]
-                    |four| (rays[four].dir, lot.four(4 * four).far),
-                ) && self.see_meshes(
+                    |packet| (rays[packet].dir, stream.packet(4 * packet).t_max),
+                ) && self.intersect_meshes(
                     lanes,
-                    (&mut lot, &mut bests),
+                    &mut stream,
+                    &mut bests,
                     query,
-                    (&mut bundle, origin),
+                    PointBundle {
+                        bundle: &mut bundle,
+                        point: origin,
+                    },
                     scratch,
-                ) && self.finder().tree.together(
+                ) && self.bvh().tree.together(
                     lanes,
                     &mut bundle,
                     #[inline(always)]
-                    |number, first, rays, ended| {
-                        let item = self.finder().bounded[number as usize];
+                    |number, first, active, ended| {
+                        let item = self.bvh().bounded[number as usize];
                         if !self.is_large_mesh(item) {
-                            let asked = ((item, RayKind::Camera), (first, rays), &query);
-                            self.see_by(lanes, asked, (&mut lot, &mut bests), ended, scratch);
+                            let rays = ItemRays {
+                                item,
+                                kind: RayKind::Camera,
+                                first,
+                                active,
+                                query: &query,
+                            };
+                            let (stream, bests) = (&mut stream, &mut bests);
+                            self.intersect_packet8(lanes, &rays, stream, bests, ended, scratch);
                         }
                     },
                 );
                 if !is_done {
                     for (ray, best) in bests.iter_mut().enumerate() {
-                        *best = self.nearest_found(lanes, &query(ray), scratch);
+                        *best = self.closest_hit(lanes, &query(ray), scratch);
                     }
                 }
                 let origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
@@ -98,52 +142,56 @@ impl World {
         );
         scratch.bundle = bundle;
         scratch.bests = bests;
-        scratch.lot = lot;
+        scratch.ray_stream = stream;
     }
 
-    /// Occlusion of the shadow rays from the hits at these places to a light, appended to `ways`: by a bundle if they share
-    /// the point `centre` and neighbours differ little, otherwise by streams of eight. Returns true if the bundle paid.
+    /// Occlusion of the shadow rays from the hits with these indices to a light, appended to `occlusions`: by a bundle
+    /// if they share the point `centre` and neighbours differ little, otherwise by streams of eight. Returns true if
+    /// the bundle paid.
     pub fn occlusion_bundle(
         &self,
-        places: &[u16],
+        indices: &[u16],
         (hits, to_light): (&[HitPacket4], &[ShadowPacket4]),
         centre: Option<DVec3>,
         scratch: &mut Scratch,
-        ways: &mut Vec<Occlusion>,
+        occlusions: &mut Vec<Occlusion>,
     ) -> bool {
-        let first = ways.len();
-        scratch.rays.shadow += places.len() as u64;
+        let first = occlusions.len();
+        scratch.rays.shadow += indices.len() as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
-        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
         let query = |ray: usize| {
-            let place = usize::from(places[ray]);
-            to_light[place / 4].query(&hits[place / 4], place % 4)
+            let index = usize::from(indices[ray]);
+            to_light[index / 4].query(&hits[index / 4], index % 4)
         };
         let was_of_use = with_widest(
             #[inline(always)]
             |lanes| {
-                lot.load_shadow_rays_all(
-                    places,
-                    (hits, to_light),
+                stream.load_shadow_rays_all(
+                    indices,
+                    hits,
+                    to_light,
                     #[inline(always)]
-                    |blur| self.least_from(Some(blur), RayKind::Shadow),
+                    |blur| self.t_min_from(Some(blur), RayKind::Shadow),
                 );
-                ways.resize(first + places.len(), Occlusion::Clear);
-                let ways = &mut ways[first..];
-                self.block_by_unbounded(lanes, &query, (&mut lot, ways), scratch);
+                occlusions.resize(first + indices.len(), Occlusion::Clear);
+                let occlusions = &mut occlusions[first..];
+                self.occlude_by_unbounded(lanes, &query, &mut stream, occlusions, scratch);
                 let is_bundled = |centre: &DVec3| {
                     bundle.fill(
-                        &self.finder().tree,
+                        &self.bvh().tree,
                         *centre,
-                        places.len(),
+                        indices.len(),
                         #[inline(always)]
-                        |four| {
-                            let back = lot.dirs(four).map(|axis| axis.map(|dir| -dir));
+                        |packet| {
+                            let back = stream.dirs(packet).map(|axis| axis.map(|dir| -dir));
                             let mut end = [f64::NEG_INFINITY; 4];
-                            for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
-                                if *way != Occlusion::Opaque {
-                                    let place = usize::from(places[4 * four + lane]);
-                                    end[lane] = to_light[place / 4].distance[place % 4];
+                            for (lane, occlusion) in
+                                occlusions[4 * packet..].iter().take(4).enumerate()
+                            {
+                                if *occlusion != Occlusion::Opaque {
+                                    let index = usize::from(indices[4 * packet + lane]);
+                                    end[lane] = to_light[index / 4].distance[index % 4];
                                 }
                             }
                             (back, end)
@@ -151,40 +199,46 @@ impl World {
                     )
                 };
                 let Some(centre) = centre.filter(is_bundled) else {
-                    self.block_streams(lanes, &query, (&mut lot, ways), scratch);
+                    self.occlude_streams(lanes, &query, &mut stream, occlusions, scratch);
                     return false;
                 };
-                let is_done = self.meshes_block(
+                let is_done = self.occlude_by_meshes(
                     lanes,
-                    (&mut lot, ways),
+                    &mut stream,
+                    occlusions,
                     query,
-                    (&mut bundle, centre),
+                    PointBundle {
+                        bundle: &mut bundle,
+                        point: centre,
+                    },
                     scratch,
-                ) && self.block_by_bounded(
+                ) && self.occlude_by_bounded(
                     lanes,
                     &query,
-                    (&mut lot, ways),
+                    &mut stream,
+                    occlusions,
                     &mut bundle,
                     scratch,
                 );
                 if !is_done {
-                    self.block_streams(lanes, &query, (&mut lot, ways), scratch);
+                    self.occlude_streams(lanes, &query, &mut stream, occlusions, scratch);
                 }
                 is_done
             },
         );
         scratch.bundle = bundle;
-        scratch.lot = lot;
+        scratch.ray_stream = stream;
         was_of_use
     }
 
-    /// Tells whether [`World::ways_from`] is of use.
+    /// Returns true if [`World::ways_from`] pays off.
     #[must_use]
     pub fn asks_from_points(&self) -> bool {
         self.meshes.is_empty()
     }
 
-    /// Notes what lies on the first `count` of the ways from one hit to places of a light. Each of the four is that hit; behind the last way some way stands again.
+    /// Records the occlusion of the first `count` shadow rays from one hit to samples of a light. All lanes of `hits`
+    /// hold that hit; lanes past the last ray repeat some ray.
     pub fn ways_from(
         &self,
         hits: &HitPacket4,
@@ -193,304 +247,334 @@ impl World {
     ) {
         scratch.rays.shadow += count as u64;
         let mut bundle = std::mem::take(&mut scratch.bundle);
-        let mut lot = std::mem::take(&mut scratch.lot);
-        let mut ways: SmallVec<[Occlusion; 16]> = smallvec![Occlusion::Clear; count];
-        let asked = &*to_light;
-        let query = |ray: usize| asked[ray / 4].query(hits, ray % 4);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
+        let mut occlusions: SmallVec<[Occlusion; 16]> = smallvec![Occlusion::Clear; count];
+        let shadow_rays = &*to_light;
+        let query = |ray: usize| shadow_rays[ray / 4].query(hits, ray % 4);
         with_widest(
             #[inline(always)]
             |lanes| {
-                lot.shine_from(
+                stream.load_shadow_rays_from_point(
                     hits,
-                    asked,
+                    shadow_rays,
                     #[inline(always)]
-                    |blur| self.least_from(Some(blur), RayKind::Shadow),
+                    |blur| self.t_min_from(Some(blur), RayKind::Shadow),
                 );
-                self.block_by_unbounded(lanes, &query, (&mut lot, &mut ways), scratch);
+                self.occlude_by_unbounded(lanes, &query, &mut stream, &mut occlusions, scratch);
                 let is_bundled = bundle.fill(
-                    &self.finder().tree,
+                    &self.bvh().tree,
                     hits.point(0),
                     count,
                     #[inline(always)]
-                    |four| {
+                    |packet| {
                         let mut end = [f64::NEG_INFINITY; 4];
-                        for (lane, way) in ways[4 * four..].iter().take(4).enumerate() {
-                            if *way != Occlusion::Opaque {
-                                end[lane] = asked[four].distance[lane];
+                        for (lane, occlusion) in occlusions[4 * packet..].iter().take(4).enumerate()
+                        {
+                            if *occlusion != Occlusion::Opaque {
+                                end[lane] = shadow_rays[packet].distance[lane];
                             }
                         }
-                        (*lot.dirs(four), end)
+                        (*stream.dirs(packet), end)
                     },
                 );
                 let is_done = is_bundled
-                    && self.block_by_bounded(
+                    && self.occlude_by_bounded(
                         lanes,
                         &query,
-                        (&mut lot, &mut ways),
+                        &mut stream,
+                        &mut occlusions,
                         &mut bundle,
                         scratch,
                     );
                 if !is_done {
-                    self.block_streams(lanes, &query, (&mut lot, &mut ways), scratch);
+                    self.occlude_streams(lanes, &query, &mut stream, &mut occlusions, scratch);
                 }
             },
         );
-        for (ray, &way) in ways.iter().enumerate() {
-            to_light[ray / 4].note(ray % 4, way);
+        for (ray, &occlusion) in occlusions.iter().enumerate() {
+            to_light[ray / 4].note(ray % 4, occlusion);
         }
         scratch.bundle = bundle;
-        scratch.lot = lot;
+        scratch.ray_stream = stream;
     }
 
-    /// Offers what some of eight rays, those from the first on that are marked, see of an item; notes new ends.
+    /// Intersects an item with up to eight rays; notes new far limits in `ended`.
     #[inline(always)]
-    pub(in crate::world) fn see_by(
+    pub(in crate::world) fn intersect_packet8(
         &self,
         lanes: SimdLevel,
-        (item, (first, rays), query): (
-            (IndexedItem, RayKind),
-            (usize, u32),
-            &impl Fn(usize) -> Query,
-        ),
-        (lot, bests): (&mut RayStream, &mut [Option<ClosestHit>]),
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
+        bests: &mut [Option<ClosestHit>],
         ended: &mut NewEnds,
         scratch: &mut Scratch,
     ) {
-        let mut offer = |lot: &mut RayStream, ray: usize, found, ended: &mut NewEnds| {
-            let old = lot.far(ray);
-            let new =
-                self.accept_if_closer(item.0.number, found, &query(ray), old, &mut bests[ray]);
+        let ItemRays {
+            item, first, query, ..
+        } = *rays;
+        let mut accept = |stream: &mut RayStream, ray: usize, hit, ended: &mut NewEnds| {
+            let old = stream.t_max(ray);
+            let new = self.accept_if_closer(item.number, hit, &query(ray), old, &mut bests[ray]);
             if new < old {
-                lot.shorten(ray, new);
+                stream.shorten(ray, new);
                 ended.note(ray - first, new);
             }
         };
-        let left = self.packet4_item::<true>(
+        let scalar = self.packet4_item::<true>(
             lanes,
-            item,
-            (lot, query),
-            (first, rays),
+            rays,
+            stream,
             scratch,
             #[inline(always)]
-            |lot, ray, found| offer(lot, ray, found, ended),
+            |stream, ray, hit| accept(stream, ray, hit, ended),
         );
-        each_bit(left, |lane| {
+        each_bit(scalar, |lane| {
             let ray = first + lane;
             let query = &query(ray);
-            let asked = (query, &self.search_for(query));
-            if let Some(found) = self.intersect_item(item.0, asked, lot.far(ray), scratch) {
-                offer(lot, ray, found, ended);
+            let search = &self.search_for(query);
+            if let Some(hit) = self.intersect_item(item, query, search, stream.t_max(ray), scratch)
+            {
+                accept(stream, ray, hit, ended);
             }
         });
     }
 
-    /// Notes a surface on the way to a light; says whether it ends there.
+    /// Updates the occlusion of a shadow ray with a hit; returns true if the ray is blocked.
     #[inline(always)]
-    fn note_way(&self, found: &RawHit, way: &mut Occlusion) -> bool {
-        if self.ends_light(found) {
-            *way = Occlusion::Opaque;
-        } else if *way == Occlusion::Clear {
-            *way = Occlusion::Transmissive;
+    fn note_occlusion(&self, hit: &RawHit, occlusion: &mut Occlusion) -> bool {
+        if self.ends_light(hit) {
+            *occlusion = Occlusion::Opaque;
+        } else if *occlusion == Occlusion::Clear {
+            *occlusion = Occlusion::Transmissive;
         }
-        *way == Occlusion::Opaque
+        *occlusion == Occlusion::Opaque
     }
 
-    /// Notes which rays to a light something unbounded blocks.
+    /// Tests shadow rays against the unbounded items.
     #[inline(always)]
-    fn block_by_unbounded(
+    fn occlude_by_unbounded(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,
-        (lot, ways): (&mut RayStream, &mut [Occlusion]),
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
         scratch: &mut Scratch,
     ) {
-        for &item in &self.finder().unbounded {
-            for first in (0..ways.len()).step_by(8) {
-                let rays = 0xff >> (8 - (ways.len() - first).min(8));
-                let left = self.packet4_item::<false>(
+        for &item in &self.bvh().unbounded {
+            for first in (0..occlusions.len()).step_by(8) {
+                let rays = ItemRays {
+                    item,
+                    kind: RayKind::Shadow,
+                    first,
+                    active: 0xff >> (8 - (occlusions.len() - first).min(8)),
+                    query,
+                };
+                let scalar = self.packet4_item::<false>(
                     lanes,
-                    (item, RayKind::Shadow),
-                    (&mut *lot, query),
-                    (first, rays),
+                    &rays,
+                    &mut *stream,
                     scratch,
                     #[inline(always)]
-                    |lot, ray, found| {
-                        if found.root.t < lot.far(ray) {
-                            self.note_way(&found, &mut ways[ray]);
+                    |stream, ray, hit| {
+                        if hit.root.t < stream.t_max(ray) {
+                            self.note_occlusion(&hit, &mut occlusions[ray]);
                         }
                     },
                 );
-                each_bit(left, |lane| {
-                    let way = &mut ways[first + lane];
-                    if *way == Occlusion::Opaque {
+                each_bit(scalar, |lane| {
+                    let occlusion = &mut occlusions[first + lane];
+                    if *occlusion == Occlusion::Opaque {
                         return;
                     }
                     let query = query(first + lane);
-                    let asked = (&query, &self.search_for(&query));
-                    if self.occludes(item, asked, way, scratch) {
-                        *way = Occlusion::Opaque;
+                    let search = &self.search_for(&query);
+                    if self.occludes(item, &query, search, occlusion, scratch) {
+                        *occlusion = Occlusion::Opaque;
                     }
                 });
             }
         }
     }
 
-    /// The same of what is in the tree and no large mesh. Says whether it came to an end.
+    /// Tests shadow rays against the items of the BVH except large meshes. Returns false if the traversal was
+    /// abandoned.
     #[inline(always)]
-    fn block_by_bounded(
+    fn occlude_by_bounded(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,
-        (lot, ways): (&mut RayStream, &mut [Occlusion]),
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
         bundle: &mut Bundle,
         scratch: &mut Scratch,
     ) -> bool {
-        self.finder().tree.together(
+        self.bvh().tree.together(
             lanes,
             bundle,
             #[inline(always)]
-            |number, first, rays, ended| {
-                let item = self.finder().bounded[number as usize];
+            |number, first, active, ended| {
+                let item = self.bvh().bounded[number as usize];
                 if self.is_large_mesh(item) {
                     return;
                 }
-                self.block_by(
-                    lanes,
-                    (item, first, rays),
-                    (query, lot, ways),
-                    ended,
-                    scratch,
-                );
+                let rays = ItemRays {
+                    item,
+                    kind: RayKind::Shadow,
+                    first,
+                    active,
+                    query,
+                };
+                self.occlude_packet8(lanes, &rays, stream, occlusions, ended, scratch);
             },
         )
     }
 
-    /// Notes which of some of eight rays to a light, those from the first on that are marked, an item blocks.
+    /// Tests an item against up to eight shadow rays.
     #[inline(always)]
-    fn block_by(
+    fn occlude_packet8(
         &self,
         lanes: SimdLevel,
-        (item, first, rays): (IndexedItem, usize, u32),
-        (query, lot, ways): (&impl Fn(usize) -> Query, &mut RayStream, &mut [Occlusion]),
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
         ended: &mut NewEnds,
         scratch: &mut Scratch,
     ) {
-        let left = self.packet4_item::<false>(
+        let ItemRays {
+            item, first, query, ..
+        } = *rays;
+        let scalar = self.packet4_item::<false>(
             lanes,
-            (item, RayKind::Shadow),
-            (lot, query),
-            (first, rays),
+            rays,
+            stream,
             scratch,
             #[inline(always)]
-            |lot, ray, found| {
-                if found.root.t < lot.far(ray) && self.note_way(&found, &mut ways[ray]) {
+            |stream, ray, hit| {
+                if hit.root.t < stream.t_max(ray) && self.note_occlusion(&hit, &mut occlusions[ray])
+                {
                     ended.note(ray - first, f64::NEG_INFINITY);
                 }
             },
         );
-        each_bit(left, |lane| {
-            let way = &mut ways[first + lane];
-            if *way == Occlusion::Opaque {
+        each_bit(scalar, |lane| {
+            let occlusion = &mut occlusions[first + lane];
+            if *occlusion == Occlusion::Opaque {
                 return;
             }
             let query = query(first + lane);
-            let asked = (&query, &self.search_for(&query));
-            if self.occludes(item, asked, way, scratch) {
-                *way = Occlusion::Opaque;
+            let search = &self.search_for(&query);
+            if self.occludes(item, &query, search, occlusion, scratch) {
+                *occlusion = Occlusion::Opaque;
                 ended.note(lane, f64::NEG_INFINITY);
             }
         });
     }
 
-    /// Notes what in the tree lies on each ray that is not known to be blocked, where rays have little in common.
+    /// Tests the shadow rays that are not yet blocked against the items of the BVH, in streams: for incoherent rays.
     #[inline(always)]
-    fn block_streams(
+    fn occlude_streams(
         &self,
         lanes: SimdLevel,
         query: &impl Fn(usize) -> Query,
-        (lot, ways): (&mut RayStream, &mut [Occlusion]),
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
         scratch: &mut Scratch,
     ) {
-        for first in (0..ways.len()).step_by(STREAM) {
-            let mut asked = 0;
-            for (lane, way) in ways[first..].iter().take(STREAM).enumerate() {
-                asked |= u32::from(*way != Occlusion::Opaque) << lane;
+        for first in (0..occlusions.len()).step_by(STREAM) {
+            let mut active = 0;
+            for (lane, occlusion) in occlusions[first..].iter().take(STREAM).enumerate() {
+                active |= u32::from(*occlusion != Occlusion::Opaque) << lane;
             }
-            self.finder().tree.stream(
+            self.bvh().tree.stream(
                 lanes,
-                asked,
+                active,
                 #[inline(always)]
                 |lane| {
                     let query = query(first + lane);
                     (query.ray, query.t_max)
                 },
                 #[inline(always)]
-                |number, rays, ended| {
-                    let item = self.finder().bounded[number as usize];
-                    let asked = (item, first, rays);
-                    self.block_by(lanes, asked, (query, &mut *lot, &mut *ways), ended, scratch);
+                |number, active, ended| {
+                    let rays = ItemRays {
+                        item: self.bvh().bounded[number as usize],
+                        kind: RayKind::Shadow,
+                        first,
+                        active,
+                        query,
+                    };
+                    self.occlude_packet8(lanes, &rays, stream, occlusions, ended, scratch);
                 },
             );
         }
     }
 
-    /// Asks about an item by four rays at a time, where that goes, those of `rays` from the first on. Gives the rays
-    /// that must still be asked for singly; `take` gets the number of each of the others that meets the item, and what it
-    /// meets; unless `ASKS_FACE` perhaps no more than the distance.
+    /// Intersects an item with up to eight rays, in packets of four where it supports them. Returns the
+    /// lanes that need the scalar path; calls `take` with the index and the hit of each other ray that hits the item.
+    /// Unless `NEEDS_FACE`, only the distance of the hit is certain to be set.
     #[inline(always)]
-    pub(in crate::world) fn packet4_item<const ASKS_FACE: bool>(
+    pub(in crate::world) fn packet4_item<const NEEDS_FACE: bool>(
         &self,
         lanes: SimdLevel,
-        (item, seen): (IndexedItem, RayKind),
-        (lot, query): (&mut RayStream, impl Fn(usize) -> Query),
-        (first, rays): (usize, u32),
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
         scratch: &mut Scratch,
         mut take: impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
-        if self.is_hidden(item.item, seen) {
+        let ItemRays {
+            item,
+            kind,
+            first,
+            active,
+            query,
+        } = *rays;
+        if self.is_hidden(item.item, kind) {
             return 0;
         }
-        if !self.model.suits_four(item.item) {
-            return rays;
+        if !self.model.suits_packets(item.item) {
+            return active;
         }
-        let mut left = 0;
+        let mut scalar = 0;
         let mut unsure = 0;
-        // What is behind a surface that does not tell all only a single ray finds.
-        let mut take = |lot: &mut RayStream, ray: usize, found: RawHit| {
-            if self.tells_all(item.item, &found, seen) {
-                take(lot, ray, found);
+        // Hits behind an indecisive one are found only by the scalar path.
+        let mut take = |stream: &mut RayStream, ray: usize, hit: RawHit| {
+            if self.is_decisive(item.item, &hit, kind) {
+                take(stream, ray, hit);
             } else {
                 unsure |= 1 << (ray - first);
             }
         };
         for half in [0, 4] {
-            let some = rays >> half & 0b1111;
+            let some = active >> half & 0b1111;
             if some == 0 {
                 continue;
             }
             let start = first + half;
-            let asked = (&mut *lot, start, some);
+            let packet = StreamPacket {
+                stream: &mut *stream,
+                start,
+                active: some,
+            };
             let unknown = match item.item {
-                Item::Program(program) => {
-                    self.ask_four::<ASKS_FACE>(lanes, program, asked, &query, scratch, &mut take)
-                }
-                Item::Leaf(leaf) if ASKS_FACE => {
+                Item::Program(program) => self.packet4_program::<NEEDS_FACE>(
+                    lanes, program, packet, query, scratch, &mut take,
+                ),
+                Item::Leaf(leaf) if NEEDS_FACE => {
                     let roots = &mut scratch.roots;
-                    self.packet4_primitive::<false>(lanes, leaf, asked, &query, roots, &mut take)
+                    self.packet4_primitive::<false>(lanes, leaf, packet, query, roots, &mut take)
                 }
                 Item::Leaf(leaf) => {
                     let roots = &mut scratch.roots;
-                    self.packet4_primitive::<true>(lanes, leaf, asked, &query, roots, &mut take)
+                    self.packet4_primitive::<true>(lanes, leaf, packet, query, roots, &mut take)
                 }
-                Item::Instance(copy) if ASKS_FACE => {
-                    self.packet4_instance::<false>(lanes, copy, asked, &mut take)
+                Item::Instance(instance) if NEEDS_FACE => {
+                    self.packet4_instance::<false>(lanes, instance, packet, &mut take)
                 }
-                Item::Instance(copy) => {
-                    self.packet4_instance::<true>(lanes, copy, asked, &mut take)
+                Item::Instance(instance) => {
+                    self.packet4_instance::<true>(lanes, instance, packet, &mut take)
                 }
             };
-            left |= unknown << half;
+            scalar |= unknown << half;
         }
-        left | unsure
+        scalar | unsure
     }
 }

@@ -1,13 +1,14 @@
-//! Combinations for four rays at once.
+//! CSG programs for packets of four rays.
 //!
-//! With few operands no sorting pays. A surface is shown where the ray is within all solids that are to be shared and
-//! outside of all that are taken away; each end of a span is tried against the other spans (Roth 1982, turned about:
-//! all ends, all spans, no order). Where two ends coincide, and wherever a shape is in doubt, the ray is left to the scalar
-//! path: so the hits are those of [`CsgProgram::nearest`], to the bit.
+//! With few operands sorting does not pay. A surface is shown where the ray is inside all solids to be intersected and
+//! outside all those subtracted; each end of a span is tested against the other spans (Roth 1982, inverted: all ends,
+//! all spans, no order). Where two ends coincide, and where a shape is in doubt, the ray takes the scalar path: so the
+//! hits are those of [`CsgProgram::nearest`], bit for bit.
 //!
-//! A combination of many operands is cut down to those whose boxes some of the four rays meet, by the tree over them: the
-//! others hold none of the rays. Here is what operands have in common; combinations of combinations are in `packet_csg_tree`.
+//! A program of many operands is reduced to those whose boxes some of the four rays hit, by the BVH over them: the
+//! others contain none of the rays. This module handles intersections; nested operations are in `packet_csg_tree`.
 
+use super::bundle::StreamPacket;
 use super::csg_tree::CsgTreePacket;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
@@ -19,65 +20,65 @@ use crate::world::query::closest::SKIN;
 use crate::world::query::{Query, Scratch};
 use smallvec::SmallVec;
 
-/// Up to so many operands are tried end by end, besides those that must all hold; the work grows with the square.
+/// Most operands tested end by end, besides the required ones; the work grows with the square.
 pub(in crate::world) const MOST_OPERANDS: usize = 16;
-/// Up to so many nodes are.
+/// Most nodes of a program that packets support.
 pub(in crate::world) const MOST_NODES: usize = 8;
 
-/// The numbers of some operands.
+/// Indices of operands.
 pub(in crate::world) type Numbers = SmallVec<[u32; MOST_OPERANDS]>;
 
-/// In which way four rays can be asked about a combination at once.
+/// The packet algorithm for a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::world) enum PacketStrategy {
-    /// In none.
+    /// None: rays are intersected one by one.
     Scalar,
-    /// As one intersection.
+    /// A single intersection.
     Intersection,
-    /// As a combination of combinations.
+    /// A tree of operations.
     Tree,
 }
 
-/// Four rays on their way through a combination.
+/// A ray packet and the program that it is intersected with.
 #[derive(Clone, Copy)]
 pub(in crate::world) struct CsgPacket<'a> {
     pub(in crate::world) program: &'a CsgProgram,
     pub(in crate::world) leaves: &'a [Leaf],
     pub(in crate::world) rays: &'a RayPacket4,
-    /// Which rays there are, one bit each.
-    pub(in crate::world) there: u32,
-    /// The operands that count besides those that must all hold.
+    /// Mask of the active lanes.
+    pub(in crate::world) active: u32,
+    /// The operands to be tested besides the required ones.
     pub(in crate::world) others: &'a [u32],
 }
 
-/// What four rays find.
+/// Hits of a ray packet.
 pub(in crate::world) struct CsgPacketHits {
     pub(in crate::world) t: [f64; 4],
-    /// The operand, a whole number.
+    /// The operand, as a whole number.
     pub(in crate::world) operand: [f64; 4],
-    /// Which rays meet something.
-    pub(in crate::world) met: u32,
-    /// Which rays must be asked for singly.
+    /// Mask of the lanes that hit something.
+    pub(in crate::world) hit_mask: u32,
+    /// Mask of the lanes that need the scalar path.
     pub(in crate::world) unknown: u32,
 }
 
-/// Where four rays are inside of what must all hold, and where along them something may be shown.
+/// The interval of each ray inside all required operands, in which something may show.
 pub(in crate::world) struct ClipInterval<F> {
     pub(in crate::world) low: F,
     pub(in crate::world) high: F,
     enter: End<F>,
     leave: End<F>,
-    /// Which rays must be asked for singly.
+    /// Mask of the lanes that need the scalar path.
     pub(in crate::world) unknown: u32,
 }
 
-/// The last of several ends, or the first.
+/// The last of several entries, or the first of several exits.
 #[derive(Clone, Copy)]
 struct End<F> {
     t: F,
-    /// The operand, a whole number; below zero if it only clips.
+    /// The operand, as a whole number; negative if it only clips.
     operand: F,
-    /// Above zero where two of them fall together.
+    /// Positive where two of them coincide.
     tied: F,
 }
 
@@ -91,9 +92,9 @@ impl<F: F64Lanes> End<F> {
         }
     }
 
-    /// Takes in the end of an operand, which counts where `is_new`.
+    /// Takes the end of an operand into account, which replaces the current one where `is_new`.
     #[inline(always)]
-    fn take(&mut self, t: F, operand: F, is_new: F::Mask) {
+    fn extend(&mut self, t: F, operand: F, is_new: F::Mask) {
         let [zero, one] = [F::splat(0.0), F::splat(1.0)];
         let tied = F::select(t.eq(self.t), one, self.tied);
         self.tied = F::select(is_new, zero, tied);
@@ -101,7 +102,7 @@ impl<F: F64Lanes> End<F> {
         self.t = F::select(is_new, t, self.t);
     }
 
-    /// Where it may be shown: infinitely far where it only clips.
+    /// Distance at which it may be shown: infinity where it only clips.
     #[inline(always)]
     fn shown(&self) -> F {
         let zero = F::splat(0.0);
@@ -110,26 +111,26 @@ impl<F: F64Lanes> End<F> {
     }
 }
 
-/// Asks where along four rays something may be shown, and on which of them.
+/// Computes the interval of four rays in which something may show, and the lanes where it is not empty.
 struct ClipKernel<'a>(CsgPacket<'a>);
 
 impl CsgProgram {
-    /// In which way four rays can be asked about it at once.
-    pub(in crate::world) fn way_of_four(&self, leaves: &[Leaf]) -> PacketStrategy {
-        let asked = self.order.others.len();
-        // What few rays come near need not be known to four.
-        let mut always_asked = self.order.required.iter().chain(&self.order.others);
+    /// Selects the algorithm for packets.
+    pub(in crate::world) fn packet_strategy(&self, leaves: &[Leaf]) -> PacketStrategy {
+        let count = self.order.others.len();
+        // Operands in the BVH need no packet code: few rays come near them.
+        let mut always_tested = self.order.required.iter().chain(&self.order.others);
         let has_four = |&number: &u32| leaves[(self.first + number) as usize].shape.has_four();
-        if asked > MOST_OPERANDS || !always_asked.all(has_four) {
+        if count > MOST_OPERANDS || !always_tested.all(has_four) {
             return PacketStrategy::Scalar;
         }
         match self.nodes.as_slice() {
-            // What is not inverse must then hold.
+            // Here all operands that are not inverse are required, so the others are subtracted.
             [node] if node.combine == Combine::Intersection && !node.is_inverse => {
                 PacketStrategy::Intersection
             }
             nodes if nodes.len() <= MOST_NODES => {
-                if asked + self.order.required.len() <= MOST_OPERANDS {
+                if count + self.order.required.len() <= MOST_OPERANDS {
                     PacketStrategy::Tree
                 } else {
                     PacketStrategy::Scalar
@@ -139,37 +140,38 @@ impl CsgProgram {
         }
     }
 
-    /// What those of four rays that are `there` find in a way that it suits. Large, and called from many places: inlined, it
+    /// Hits of the active lanes by the selected algorithm. Not inlined: it is large with many call sites, and
     /// would take as long to compile as all the rest.
     #[inline(never)]
-    fn ask_four(
+    fn intersect_packet4(
         &self,
         lanes: SimdLevel,
-        way: PacketStrategy,
+        strategy: PacketStrategy,
         leaves: &[Leaf],
-        (rays, there): (&RayPacket4, u32),
+        rays: &RayPacket4,
+        active: u32,
     ) -> CsgPacketHits {
         let mut others = Numbers::from_slice(&self.order.others);
-        let mut passing = CsgPacket {
+        let mut packet = CsgPacket {
             program: self,
             leaves,
             rays,
-            there,
+            active,
             others: &[],
         };
-        if way == PacketStrategy::Scalar || passing.gather(lanes, &mut others).is_none() {
+        if strategy == PacketStrategy::Scalar || packet.gather(lanes, &mut others).is_none() {
             return CsgPacketHits {
-                unknown: there,
+                unknown: active,
                 ..CsgPacketHits::NOTHING
             };
         }
-        if passing.there == 0 {
+        if packet.active == 0 {
             return CsgPacketHits::NOTHING;
         }
-        passing.others = &others;
-        match way {
-            PacketStrategy::Tree => lanes.run(CsgTreePacket(passing)),
-            PacketStrategy::Intersection | PacketStrategy::Scalar => lanes.run(passing),
+        packet.others = &others;
+        match strategy {
+            PacketStrategy::Tree => lanes.run(CsgTreePacket(packet)),
+            PacketStrategy::Intersection | PacketStrategy::Scalar => lanes.run(packet),
         }
     }
 }
@@ -185,7 +187,7 @@ impl SimdKernel for ClipKernel<'_> {
                 low, high, unknown, ..
             }) => {
                 let left = F::bitmask(low.le(high)) | unknown;
-                ([low.to_array(), high.to_array()], left & self.0.there)
+                ([low.to_array(), high.to_array()], left & self.0.active)
             }
         }
     }
@@ -197,43 +199,43 @@ impl SimdKernel for CsgPacket<'_> {
     #[inline(always)]
     fn run<F: F64Lanes>(self) -> CsgPacketHits {
         let rays = self.rays.load::<F>();
-        let Some(held) = self.narrowed(&rays) else {
+        let Some(clip) = self.narrowed(&rays) else {
             return CsgPacketHits::NOTHING;
         };
-        if let Some(found) = self.found_at_once(&held, &rays) {
-            return found;
+        if let Some(hits) = self.early_hits(&clip, &rays) {
+            return hits;
         }
         let endless = F::splat(f64::INFINITY);
-        let mut unknown = held.unknown;
+        let mut unknown = clip.unknown;
         let mut ends = [(endless, -endless); MOST_OPERANDS];
         for (ends, &number) in ends.iter_mut().zip(self.others) {
-            let (own, own_unknown) = self.ends(number, &rays, (held.low, held.high));
+            let (own, own_unknown) = self.ends(number, &rays, clip.low, clip.high);
             *ends = own;
-            unknown |= own_unknown & self.there;
+            unknown |= own_unknown & self.active;
         }
         let cuts = &ends[..self.others.len().min(MOST_OPERANDS)];
-        let mut best = self.nearer(&held, cuts, held.enter.shown(), endless);
-        best = self.nearer(&held, cuts, held.leave.shown(), best);
+        let mut best = self.nearer(&clip, cuts, clip.enter.shown(), endless);
+        best = self.nearer(&clip, cuts, clip.leave.shown(), best);
         for (ends, &number) in cuts.iter().zip(self.others) {
             if !self.program.operands[number as usize].is_hidden {
-                best = self.nearer(&held, cuts, ends.0, best);
-                best = self.nearer(&held, cuts, ends.1, best);
+                best = self.nearer(&clip, cuts, ends.0, best);
+                best = self.nearer(&clip, cuts, ends.1, best);
             }
         }
         let mut at = NearestEnd::none();
-        for end in [&held.enter, &held.leave] {
-            at.is_met_twice(F::splat(0.0).lt(end.tied) & end.t.eq(best));
-            at.meet(end.t.eq(best), end.operand);
+        for end in [&clip.enter, &clip.leave] {
+            at.add_tie(F::splat(0.0).lt(end.tied) & end.t.eq(best));
+            at.add(end.t.eq(best), end.operand);
         }
         for (ends, &number) in cuts.iter().zip(self.others) {
-            at.meet(ends.0.eq(best), F::splat(f64::from(number)));
-            at.meet(ends.1.eq(best), F::splat(f64::from(number)));
+            at.add(ends.0.eq(best), F::splat(f64::from(number)));
+            at.add(ends.1.eq(best), F::splat(f64::from(number)));
         }
-        at.answer(best, unknown, self.there)
+        at.answer(best, unknown, self.active)
     }
 }
 
-/// Whose end is the nearest.
+/// The operand whose end is the closest shown.
 pub(in crate::world) struct NearestEnd<F: F64Lanes> {
     operand: F,
     once: F::Mask,
@@ -251,26 +253,26 @@ impl<F: F64Lanes> NearestEnd<F> {
     }
 
     #[inline(always)]
-    pub(in crate::world) fn meet(&mut self, is_best: F::Mask, operand: F) {
+    pub(in crate::world) fn add(&mut self, is_best: F::Mask, operand: F) {
         self.twice = self.twice | (self.once & is_best);
         self.once = self.once | is_best;
         self.operand = F::select(is_best, operand, self.operand);
     }
 
     #[inline(always)]
-    fn is_met_twice(&mut self, is_tied: F::Mask) {
+    fn add_tie(&mut self, is_tied: F::Mask) {
         self.twice = self.twice | is_tied;
     }
 
-    /// What is found where the first surface shown is at `best`, or infinitely far.
+    /// The hits, with the closest surface shown at `best`, or at infinity.
     #[inline(always)]
-    pub(in crate::world) fn answer(&self, best: F, unknown: u32, there: u32) -> CsgPacketHits {
-        let met = F::bitmask(best.lt(F::splat(f64::INFINITY))) & there;
-        let unknown = unknown | F::bitmask(self.twice) & met;
+    pub(in crate::world) fn answer(&self, best: F, unknown: u32, active: u32) -> CsgPacketHits {
+        let hit_mask = F::bitmask(best.lt(F::splat(f64::INFINITY))) & active;
+        let unknown = unknown | F::bitmask(self.twice) & hit_mask;
         CsgPacketHits {
             t: best.to_array(),
             operand: self.operand.to_array(),
-            met: met & !unknown,
+            hit_mask: hit_mask & !unknown,
             unknown,
         }
     }
@@ -280,61 +282,61 @@ impl CsgPacketHits {
     pub(in crate::world) const NOTHING: CsgPacketHits = CsgPacketHits {
         t: [0.0; 4],
         operand: [0.0; 4],
-        met: 0,
+        hit_mask: 0,
         unknown: 0,
     };
 }
 
 impl CsgPacket<'_> {
-    /// What the operands that must all hold have in common; nothing if no ray is left on which something may be shown.
+    /// The intersection of the required operands; `None` if no active ray is left in it.
     #[inline(always)]
     pub(in crate::world) fn narrowed<F: F64Lanes>(
         &self,
         rays: &RayPacket<F>,
     ) -> Option<ClipInterval<F>> {
-        let mut held = ClipInterval {
-            low: F::from_array(&self.rays.from),
-            high: F::from_array(&self.rays.far),
+        let mut clip = ClipInterval {
+            low: F::from_array(&self.rays.t_min),
+            high: F::from_array(&self.rays.t_max),
             enter: End::at(f64::NEG_INFINITY),
             leave: End::at(f64::INFINITY),
             unknown: 0,
         };
         for &number in &self.program.order.required {
-            let ((enter, leave), unknown) = self.ends(number, rays, (held.low, held.high));
-            held.unknown |= unknown & self.there;
+            let ((enter, leave), unknown) = self.ends(number, rays, clip.low, clip.high);
+            clip.unknown |= unknown & self.active;
             let operand = if self.program.operands[number as usize].is_hidden {
                 -1.0
             } else {
                 f64::from(number)
             };
             let operand = F::splat(operand);
-            held.enter.take(enter, operand, held.enter.t.lt(enter));
-            held.leave.take(leave, operand, leave.lt(held.leave.t));
-            held.low = held.low.lane_max(enter);
-            held.high = held.high.lane_min(leave);
-            let is_open = F::bitmask(held.low.le(held.high)) | held.unknown;
-            if is_open & self.there == 0 {
+            clip.enter.extend(enter, operand, clip.enter.t.lt(enter));
+            clip.leave.extend(leave, operand, leave.lt(clip.leave.t));
+            clip.low = clip.low.lane_max(enter);
+            clip.high = clip.high.lane_min(leave);
+            let is_open = F::bitmask(clip.low.le(clip.high)) | clip.unknown;
+            if is_open & self.active == 0 {
                 return None;
             }
         }
-        Some(held)
+        Some(clip)
     }
 
-    /// What is found if each ray either passes by what must all hold, or enters it where nothing is near that is taken away:
-    /// that needs no ends of what is.
+    /// The hits if each ray either misses the required operands, or enters them at a point clear of all subtracted
+    /// operands: then the ends of those are not needed.
     #[inline(always)]
-    fn found_at_once<F: F64Lanes>(
+    fn early_hits<F: F64Lanes>(
         &self,
-        held: &ClipInterval<F>,
+        clip: &ClipInterval<F>,
         rays: &RayPacket<F>,
     ) -> Option<CsgPacketHits> {
-        let t = held.enter.shown();
-        let passes = F::bitmask(held.high.lt(held.low));
-        let is_plain = (F::from_array(&self.rays.from).lt(t) & t.lt(held.high))
-            & (t.eq(held.low) & held.enter.tied.eq(F::splat(0.0)));
+        let t = clip.enter.shown();
+        let passes = F::bitmask(clip.high.lt(clip.low));
+        let is_plain = (F::from_array(&self.rays.t_min).lt(t) & t.lt(clip.high))
+            & (t.eq(clip.low) & clip.enter.tied.eq(F::splat(0.0)));
         let mut clear = F::bitmask(is_plain) & !passes;
         for &number in self.others {
-            if (clear | passes) & self.there != self.there {
+            if (clear | passes) & self.active != self.active {
                 break;
             }
             let leaf = &self.leaves[(self.program.first + number) as usize];
@@ -343,23 +345,23 @@ impl CsgPacket<'_> {
                 Some(matrix) => leaf.shape.four_clear(&rays.to_object(matrix), t),
             });
         }
-        let is_known = held.unknown == 0 && (clear | passes) & self.there == self.there;
+        let is_known = clip.unknown == 0 && (clear | passes) & self.active == self.active;
         is_known.then(|| CsgPacketHits {
             t: t.to_array(),
-            operand: held.enter.operand.to_array(),
-            met: clear & self.there,
+            operand: clip.enter.operand.to_array(),
+            hit_mask: clear & self.active,
             unknown: 0,
         })
     }
 
-    /// The nearest surface that is shown of the one at `best` and one at `t`, with what is taken away. No closure: that
-    /// would not take part in the wide lanes.
+    /// The nearer of `best` and, where it is shown, an end at `t`; `cuts` are the spans subtracted. Not a closure,
+    /// which would not be compiled for the wide lanes.
     #[inline(always)]
-    fn nearer<F: F64Lanes>(&self, held: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
-        let from = F::from_array(&self.rays.from);
-        let is_within = held.low.le(t) & t.le(held.high);
+    fn nearer<F: F64Lanes>(&self, clip: &ClipInterval<F>, cuts: &[(F, F)], t: F, best: F) -> F {
+        let from = F::from_array(&self.rays.t_min);
+        let is_within = clip.low.le(t) & t.le(clip.high);
         let mut is_shown = (from.lt(t) & is_within) & t.lt(best);
-        if F::bitmask(is_shown) & self.there == 0 {
+        if F::bitmask(is_shown) & self.active == 0 {
             return best;
         }
         for (enter, leave) in cuts {
@@ -368,16 +370,17 @@ impl CsgPacket<'_> {
         F::select(is_shown, t, best)
     }
 
-    /// Entry and exit of each ray into an operand, and the lanes that take the scalar path; ends outside of the intervals
-    /// `within` may be missing. An operand that is missed is entered at infinity and left at minus infinity.
+    /// Entry and exit of each ray into an operand, and the lanes that take the scalar path; ends outside the intervals
+    /// `low` to `high` may be missing. A missed operand is entered at infinity and left at minus infinity.
     #[inline(always)]
     pub(in crate::world) fn ends<F: F64Lanes>(
         &self,
         number: u32,
         rays: &RayPacket<F>,
-        within: (F, F),
+        low: F,
+        high: F,
     ) -> ((F, F), u32) {
-        let spans = self.spans(number, rays, within);
+        let spans = self.spans(number, rays, low, high);
         let endless = F::splat(f64::INFINITY);
         let ends = (
             F::select(spans.is_met, spans.enter, endless),
@@ -391,19 +394,20 @@ impl CsgPacket<'_> {
         &self,
         number: u32,
         rays: &RayPacket<F>,
-        within: (F, F),
+        low: F,
+        high: F,
     ) -> SpanPacket<F> {
         let leaf = &self.leaves[(self.program.first + number) as usize];
-        // One place to inline all shapes, not one for each case.
+        // A single call site, so that all shapes are inlined once.
         let rays = match &leaf.object_from_world {
             None => *rays,
             Some(matrix) => rays.to_object(matrix),
         };
-        leaf.shape.four(&rays, within)
+        leaf.shape.four(&rays, (low, high))
     }
 
-    /// Finds the operands of a large combination whose boxes some of the rays meet where something may be shown, and
-    /// which rays those are; takes out those of parts whose boxes none meets. Gives nothing if they are too many.
+    /// Adds the operands of a large program whose boxes some of the rays hit within their clip intervals, and updates
+    /// the active lanes; drops operands of parts whose boxes no ray hits. Returns `None` if there are too many.
     #[inline(always)]
     fn gather(&mut self, lanes: SimdLevel, others: &mut Numbers) -> Option<()> {
         let order = &self.program.order;
@@ -412,25 +416,25 @@ impl CsgPacket<'_> {
             return Some(());
         };
         let ([low, high], left) = lanes.run(ClipKernel(*self));
-        self.there = left;
-        let room = match self.program.nodes.len() {
+        self.active = left;
+        let capacity = match self.program.nodes.len() {
             1 => MOST_OPERANDS,
             _ => MOST_OPERANDS - order.required.len(),
         };
-        let mut met_parts = 0u64;
+        let mut hit_parts = 0u64;
         for lane in (0..4).filter(|lane| left >> lane & 1 == 1) {
             let is_full = boxed.tree.any_in(
                 lanes,
                 &self.rays.ray(lane),
                 (low[lane], high[lane]),
                 #[inline(always)]
-                |place| {
-                    match boxed.bounded.get(place as usize) {
+                |position| {
+                    match boxed.bounded.get(position as usize) {
                         Some(number) if others.contains(number) => {}
                         Some(&number) => others.push(number),
-                        None => met_parts |= 1 << (place as usize - boxed.bounded.len()),
+                        None => hit_parts |= 1 << (position as usize - boxed.bounded.len()),
                     }
-                    others.len() > room
+                    others.len() > capacity
                 },
             );
             if is_full {
@@ -438,7 +442,7 @@ impl CsgPacket<'_> {
             }
         }
         for (part, operands) in boxed.parts.iter().enumerate() {
-            if met_parts >> part & 1 == 0 {
+            if hit_parts >> part & 1 == 0 {
                 others.retain(|number| !operands.contains(number));
             }
         }
@@ -446,68 +450,75 @@ impl CsgPacket<'_> {
     }
 }
 
-/// Whether a ray for which nothing counts up to `from` may start on the surface that it meets at `t`.
+/// Returns true if a hit at `t` may lie on the surface that the ray starts on, for its near limit.
 #[inline(always)]
-pub(in crate::world) fn may_be_left(from: f64, t: f64) -> bool {
-    SKIN * t <= from
+pub(in crate::world) fn may_be_self_hit(t_min: f64, t: f64) -> bool {
+    SKIN * t <= t_min
 }
 
 impl World {
-    /// What some of four rays from `start` on find of a combination up to and including where they end: calls `take` with the number of
-    /// each ray that meets it. Gives those that must be asked for singly, one bit each. Unless `ASKS_FACE`, no more is
-    /// told of a root than its distance.
+    /// Intersects four rays, which start at index `start`, with a CSG program up to and including their far limits:
+    /// calls `take` with the index of each ray that hits it. Returns the lanes that need the scalar path. Unless
+    /// `NEEDS_FACE`, only the distance of a root is set.
     #[inline(always)]
-    pub(in crate::world) fn ask_four<const ASKS_FACE: bool>(
+    pub(in crate::world) fn packet4_program<const NEEDS_FACE: bool>(
         &self,
         lanes: SimdLevel,
         number: u32,
-        (lot, start, there): (&mut RayStream, usize, u32),
+        packet: StreamPacket,
         query: impl Fn(usize) -> Query,
         scratch: &mut Scratch,
         take: &mut impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
-        let rays = lot.four(start);
-        let (from, left) = (rays.from, rays.left);
+        let StreamPacket {
+            stream,
+            start,
+            active,
+        } = packet;
+        let rays = stream.packet(start);
+        let (from, origin_leaf) = (rays.t_min, rays.origin_leaf);
         let program = &self.model.programs[number as usize];
-        let way = self.model.way_of_four(number);
-        let mut found = program.ask_four(lanes, way, &self.model.leaves, (rays, there));
-        let mut met = found.met;
-        while met != 0 {
-            let lane = met.trailing_zeros() as usize % 4;
-            met &= met - 1;
+        let strategy = self.model.packet_strategy(number);
+        let mut hits = program.intersect_packet4(lanes, strategy, &self.model.leaves, rays, active);
+        let mut hit_mask = hits.hit_mask;
+        while hit_mask != 0 {
+            let lane = hit_mask.trailing_zeros() as usize % 4;
+            hit_mask &= hit_mask - 1;
             #[allow(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "a small whole number"
             )]
-            let operand = found.operand[lane] as u32;
+            let operand = hits.operand[lane] as u32;
             let leaf = program.first + operand;
             let ray = query(start + lane).ray;
             if !program.shows(operand, &self.model.leaves, &ray, &mut scratch.sweep) {
-                found.unknown |= 1 << lane;
+                hits.unknown |= 1 << lane;
                 continue;
             }
-            // A surface on which the ray may start is for the search that looks behind it.
-            if may_be_left(from[lane], found.t[lane]) {
-                found.unknown |= 1 << lane;
+            // The scalar path decides about self-intersections, and searches behind them.
+            if may_be_self_hit(from[lane], hits.t[lane]) {
+                hits.unknown |= 1 << lane;
                 continue;
             }
-            // The root that the ray has just left is none; what lies behind it only a single ray finds.
-            if left[lane] == leaf && self.left_at(&query(start + lane), scratch) == found.t[lane] {
-                found.unknown |= 1 << lane;
+            // The root that the ray starts on does not count; the scalar path searches behind it.
+            if origin_leaf[lane] == leaf
+                && self.spawn_t(&query(start + lane), scratch) == hits.t[lane]
+            {
+                hits.unknown |= 1 << lane;
                 continue;
             }
-            let found_leaf = &self.model.leaves[leaf as usize];
-            let surface = found_leaf.surface;
-            if !ASKS_FACE {
+            let hit_leaf = &self.model.leaves[leaf as usize];
+            let surface = hit_leaf.surface;
+            if !NEEDS_FACE {
                 let root = Root {
-                    t: found.t[lane],
+                    t: hits.t[lane],
                     crossing: Crossing::Touch,
                     face: 0,
                     is_visible: true,
                 };
                 take(
-                    lot,
+                    stream,
                     start + lane,
                     RawHit {
                         root,
@@ -517,9 +528,9 @@ impl World {
                 );
                 continue;
             }
-            match found_leaf.root_at(&ray, found.t[lane], &mut scratch.roots) {
+            match hit_leaf.root_at(&ray, hits.t[lane], &mut scratch.roots) {
                 Some(root) => take(
-                    lot,
+                    stream,
                     start + lane,
                     RawHit {
                         root,
@@ -527,23 +538,23 @@ impl World {
                         surface,
                     },
                 ),
-                None => found.unknown |= 1 << lane,
+                None => hits.unknown |= 1 << lane,
             }
         }
-        found.unknown
+        hits.unknown
     }
 
-    /// Where a ray has just left a part of a combination; not a number if it has not.
+    /// Distance of the root that the ray starts on, on a part of a CSG program; NaN if it starts on none.
     #[inline(never)]
-    fn left_at(&self, query: &Query, scratch: &mut Scratch) -> f64 {
-        let Some(left) = &query.origin_surface else {
+    fn spawn_t(&self, query: &Query, scratch: &mut Scratch) -> f64 {
+        let Some(origin) = &query.origin_surface else {
             return f64::NAN;
         };
-        let leaf = &self.model.leaves[left.leaf as usize];
+        let leaf = &self.model.leaves[origin.leaf as usize];
         let roots = &mut scratch.roots;
         roots.clear();
         leaf.roots(&query.ray, roots);
-        hide_departure(roots, left, leaf, query.ray.dir);
+        hide_departure(roots, origin, leaf, query.ray.dir);
         let hidden = roots.iter().find(|root| !root.is_visible);
         hidden.map_or(f64::NAN, |root| root.t)
     }
@@ -554,26 +565,26 @@ mod tests {
     use super::super::hits::HitPacket4;
     use super::*;
     use crate::base::math::sampling::random::Random;
-    use crate::world::csg::program::Sweep;
+    use crate::world::csg::program::{RayInterval, Sweep};
     use crate::world::csg::simplify::tests::{coarse, random_program};
     use glam::DVec3;
 
     #[test]
-    fn four_rays_find_what_each_finds() {
+    fn packets_hit_what_single_rays_hit() {
         let mut rng = Random::new(77);
-        let (mut sweep, mut lot) = (Sweep::default(), RayStream::default());
+        let (mut sweep, mut stream) = (Sweep::default(), RayStream::default());
         let mut known = [[0; 2]; 2];
         for _ in 0..60_000 {
             let (mut program, leaves, bounds) = random_program(&mut rng);
             if let [node] = &mut program.nodes[..] {
-                // One solid less all others, or hardly anything would be shown.
+                // One solid minus all others, or hardly anything would be shown.
                 node.combine = Combine::Intersection;
                 let others = program.operands.iter_mut().skip(1);
                 others.for_each(|operand| operand.is_inverse = true);
             }
             program.prepare(&leaves, &bounds, Vec::new());
-            let way = program.way_of_four(&leaves);
-            if way == PacketStrategy::Scalar {
+            let strategy = program.packet_strategy(&leaves);
+            if strategy == PacketStrategy::Scalar {
                 continue;
             }
             let origin = 2.0 * coarse(&mut rng) + 0.25 * rng.vector(1.0);
@@ -582,24 +593,35 @@ mod tests {
                 let aim = 2.0 * rng.vector(1.0) + coarse(&mut rng);
                 hits.aim(lane, (aim - origin).normalize_or(DVec3::X));
             }
-            lot.load_camera_rays(origin, 0.0, &[hits]);
-            let ask =
-                |lanes: SimdLevel| program.ask_four(lanes, way, &leaves, (lot.four(0), 0b1111));
-            let (wide, narrow) = (ask(SimdLevel::widest()), ask(SimdLevel::NARROW));
-            assert_eq!((wide.met, wide.unknown), (narrow.met, narrow.unknown));
+            stream.load_camera_rays(origin, 0.0, &[hits]);
+            let intersect = |lanes: SimdLevel| {
+                program.intersect_packet4(lanes, strategy, &leaves, stream.packet(0), 0b1111)
+            };
+            let (wide, narrow) = (intersect(SimdLevel::widest()), intersect(SimdLevel::NARROW));
+            assert_eq!(
+                (wide.hit_mask, wide.unknown),
+                (narrow.hit_mask, narrow.unknown)
+            );
             for lane in (0..4).filter(|lane| wide.unknown >> lane & 1 == 0) {
-                let span = (0.0, f64::INFINITY);
+                let interval = RayInterval::FORWARD;
                 let alone = program
-                    .nearest(&leaves, &lot.ray(lane), span, None, &mut sweep, |_| true)
-                    .map(|found| (found.root.t, f64::from(found.leaf)));
-                let together = |found: &CsgPacketHits| {
-                    let is_met = found.met >> lane & 1 == 1;
-                    is_met.then(|| (found.t[lane], found.operand[lane]))
+                    .nearest(
+                        &leaves,
+                        &stream.ray(lane),
+                        interval,
+                        None,
+                        &mut sweep,
+                        |_| true,
+                    )
+                    .map(|raw_hit| (raw_hit.root.t, f64::from(raw_hit.leaf)));
+                let together = |hits: &CsgPacketHits| {
+                    let is_hit = hits.hit_mask >> lane & 1 == 1;
+                    is_hit.then(|| (hits.t[lane], hits.operand[lane]))
                 };
                 assert_eq!(together(&wide), alone, "{program:?}");
                 assert_eq!(together(&narrow), alone, "{program:?}");
                 let is_cut = usize::from(program.order.boxed.is_some());
-                known[usize::from(way == PacketStrategy::Tree)][is_cut] +=
+                known[usize::from(strategy == PacketStrategy::Tree)][is_cut] +=
                     usize::from(alone.is_some());
             }
         }

@@ -1,20 +1,20 @@
-//! Combinations of combinations, for four rays at once: as `four`, with the formula of the whole tree for each end.
+//! CSG trees for packets of four rays: like `packet_csg`, but each end is tested with the formula of the whole tree.
 
 use super::csg::{CsgPacket, CsgPacketHits, MOST_NODES, MOST_OPERANDS, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
 use crate::world::csg::program::{Combine, NONE};
 
-/// Four rays on their way through a combination of combinations.
+/// A ray packet and the CSG tree that it is intersected with.
 pub(in crate::world) struct CsgTreePacket<'a>(pub(in crate::world) CsgPacket<'a>);
 
-/// An operand, and where four rays enter and leave it.
+/// An operand, and the entry and exit of each ray.
 #[derive(Clone, Copy)]
 struct OperandInterval<F> {
     number: u32,
     ends: (F, F),
 }
 
-/// Which rays are certainly inside of something, and which outside.
+/// Lanes that are certainly inside, and those that are certainly outside.
 struct InsideMasks<F: F64Lanes> {
     inside: F::Mask,
     outside: F::Mask,
@@ -30,7 +30,7 @@ impl<F: F64Lanes> Clone for InsideMasks<F> {
 impl<F: F64Lanes> Copy for InsideMasks<F> {}
 
 impl<F: F64Lanes> InsideMasks<F> {
-    /// Where a combination of nothing is.
+    /// Neutral element of an operation.
     #[inline(always)]
     fn of_nothing(combine: Combine) -> Self {
         let (all, none) = (F::mask_from_bits(0b1111), F::mask_from_bits(0));
@@ -46,7 +46,7 @@ impl<F: F64Lanes> InsideMasks<F> {
         }
     }
 
-    /// Takes in a part of a combination.
+    /// Combines a part with the node.
     #[inline(always)]
     fn add(&mut self, combine: Combine, part: Self) {
         match combine {
@@ -79,38 +79,38 @@ impl SimdKernel for CsgTreePacket<'_> {
 
     #[inline(always)]
     fn run<F: F64Lanes>(self) -> CsgPacketHits {
-        let CsgTreePacket(passing) = self;
-        let rays = passing.rays.load::<F>();
-        let Some(held) = passing.narrowed(&rays) else {
+        let CsgTreePacket(packet) = self;
+        let rays = packet.rays.load::<F>();
+        let Some(clip) = packet.narrowed(&rays) else {
             return CsgPacketHits::NOTHING;
         };
-        let mut unknown = held.unknown;
+        let mut unknown = clip.unknown;
         let mut parts = [OperandInterval {
             number: 0,
-            ends: (held.low, held.low),
+            ends: (clip.low, clip.low),
         }; MOST_OPERANDS];
-        let required = &passing.program.order.required;
-        let numbers = required.iter().chain(passing.others);
+        let required = &packet.program.order.required;
+        let numbers = required.iter().chain(packet.others);
         let mut count = 0;
         for (part, &number) in parts.iter_mut().zip(numbers) {
-            let (ends, own_unknown) = passing.ends(number, &rays, (held.low, held.high));
+            let (ends, own_unknown) = packet.ends(number, &rays, clip.low, clip.high);
             *part = OperandInterval { number, ends };
-            unknown |= own_unknown & passing.there;
+            unknown |= own_unknown & packet.active;
             count += 1;
         }
         let parts = &parts[..count];
-        let apart = self.apart(parts);
-        let from = F::from_array(&passing.rays.from);
+        let rest = self.rest(parts);
+        let from = F::from_array(&packet.rays.t_min);
         let mut best = F::splat(f64::INFINITY);
-        for (place, part) in parts.iter().enumerate() {
-            if passing.program.operands[part.number as usize].is_hidden {
+        for (position, part) in parts.iter().enumerate() {
+            if packet.program.operands[part.number as usize].is_hidden {
                 continue;
             }
             for t in [part.ends.0, part.ends.1] {
-                let is_within = held.low.le(t) & t.le(held.high);
+                let is_within = clip.low.le(t) & t.le(clip.high);
                 let is_next = (from.lt(t) & is_within) & t.lt(best);
-                if F::bitmask(is_next) & passing.there != 0 {
-                    let is_covered = self.is_covered((parts, place), t, &apart);
+                if F::bitmask(is_next) & packet.active != 0 {
+                    let is_covered = self.is_covered(parts, position, t, &rest);
                     best = F::select(is_next, F::select(is_covered, best, t), best);
                 }
             }
@@ -118,40 +118,42 @@ impl SimdKernel for CsgTreePacket<'_> {
         let mut at = NearestEnd::none();
         for part in parts {
             let number = F::splat(f64::from(part.number));
-            at.meet(part.ends.0.eq(best), number);
-            at.meet(part.ends.1.eq(best), number);
+            at.add(part.ends.0.eq(best), number);
+            at.add(part.ends.1.eq(best), number);
         }
-        at.answer(best, unknown, passing.there)
+        at.answer(best, unknown, packet.active)
     }
 }
 
 impl CsgTreePacket<'_> {
-    /// What the operands that are not among these come to in each node: outside of all of them the ray may be inside of
-    /// what they stand for, or not.
+    /// For each node, the numbers of operands not among `parts`, plain and inverse. All rays are outside their leaves,
+    /// so inside the inverse ones.
     #[inline(always)]
-    fn apart<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MOST_NODES] {
+    fn rest<F: F64Lanes>(&self, parts: &[OperandInterval<F>]) -> [[u32; 2]; MOST_NODES] {
         let order = &self.0.program.order;
-        let mut apart = [[0; 2]; MOST_NODES];
+        let mut rest = [[0; 2]; MOST_NODES];
         if let Some(boxed) = &order.boxed {
-            for (apart, resting) in apart.iter_mut().zip(&boxed.resting) {
-                *apart = *resting;
+            for (rest, resting) in rest.iter_mut().zip(&boxed.resting) {
+                *rest = *resting;
             }
             for part in &parts[order.required.len()..] {
                 let operand = &self.0.program.operands[part.number as usize];
-                apart[operand.parent as usize % MOST_NODES][usize::from(operand.is_inverse)] -= 1;
+                rest[operand.parent as usize % MOST_NODES][usize::from(operand.is_inverse)] -= 1;
             }
         }
-        apart
+        rest
     }
 
-    /// To which rays some node above does not let the surface of the operand in a place at `t` through. Of an operand that
-    /// ends there too neither side is certain: what it may cover counts as shown, so that it is not passed over.
+    /// Lanes in which some ancestor hides the surface at `t` of the operand at `position`. An operand that also ends
+    /// there is neither certainly inside nor certainly outside: a surface it may cover counts as shown, so that it is
+    /// not missed.
     #[inline(always)]
     fn is_covered<F: F64Lanes>(
         &self,
-        (parts, place): (&[OperandInterval<F>], usize),
+        parts: &[OperandInterval<F>],
+        position: usize,
         t: F,
-        apart: &[[u32; 2]; MOST_NODES],
+        rest: &[[u32; 2]; MOST_NODES],
     ) -> F::Mask {
         let program = self.0.program;
         let nodes = program.nodes.iter().take(MOST_NODES).enumerate();
@@ -159,14 +161,14 @@ impl CsgTreePacket<'_> {
         for (at, node) in nodes.clone() {
             sides[at] = InsideMasks::of_nothing(node.combine);
             for is_inverse in [false, true] {
-                if apart[at][usize::from(is_inverse)] > 0 {
+                if rest[at][usize::from(is_inverse)] > 0 {
                     let outside = InsideMasks::of_nothing(Combine::Union);
                     sides[at].add(node.combine, outside.exchanged(is_inverse));
                 }
             }
         }
         for (other, part) in parts.iter().enumerate() {
-            if other == place {
+            if other == position {
                 continue;
             }
             let operand = &program.operands[part.number as usize];
@@ -180,7 +182,7 @@ impl CsgTreePacket<'_> {
             sides[parent].add(combine, side.exchanged(operand.is_inverse));
         }
         let mut is_covered = F::mask_from_bits(0);
-        let mut above = program.operands[parts[place].number as usize].parent;
+        let mut above = program.operands[parts[position].number as usize].parent;
         for (at, node) in nodes.rev() {
             let own = sides[at];
             if at != above as usize {

@@ -1,4 +1,4 @@
-//! What many rays meet, and how light of a lamp comes to it: four by four, in the form in which lanes work on them.
+//! Hits of ray packets and their shadow rays, as structures of arrays for SIMD.
 
 use crate::base::math::Ray;
 use crate::base::math::simd::vec3::{
@@ -13,10 +13,10 @@ use crate::world::query::closest::BLUR;
 use crate::world::query::{ClosestHit, Hit, Occlusion, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 
-/// The number of no leaf.
+/// Index that stands for no leaf.
 pub const NO_LEAF: u32 = u32::MAX;
 
-/// Four rays and what they meet. Numbers of rays that meet nothing mean nothing.
+/// Four rays and their hits. The values of rays without a hit are unspecified.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct HitPacket4 {
@@ -24,30 +24,30 @@ pub struct HitPacket4 {
     pub dir: [[f64; 4]; 3],
     /// The distances along them.
     pub t: [f64; 4],
-    /// The points in the world.
+    /// The hit points in world space.
     pub point: [[f64; 4]; 3],
     /// The outward geometric unit normals.
     pub normal: [[f64; 4]; 3],
-    /// The unit normals for shading on the side of the rays, before any `normal` pattern.
+    /// The unit normals for shading that face the rays, before any `normal` pattern.
     pub facing: [[f64; 4]; 3],
-    /// Bounds on the errors of the coordinates.
+    /// Error bounds of the coordinates.
     pub blur: [f64; 4],
-    /// The leaves; [`NO_LEAF`] where nothing is met.
+    /// The leaves; [`NO_LEAF`] where nothing is hit.
     pub leaf: [u32; 4],
-    /// The pieces of their surfaces.
+    /// The faces of the leaves.
     pub face: [u32; 4],
     /// Indices into [`World::surfaces`].
     pub surface: [u32; 4],
-    /// What the rays do there.
+    /// The crossings.
     pub crossing: [Crossing; 4],
-    /// Which rays meet something, one bit each.
+    /// Mask of the rays that hit something.
     pub met: u32,
-    /// Whose normals for shading are turned towards them.
+    /// Mask of the rays whose shading normals are flipped to face them.
     turned: u32,
 }
 
 impl HitPacket4 {
-    /// Rays that have met nothing yet, in no direction.
+    /// Rays without direction and without hits.
     pub const NOTHING: HitPacket4 = HitPacket4 {
         dir: [[0.0; 4]; 3],
         t: [f64::INFINITY; 4],
@@ -63,7 +63,7 @@ impl HitPacket4 {
         turned: 0,
     };
 
-    /// Four times the same place, for the rays that leave from there.
+    /// One surface point in all four lanes, as the origin of spawned rays.
     #[must_use]
     pub fn all_at(point: DVec3, departure: &SpawnSurface) -> HitPacket4 {
         let each = |v: DVec3| v.to_array().map(|x| [x; 4]);
@@ -86,41 +86,41 @@ impl HitPacket4 {
         one_of(&self.dir, lane)
     }
 
-    /// Gives a ray its direction.
+    /// Sets the direction of a ray.
     #[inline(always)]
     pub fn aim(&mut self, lane: usize, dir: DVec3) {
         put(&mut self.dir, lane, dir);
     }
 
-    /// Notes that no ray meets anything.
+    /// Clears all hits.
     #[inline(always)]
-    pub(in crate::world) fn meet_nothing(&mut self) {
+    pub(in crate::world) fn clear_hits(&mut self) {
         self.met = 0;
         self.leaf = [NO_LEAF; 4];
     }
 
-    /// Where a ray meets something.
+    /// The hit point of a ray.
     #[must_use]
     #[inline(always)]
     pub fn point(&self, lane: usize) -> DVec3 {
         one_of(&self.point, lane)
     }
 
-    /// The unit normal for shading on the side of the ray.
+    /// The unit normal for shading that faces the ray.
     #[must_use]
     #[inline(always)]
     pub fn facing(&self, lane: usize) -> DVec3 {
         one_of(&self.facing, lane)
     }
 
-    /// Whether a ray meets something.
+    /// Returns true if a ray hits something.
     #[must_use]
     #[inline(always)]
     pub fn is_met(&self, lane: usize) -> bool {
         self.met >> lane & 1 == 1
     }
 
-    /// The unit normal for shading, the outward one.
+    /// The outward unit normal for shading.
     #[must_use]
     #[inline]
     pub fn shading_normal(&self, lane: usize) -> DVec3 {
@@ -132,7 +132,7 @@ impl HitPacket4 {
         }
     }
 
-    /// For the rays that leave from where a ray meets something.
+    /// Origin surface for the rays spawned at a hit.
     #[must_use]
     #[inline]
     pub fn departure(&self, lane: usize) -> SpawnSurface {
@@ -145,7 +145,7 @@ impl HitPacket4 {
         }
     }
 
-    /// What a ray meets.
+    /// The hit of a ray, if it has one.
     #[must_use]
     pub fn hit(&self, lane: usize) -> Option<Hit> {
         self.is_met(lane).then(|| Hit {
@@ -158,32 +158,32 @@ impl HitPacket4 {
     }
 }
 
-/// The ways from four hits to a lamp.
+/// Shadow rays from four hits to a light.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct ShadowPacket4 {
-    /// The unit directions to it.
+    /// The unit directions to the light.
     pub to_light: [[f64; 4]; 3],
-    /// How far it is.
+    /// The distances to the light.
     pub distance: [f64; 4],
-    /// The cosines between the directions and the normals on the side of the viewer.
+    /// The cosines between the directions and the normals that face the viewer.
     pub cosine: [f64; 4],
-    /// The shares of its light that arrive if nothing is in the way.
+    /// The shares of the light that arrive if nothing is in between.
     pub share: [f64; 4],
-    /// Up to where things cast shadows.
+    /// Far limits of the shadow rays.
     pub far: [f64; 4],
-    /// Which of them go to the outer side of the surface, one bit each.
+    /// Mask of the rays that go to the outer side of the surface.
     pub goes_out: u32,
-    /// On which of them it is known what lies there, one bit each; nothing is where the light does not matter.
+    /// Mask of the rays whose occlusion is known; where the light does not matter it stays unknown.
     pub asked: u32,
-    /// Which of those something opaque blocks.
+    /// Mask of the rays that an opaque surface blocks.
     pub blocked: u32,
-    /// Which of the others something filters.
+    /// Mask of the other rays that pass a transmissive surface.
     pub filtered: u32,
 }
 
 impl ShadowPacket4 {
-    /// Nothing is known.
+    /// No shadow rays, nothing known.
     pub const NOTHING: ShadowPacket4 = ShadowPacket4 {
         to_light: [[0.0; 4]; 3],
         distance: [0.0; 4],
@@ -196,7 +196,7 @@ impl ShadowPacket4 {
         filtered: 0,
     };
 
-    /// Gives one of them its unit direction, and how far the light is and things cast shadows.
+    /// Sets the unit direction, the distance and the far limit of one ray.
     #[inline(always)]
     pub fn aim(&mut self, lane: usize, to_light: DVec3, distance: f64, far: f64) {
         put(&mut self.to_light, lane, to_light);
@@ -204,26 +204,30 @@ impl ShadowPacket4 {
         self.far[lane] = far;
     }
 
-    /// Forgets what lies on them.
+    /// Marks the occlusion of all rays as unknown.
     #[inline(always)]
     pub fn forget(&mut self) {
         (self.asked, self.blocked, self.filtered) = (0, 0, 0);
     }
 
-    /// Notes what lies on one of them.
+    /// Records the occlusion of one ray.
     #[inline(always)]
-    pub fn note(&mut self, lane: usize, way: Occlusion) {
+    pub fn note(&mut self, lane: usize, occlusion: Occlusion) {
         let bit = 1 << lane;
         self.asked |= bit;
-        self.blocked |= if way == Occlusion::Opaque { bit } else { 0 };
-        self.filtered |= if way == Occlusion::Transmissive {
+        self.blocked |= if occlusion == Occlusion::Opaque {
+            bit
+        } else {
+            0
+        };
+        self.filtered |= if occlusion == Occlusion::Transmissive {
             bit
         } else {
             0
         };
     }
 
-    /// What lies on one of them, if that is known.
+    /// The occlusion of one ray, if it is known.
     #[must_use]
     #[inline(always)]
     pub fn way(&self, lane: usize) -> Option<Occlusion> {
@@ -239,7 +243,7 @@ impl ShadowPacket4 {
         })
     }
 
-    /// The question what lies on one of them.
+    /// The occlusion query of one ray.
     #[must_use]
     #[inline(always)]
     pub fn query(&self, hits: &HitPacket4, lane: usize) -> Query {
@@ -251,7 +255,7 @@ impl ShadowPacket4 {
         }
     }
 
-    /// The direction to the lamp.
+    /// The direction to the light.
     #[must_use]
     #[inline(always)]
     pub fn to_light(&self, lane: usize) -> DVec3 {
@@ -271,7 +275,7 @@ fn put(to: &mut [[f64; 4]; 3], lane: usize, v: DVec3) {
     }
 }
 
-/// Finds where four rays are at their distances, and what follows if that lies on balls.
+/// Computes points, error bounds and normals of four hits from their distances, as if all were on spheres.
 struct HitsOnSpheres<'a> {
     origin: &'a [[f64; 4]; 3],
     hits: &'a mut HitPacket4,
@@ -279,7 +283,8 @@ struct HitsOnSpheres<'a> {
 }
 
 impl SimdKernel for HitsOnSpheres<'_> {
-    /// Whose numbers need no care, one bit each: first of the points, then of the normals.
+    /// Masks of the lanes whose values are exact: of the points, then of the normals. The other lanes may have
+    /// overflowed.
     type Output = [u32; 2];
 
     #[inline(always)]
@@ -305,7 +310,7 @@ impl SimdKernel for HitsOnSpheres<'_> {
     }
 }
 
-/// Turns the normals of four hits to the side of the viewer.
+/// Flips the normals of four hits to face the viewer.
 struct FaceForward<'a> {
     hits: &'a mut HitPacket4,
 }
@@ -322,7 +327,7 @@ impl SimdKernel for FaceForward<'_> {
     }
 }
 
-/// Four normals on the side from which rays of these directions come, and which of them are turned for that, one bit each.
+/// Four normals flipped to face rays of these directions, and the mask of the flipped ones.
 #[inline(always)]
 fn facing<F: F64Lanes>(normal: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> (Vec3Lanes<F>, u32) {
     let is_turned = F::splat(0.0).lt(dot(normal, dir));
@@ -335,7 +340,7 @@ fn facing<F: F64Lanes>(normal: Vec3Lanes<F>, dir: Vec3Lanes<F>) -> (Vec3Lanes<F>
 }
 
 impl World {
-    /// Notes what up to four rays from these origins have found: to the bit what [`World::hit`] says of each.
+    /// Records the hits of up to four rays with these origins: bit for bit what [`World::hit`] computes for each.
     #[inline(always)]
     pub(in crate::world) fn note_hits(
         &self,
@@ -344,94 +349,94 @@ impl World {
         bests: &[Option<ClosestHit>],
         hits: &mut HitPacket4,
     ) {
-        hits.meet_nothing();
-        // Spelt out, so that the numbers of four need not be written one by one to be read together.
-        let mut balls = 0;
+        hits.clear_hits();
+        // Unrolled, so that the packet is not written lane by lane just before it is read as a whole.
+        let mut spheres = 0;
         let [a, b, c, d] = [
-            self.note_met(bests, 0, hits, &mut balls),
-            self.note_met(bests, 1, hits, &mut balls),
-            self.note_met(bests, 2, hits, &mut balls),
-            self.note_met(bests, 3, hits, &mut balls),
+            self.note_hit_data(bests, 0, hits, &mut spheres),
+            self.note_hit_data(bests, 1, hits, &mut spheres),
+            self.note_hit_data(bests, 2, hits, &mut spheres),
+            self.note_hit_data(bests, 3, hits, &mut spheres),
         ];
         let centre = [
             [a.x, b.x, c.x, d.x],
             [a.y, b.y, c.y, d.y],
             [a.z, b.z, c.z, d.z],
         ];
-        let met = hits.met;
-        if met == 0 {
+        let hit_mask = hits.met;
+        if hit_mask == 0 {
             return;
         }
-        let on_balls = HitsOnSpheres {
+        let on_spheres = HitsOnSpheres {
             origin,
             hits,
             centre,
         };
-        let sure = lanes.run(on_balls);
-        let mut left = met & !(balls & sure[0] & sure[1]);
-        if left == 0 {
+        let sure = lanes.run(on_spheres);
+        let mut remaining = hit_mask & !(spheres & sure[0] & sure[1]);
+        if remaining == 0 {
             return;
         }
-        // All anew, from normals that are not turned yet.
+        // Start over from unflipped normals.
         hits.facing = hits.normal;
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % 4;
-            left &= left - 1;
-            if let Some(Some(ClosestHit { found, .. })) = bests.get(lane) {
-                self.note_hit(origin, found, sure[0] >> lane & 1 == 1, hits, lane);
+        while remaining != 0 {
+            let lane = remaining.trailing_zeros() as usize % 4;
+            remaining &= remaining - 1;
+            if let Some(Some(ClosestHit { hit, .. })) = bests.get(lane) {
+                self.note_hit(origin, hit, sure[0] >> lane & 1 == 1, hits, lane);
             }
         }
         lanes.run(FaceForward { hits });
     }
 
-    /// Notes what one of four rays has met. If that is a ball it is marked, and the centre given.
+    /// Records the hit of one of four rays. If it is on a sphere, sets its bit in `spheres` and returns the centre.
     #[inline(always)]
-    fn note_met(
+    fn note_hit_data(
         &self,
         bests: &[Option<ClosestHit>],
         lane: usize,
         hits: &mut HitPacket4,
-        balls: &mut u32,
+        spheres: &mut u32,
     ) -> DVec3 {
-        let Some(Some(ClosestHit { found, .. })) = bests.get(lane) else {
+        let Some(Some(ClosestHit { hit, .. })) = bests.get(lane) else {
             return DVec3::ZERO;
         };
         hits.met |= 1 << lane;
-        hits.t[lane] = found.root.t;
-        hits.leaf[lane] = found.leaf;
-        hits.face[lane] = found.root.face;
-        hits.surface[lane] = found.surface;
-        hits.crossing[lane] = found.root.crossing;
-        // It will be looked at when the light is known.
-        if let Some(surface) = self.surfaces.get(found.surface as usize) {
+        hits.t[lane] = hit.root.t;
+        hits.leaf[lane] = hit.leaf;
+        hits.face[lane] = hit.root.face;
+        hits.surface[lane] = hit.surface;
+        hits.crossing[lane] = hit.root.crossing;
+        // It is read when the light is known.
+        if let Some(surface) = self.surfaces.get(hit.surface as usize) {
             prefetch(surface);
         }
-        if let Some(leaf) = self.model.leaves.get(found.leaf as usize)
+        if let Some(leaf) = self.model.leaves.get(hit.leaf as usize)
             && let (Shape::Sphere(sphere), None) = (&leaf.shape, &leaf.object_from_world)
         {
-            *balls |= 1 << lane;
+            *spheres |= 1 << lane;
             return sphere.centre;
         }
         DVec3::ZERO
     }
 
-    /// The same for one of them, the point of which is known or not.
+    /// Completes the record of one hit with the general normals, and with the point unless that is exact already.
     fn note_hit(
         &self,
         origin: &[[f64; 4]; 3],
-        found: &RawHit,
+        raw_hit: &RawHit,
         knows_point: bool,
         hits: &mut HitPacket4,
         lane: usize,
     ) {
         if knows_point {
-            let face = found.root.face;
-            let (normal, shading) = self.model.normals(found.leaf, hits.point(lane), face);
+            let face = raw_hit.root.face;
+            let (normal, shading) = self.model.normals(raw_hit.leaf, hits.point(lane), face);
             put(&mut hits.normal, lane, normal);
             put(&mut hits.facing, lane, shading);
             return;
         }
-        let hit = self.hit(&Ray::new(one_of(origin, lane), hits.dir(lane)), found);
+        let hit = self.hit(&Ray::new(one_of(origin, lane), hits.dir(lane)), raw_hit);
         put(&mut hits.point, lane, hit.point);
         put(&mut hits.normal, lane, hit.departure.normal);
         put(&mut hits.facing, lane, hit.shading_normal);

@@ -1,6 +1,7 @@
-//! Four rays and a copy of a small union of balls at once: to the bit what each finds by itself.
+//! Packets of four rays and an instance of a small union of spheres: bit for bit the hits of single rays.
 
-use super::csg::may_be_left;
+use super::bundle::StreamPacket;
+use super::csg::may_be_self_hit;
 use super::hits::NO_LEAF;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
@@ -9,25 +10,25 @@ use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::instance::Instance;
 
-/// Four rays on their way to a copy. If `ANY` surface will do, the first that is found ends the search.
+/// A ray packet and an instance. If `ANY`, any hit ends the search.
 struct InstancePacket<'a, const ANY: bool> {
-    copy: &'a Instance,
+    instance: &'a Instance,
     rays: &'a RayPacket4,
-    /// The leaves of the copy that the rays have just left; [`NO_LEAF`] for none.
-    left: [u32; 4],
-    /// Which rays there are, one bit each.
-    there: u32,
+    /// The leaves of the instance that the rays start on; [`NO_LEAF`] for none.
+    origin_leaf: [u32; 4],
+    /// Mask of the active lanes.
+    active: u32,
 }
 
-/// The first surfaces on four rays.
+/// The first hits of four rays.
 struct NearestInInstance {
     t: [f64; 4],
-    /// The leaves, whole numbers.
+    /// The leaves, as whole numbers.
     leaf: [f64; 4],
-    /// Which of the surfaces are left there; the others are entered.
+    /// Mask of the hits where the ray leaves the sphere; it enters the others.
     leaves: u32,
-    met: u32,
-    /// Which rays must be asked for singly.
+    hit_mask: u32,
+    /// Mask of the lanes that need the scalar path.
     unknown: u32,
 }
 
@@ -37,91 +38,96 @@ impl<const ANY: bool> SimdKernel for InstancePacket<'_, ANY> {
     #[inline(always)]
     fn run<F: F64Lanes>(self) -> NearestInInstance {
         let rays: RayPacket<F> = self.rays.load();
-        let rays = rays.to_object(&self.copy.object_from_world);
-        let from = F::from_array(&self.rays.from);
-        let mut far = F::from_array(&self.rays.far);
+        let rays = rays.to_object(&self.instance.object_from_world);
+        let from = F::from_array(&self.rays.t_min);
+        let mut far = F::from_array(&self.rays.t_max);
         let (mut t, mut leaf) = (F::splat(f64::INFINITY), F::splat(0.0));
-        let (mut leaves, mut met, mut unknown) = (0, 0, 0);
-        for (number, own) in (0u32..).zip(&self.copy.model.leaves) {
-            let mut asked = self.there & !unknown;
+        let (mut leaves, mut hit_mask, mut unknown) = (0, 0, 0);
+        for (number, own) in (0u32..).zip(&self.instance.model.leaves) {
+            let mut lanes_tested = self.active & !unknown;
             if ANY {
-                asked &= !met;
+                lanes_tested &= !hit_mask;
             }
-            if asked == 0 {
+            if lanes_tested == 0 {
                 break;
             }
-            let Shape::Sphere(ball) = &own.shape else {
-                unknown = self.there;
+            let Shape::Sphere(sphere) = &own.shape else {
+                unknown = self.active;
                 break;
             };
             let mut has_left = 0;
-            for (lane, left) in self.left.iter().enumerate() {
-                has_left |= u32::from(*left == number) << lane;
+            for (lane, origin_leaf) in self.origin_leaf.iter().enumerate() {
+                has_left |= u32::from(*origin_leaf == number) << lane;
             }
-            has_left &= asked;
+            has_left &= lanes_tested;
             if has_left != 0 {
-                let gone = F::bitmask(ball.four_left_behind(&rays)) & self.rays.goes_out;
+                let gone = F::bitmask(sphere.four_left_behind(&rays)) & self.rays.goes_out;
                 unknown |= has_left & !gone;
-                asked &= !has_left;
+                lanes_tested &= !has_left;
             }
-            let nearest = ball.nearest_of_four(&rays, from, far);
-            unknown |= nearest.unknown & asked;
-            let new = nearest.met & asked;
+            let nearest = sphere.nearest_of_four(&rays, from, far);
+            unknown |= nearest.unknown & lanes_tested;
+            let new = nearest.met & lanes_tested;
             if new == 0 {
                 continue;
             }
-            // Which of two at the same distance comes first single rays know.
-            unknown |= F::bitmask(nearest.t.eq(t)) & met & new;
+            // Ties go to the scalar path.
+            unknown |= F::bitmask(nearest.t.eq(t)) & hit_mask & new;
             let is_new = F::mask_from_bits(new);
             t = F::select(is_new, nearest.t, t);
             far = F::select(is_new, nearest.t, far);
             leaf = F::select(is_new, F::splat(f64::from(number)), leaf);
             leaves = leaves & !new | nearest.leaves & new;
-            met |= new;
+            hit_mask |= new;
         }
         NearestInInstance {
             t: t.to_array(),
             leaf: leaf.to_array(),
             leaves,
-            met,
-            unknown: unknown & self.there,
+            hit_mask,
+            unknown: unknown & self.active,
         }
     }
 }
 
 impl World {
-    /// What some of four rays from `start` on find of a copy of a few balls up to and including where they end: calls
-    /// `take` with the number of each ray that meets it, perhaps with any surface of it if `ANY` will do. Gives those that
-    /// must be asked for singly, one bit each.
+    /// Intersects four rays, which start at index `start`, with an instance of a few spheres up to and including their
+    /// far limits: calls `take` with the index of each ray that hits it, with any hit if `ANY`. Returns the lanes that
+    /// need the scalar path.
     #[inline(always)]
     pub(in crate::world) fn packet4_instance<const ANY: bool>(
         &self,
         lanes: SimdLevel,
         number: u32,
-        (lot, start, there): (&mut RayStream, usize, u32),
+        packet: StreamPacket,
         take: &mut impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
-        let copy = &self.model.instances[number as usize];
-        let rays = lot.four(start);
-        let from = rays.from;
-        let mut left = [NO_LEAF; 4];
-        for (own, left) in left.iter_mut().zip(rays.left) {
-            // Leaves before the first wrap around to numbers that no leaf of the copy has.
-            *own = left.wrapping_sub(copy.first);
+        let StreamPacket {
+            stream,
+            start,
+            active,
+        } = packet;
+        let instance = &self.model.instances[number as usize];
+        let rays = stream.packet(start);
+        let from = rays.t_min;
+        let mut origin_leaf = [NO_LEAF; 4];
+        for (own, origin_leaf) in origin_leaf.iter_mut().zip(rays.origin_leaf) {
+            // Leaves before the first wrap around to indices outside the instance.
+            *own = origin_leaf.wrapping_sub(instance.first);
         }
-        let asked = InstancePacket::<ANY> {
-            copy,
+        let packet = InstancePacket::<ANY> {
+            instance,
             rays,
-            left,
-            there,
+            origin_leaf,
+            active,
         };
-        let found = lanes.run(asked);
-        let mut unknown = found.unknown;
-        let mut met = found.met & !unknown;
-        while met != 0 {
-            let lane = met.trailing_zeros() as usize % 4;
-            met &= met - 1;
-            if may_be_left(from[lane], found.t[lane]) {
+        let hits = lanes.run(packet);
+        let mut unknown = hits.unknown;
+        let mut hit_mask = hits.hit_mask & !unknown;
+        while hit_mask != 0 {
+            let lane = hit_mask.trailing_zeros() as usize % 4;
+            hit_mask &= hit_mask - 1;
+            if may_be_self_hit(from[lane], hits.t[lane]) {
                 unknown |= 1 << lane;
                 continue;
             }
@@ -130,15 +136,15 @@ impl World {
                 clippy::cast_sign_loss,
                 reason = "a small whole number"
             )]
-            let leaf = found.leaf[lane] as u32;
-            let root = Root::on_smooth(found.t[lane], found.leaves >> lane & 1 == 1);
-            let surface = copy.surface + copy.model.leaves[leaf as usize].surface;
+            let leaf = hits.leaf[lane] as u32;
+            let root = Root::on_smooth(hits.t[lane], hits.leaves >> lane & 1 == 1);
+            let surface = instance.surface + instance.model.leaves[leaf as usize].surface;
             take(
-                lot,
+                stream,
                 start + lane,
                 RawHit {
                     root,
-                    leaf: copy.first + leaf,
+                    leaf: instance.first + leaf,
                     surface,
                 },
             );

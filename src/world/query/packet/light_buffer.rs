@@ -1,7 +1,7 @@
-//! Questions of rays from a camera or to a lamp that knows what lies around it: eight neighbours at a time, without a walk
-//! through the tree. The same answers as one by one, to the bit.
+//! Closest-hit and occlusion queries for 8-ray packets through a light buffer, without traversal of the BVH: bit for
+//! bit the results of single rays.
 
-use super::bundle::each_bit;
+use super::bundle::{ItemRays, each_bit};
 use super::hits::{HitPacket4, ShadowPacket4};
 use super::rays::RayStream;
 use crate::base::accel::LightBuffer;
@@ -13,96 +13,101 @@ use crate::world::csg::program::RawHit;
 use crate::world::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
 use glam::DVec3;
 
-/// How many rays are asked about at a time.
-const EIGHT: usize = 8;
+/// Rays per packet.
+const PACKET_SIZE: usize = 8;
 
 impl World {
-    /// Notes the nearest visible surface on each of the first `count` of the camera's rays from `origin`, as [`World::closest_hits_bundle`]
-    /// does.
+    /// Finds the closest visible hits of the first `count` camera rays from `origin`, as [`World::closest_hits_bundle`]
+    /// does, through the camera's light buffer.
     pub(in crate::world) fn closest_hits_grid(
         &self,
-        vista: &LightBuffer,
-        (origin, count): (DVec3, usize),
+        light_buffer: &LightBuffer,
+        origin: DVec3,
+        count: usize,
         hits: &mut [HitPacket4],
         scratch: &mut Scratch,
     ) {
-        let mut lot = std::mem::take(&mut scratch.lot);
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
         with_widest(
             #[inline(always)]
             |lanes| {
                 for (number, hits) in hits.chunks_mut(2).enumerate() {
-                    let there = (count - EIGHT * number).min(EIGHT);
-                    let there = 0xff >> (EIGHT - there);
-                    self.closest_hits_packet8(
-                        lanes,
-                        (vista, origin),
-                        hits,
-                        there,
-                        (&mut lot, scratch),
-                    );
+                    let active = (count - PACKET_SIZE * number).min(PACKET_SIZE);
+                    let active = 0xff >> (PACKET_SIZE - active);
+                    let view = View {
+                        light_buffer,
+                        origin,
+                    };
+                    self.closest_hits_packet8(lanes, view, hits, active, &mut stream, scratch);
                 }
             },
         );
-        scratch.lot = lot;
+        scratch.ray_stream = stream;
     }
 
     #[inline(always)]
     fn closest_hits_packet8(
         &self,
         lanes: SimdLevel,
-        (vista, origin): (&LightBuffer, DVec3),
+        view: View,
         hits: &mut [HitPacket4],
-        there: u32,
-        (lot, scratch): (&mut RayStream, &mut Scratch),
+        active: u32,
+        stream: &mut RayStream,
+        scratch: &mut Scratch,
     ) {
-        let mut bests: [Option<ClosestHit>; EIGHT] = [None; EIGHT];
-        let asked = &*hits;
+        let View {
+            light_buffer,
+            origin,
+        } = view;
+        let mut bests: [Option<ClosestHit>; PACKET_SIZE] = [None; PACKET_SIZE];
+        let packets = &*hits;
         let query = |ray: usize| Query {
-            ray: Ray::new(origin, asked[ray / 4].dir(ray % 4)),
+            ray: Ray::new(origin, packets[ray / 4].dir(ray % 4)),
             origin_surface: None,
             t_max: f64::INFINITY,
             kind: RayKind::Camera,
         };
-        // Most rays beside everything are not even asked about.
-        let mut are_in_lot = !self.finder().unbounded.is_empty();
+        // Most rays that miss everything need no intersection at all.
+        let mut are_loaded = !self.bvh().unbounded.is_empty();
         let mut ends = [[f64::INFINITY; 4]; 2];
         let last = hits.len() - 1;
-        if are_in_lot {
-            lot.load_camera_rays(origin, self.t_min(&query(0)), asked);
-            for &item in &self.finder().unbounded {
-                let asked = ((item, there), &query);
-                self.offer_to_eight(lanes, asked, (lot, &mut bests), scratch, |_, _| {});
+        if are_loaded {
+            stream.load_camera_rays(origin, self.t_min(&query(0)), packets);
+            for &item in &self.bvh().unbounded {
+                let rays = item_rays(item, RayKind::Camera, active, &query);
+                self.intersect_packet8_item(lanes, &rays, stream, &mut bests, scratch, |_, _| {});
             }
-            ends = [lot.four(0).far, lot.four(4 * last).far];
+            ends = [stream.packet(0).t_max, stream.packet(4 * last).t_max];
         }
-        let halves = [(&asked[0].dir, &ends[0]), (&asked[last].dir, &ends[1])];
-        let mut rays = vista.rays(halves, there);
-        let beside = vista.each(
+        let halves = [(&packets[0].dir, &ends[0]), (&packets[last].dir, &ends[1])];
+        let mut rays = light_buffer.rays(halves, active);
+        let uncovered = light_buffer.each(
             lanes,
             &mut rays,
             #[inline(always)]
-            |place, may_meet, rays| {
-                let item = self.finder().bounded[place as usize];
-                if !are_in_lot {
-                    lot.load_camera_rays(origin, self.t_min(&query(0)), asked);
-                    are_in_lot = true;
+            |position, candidates, rays| {
+                let item = self.bvh().bounded[position as usize];
+                if !are_loaded {
+                    stream.load_camera_rays(origin, self.t_min(&query(0)), packets);
+                    are_loaded = true;
                 }
-                self.offer_to_eight(
+                self.intersect_packet8_item(
                     lanes,
-                    ((item, may_meet), &query),
-                    (lot, &mut bests),
+                    &item_rays(item, RayKind::Camera, candidates, &query),
+                    stream,
+                    &mut bests,
                     scratch,
                     #[inline(always)]
                     |ray, end| rays.end(ray, end),
                 );
             },
         );
-        if !are_in_lot && beside == 0 {
-            hits.iter_mut().for_each(HitPacket4::meet_nothing);
+        if !are_loaded && uncovered == 0 {
+            hits.iter_mut().for_each(HitPacket4::clear_hits);
             return;
         }
-        each_bit(beside, |ray| {
-            bests[ray % EIGHT] = self.nearest_found(lanes, &query(ray), scratch);
+        each_bit(uncovered, |ray| {
+            bests[ray % PACKET_SIZE] = self.closest_hit(lanes, &query(ray), scratch);
         });
         let origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
         for (bests, hits) in bests.chunks(4).zip(hits) {
@@ -110,148 +115,159 @@ impl World {
         }
     }
 
-    /// Offers an item to some of eight rays; `shorten` hears of those that then end sooner.
+    /// Intersects an item with some of eight rays; calls `shorten` for the rays whose far limit moves closer.
     #[inline(always)]
-    fn offer_to_eight(
+    fn intersect_packet8_item(
         &self,
         lanes: SimdLevel,
-        ((item, rays), query): ((IndexedItem, u32), &impl Fn(usize) -> Query),
-        (lot, bests): (&mut RayStream, &mut [Option<ClosestHit>; EIGHT]),
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        stream: &mut RayStream,
+        bests: &mut [Option<ClosestHit>; PACKET_SIZE],
         scratch: &mut Scratch,
         mut shorten: impl FnMut(usize, f64),
     ) {
-        let left = self.packet4_item::<true>(
+        let scalar = self.packet4_item::<true>(
             lanes,
-            (item, RayKind::Camera),
-            (lot, query),
-            (0, rays),
+            rays,
+            stream,
             scratch,
             #[inline(always)]
-            |lot, ray, found| {
-                let best = &mut bests[ray % EIGHT];
-                self.offer_to_one(lot, (item.number, ray), found, query, best, &mut shorten);
+            |stream, ray, hit| {
+                let best = &mut bests[ray % PACKET_SIZE];
+                self.accept_hit(stream, rays, ray, hit, best, &mut shorten);
             },
         );
         each_bit(
-            left,
+            scalar,
             #[inline(always)]
             |ray| {
-                let asked = query(ray);
-                let search = self.search_for(&asked);
-                let found = self.intersect_item(item, (&asked, &search), lot.far(ray), scratch);
-                if let Some(found) = found {
-                    let best = &mut bests[ray % EIGHT];
-                    self.offer_to_one(lot, (item.number, ray), found, query, best, &mut shorten);
+                let query = (rays.query)(ray);
+                let search = self.search_for(&query);
+                let far = stream.t_max(ray);
+                let hit = self.intersect_item(rays.item, &query, &search, far, scratch);
+                if let Some(hit) = hit {
+                    let best = &mut bests[ray % PACKET_SIZE];
+                    self.accept_hit(stream, rays, ray, hit, best, &mut shorten);
                 }
             },
         );
     }
 
     #[inline(always)]
-    fn offer_to_one(
+    fn accept_hit(
         &self,
-        lot: &mut RayStream,
-        (item, ray): (u32, usize),
-        found: RawHit,
-        query: &impl Fn(usize) -> Query,
+        stream: &mut RayStream,
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        ray: usize,
+        hit: RawHit,
         best: &mut Option<ClosestHit>,
         shorten: &mut impl FnMut(usize, f64),
     ) {
-        let old = lot.far(ray);
-        let new = self.accept_if_closer(item, found, &query(ray), old, best);
+        let old = stream.t_max(ray);
+        let new = self.accept_if_closer(rays.item.number, hit, &(rays.query)(ray), old, best);
         if new < old {
-            lot.shorten(ray, new);
+            stream.shorten(ray, new);
             shorten(ray, new);
         }
     }
 
-    /// Whether it is known what lies around the lamp of this number.
+    /// Returns true if the light of this index has a light buffer.
     #[inline]
     pub(crate) fn knows_around(&self, light: u32) -> bool {
-        self.vistas.of_light(light).is_some()
+        self.light_buffers.of_light(light).is_some()
     }
 
-    /// Notes what lies on the ways of up to eight neighbouring hits, of those marked in `asked`, to the lamp of this number,
-    /// around which that is known.
+    /// Records the occlusion of the shadow rays from up to eight neighbouring hits, those marked in `active`, to a
+    /// light that has a light buffer.
     #[inline(always)]
     pub(crate) fn occlusion_packet8(
         &self,
         lanes: SimdLevel,
-        (hits, ways): (&[HitPacket4], &mut [ShadowPacket4]),
-        (asked, light): (u32, u32),
+        (hits, shadow_rays): (&[HitPacket4], &mut [ShadowPacket4]),
+        (active, light): (u32, u32),
         scratch: &mut Scratch,
     ) {
-        let Some(vista) = self.vistas.of_light(light) else {
+        let Some(light_buffer) = self.light_buffers.of_light(light) else {
             return;
         };
-        scratch.rays.shadow += u64::from(asked.count_ones());
-        let mut lot = std::mem::take(&mut scratch.lot);
+        scratch.rays.shadow += u64::from(active.count_ones());
+        let mut stream = std::mem::take(&mut scratch.ray_stream);
         let mut shadows = ShadowMasks::default();
-        let to_light = &*ways;
+        let to_light = &*shadow_rays;
         let query = |ray: usize| to_light[ray / 4].query(&hits[ray / 4], ray % 4);
-        let points = (hits, to_light);
-        for &item in &self.finder().unbounded {
-            let rays = asked & !shadows.blocked;
-            let (asked, to) = (((item, rays), &query), (&mut lot, &mut shadows));
-            self.block_eight(lanes, asked, points, to, scratch);
+        let origins = ShadowOrigins {
+            hits,
+            shadow_rays: to_light,
+        };
+        for &item in &self.bvh().unbounded {
+            let rays = &item_rays(item, RayKind::Shadow, active & !shadows.blocked, &query);
+            let (stream, shadows) = (&mut stream, &mut shadows);
+            self.occlude_packet8_item(lanes, rays, origins, stream, shadows, scratch);
         }
-        let left = asked & !shadows.blocked;
-        if left != 0 {
+        let remaining = active & !shadows.blocked;
+        if remaining != 0 {
             let last = hits.len() - 1;
-            let half = |four: usize| (&to_light[four].to_light, &to_light[four].distance);
-            let mut rays = vista.rays_back([half(0), half(last)], left);
-            vista.each(
+            let half = |packet: usize| (&to_light[packet].to_light, &to_light[packet].distance);
+            let mut rays = light_buffer.rays_back([half(0), half(last)], remaining);
+            light_buffer.each(
                 lanes,
                 &mut rays,
                 #[inline(always)]
-                |place, may_meet, rays| {
+                |position, candidates, rays| {
                     let before = shadows.blocked;
-                    let item = self.finder().bounded[place as usize];
-                    let (asked, to) = (((item, may_meet), &query), (&mut lot, &mut shadows));
-                    self.block_eight(lanes, asked, points, to, scratch);
+                    let item = self.bvh().bounded[position as usize];
+                    self.occlude_packet8_item(
+                        lanes,
+                        &item_rays(item, RayKind::Shadow, candidates, &query),
+                        origins,
+                        &mut stream,
+                        &mut shadows,
+                        scratch,
+                    );
                     each_bit(shadows.blocked & !before, |ray| {
                         rays.end(ray, f64::NEG_INFINITY);
                     });
                 },
             );
         }
-        scratch.lot = lot;
-        for (half, ways) in ways.iter_mut().enumerate() {
+        scratch.ray_stream = stream;
+        for (half, shadow_rays) in shadow_rays.iter_mut().enumerate() {
             let of_half = |bits: u32| bits >> (4 * half) & 0b1111;
-            ways.asked = of_half(asked);
-            ways.blocked = of_half(shadows.blocked);
-            ways.filtered = of_half(shadows.filtered & !shadows.blocked);
+            shadow_rays.asked = of_half(active);
+            shadow_rays.blocked = of_half(shadows.blocked);
+            shadow_rays.filtered = of_half(shadows.filtered & !shadows.blocked);
         }
     }
 
-    /// Finds out for some of eight rays whether an item lies on them.
+    /// Tests an item against some of eight shadow rays.
     #[inline(always)]
-    fn block_eight(
+    fn occlude_packet8_item(
         &self,
         lanes: SimdLevel,
-        ((item, rays), query): ((IndexedItem, u32), &impl Fn(usize) -> Query),
-        points: (&[HitPacket4], &[ShadowPacket4]),
-        (lot, shadows): (&mut RayStream, &mut ShadowMasks),
+        rays: &ItemRays<'_, impl Fn(usize) -> Query>,
+        origins: ShadowOrigins,
+        stream: &mut RayStream,
+        shadows: &mut ShadowMasks,
         scratch: &mut Scratch,
     ) {
-        if !shadows.are_in_lot {
-            lot.load_shadow_rays(
-                points,
+        if !shadows.are_loaded {
+            stream.load_shadow_rays(
+                origins.hits,
+                origins.shadow_rays,
                 #[inline(always)]
-                |blur| self.least_from(Some(blur), RayKind::Shadow),
+                |blur| self.t_min_from(Some(blur), RayKind::Shadow),
             );
-            shadows.are_in_lot = true;
+            shadows.are_loaded = true;
         }
-        let left = self.packet4_item::<false>(
+        let scalar = self.packet4_item::<false>(
             lanes,
-            (item, RayKind::Shadow),
-            (lot, query),
-            (0, rays),
+            rays,
+            stream,
             scratch,
             #[inline(always)]
-            |lot, ray, found| {
-                if found.root.t < lot.far(ray) {
-                    if self.ends_light(&found) {
+            |stream, ray, hit| {
+                if hit.root.t < stream.t_max(ray) {
+                    if self.ends_light(&hit) {
                         shadows.blocked |= 1 << ray;
                     } else {
                         shadows.filtered |= 1 << ray;
@@ -259,24 +275,50 @@ impl World {
                 }
             },
         );
-        each_bit(left, |ray| {
-            let mut way = Occlusion::Clear;
-            let query = query(ray);
-            let asked = (&query, &self.search_for(&query));
-            if self.occludes(item, asked, &mut way, scratch) {
+        each_bit(scalar, |ray| {
+            let mut occlusion = Occlusion::Clear;
+            let query = (rays.query)(ray);
+            let search = &self.search_for(&query);
+            if self.occludes(rays.item, &query, search, &mut occlusion, scratch) {
                 shadows.blocked |= 1 << ray;
-            } else if way == Occlusion::Transmissive {
+            } else if occlusion == Occlusion::Transmissive {
                 shadows.filtered |= 1 << ray;
             }
         });
     }
 }
 
-/// Which of eight ways to a lamp are blocked, and which meet something that may let light through, one bit each.
+/// A light buffer and its centre.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    light_buffer: &'a LightBuffer,
+    origin: DVec3,
+}
+
+/// Shadow rays and the hits where they start.
+#[derive(Clone, Copy)]
+struct ShadowOrigins<'a> {
+    hits: &'a [HitPacket4],
+    shadow_rays: &'a [ShadowPacket4],
+}
+
+/// The rays of a packet in the mask `active`, and an item to intersect them with.
+#[inline(always)]
+fn item_rays<Q>(item: IndexedItem, kind: RayKind, active: u32, query: &Q) -> ItemRays<'_, Q> {
+    ItemRays {
+        item,
+        kind,
+        first: 0,
+        active,
+        query,
+    }
+}
+
+/// Occlusion masks of eight shadow rays: those that are blocked, and those that pass a transmissive surface.
 #[derive(Clone, Copy, Debug, Default)]
 struct ShadowMasks {
     blocked: u32,
     filtered: u32,
-    /// Whether the rays are in the lot: most meet nothing that they must be asked about.
-    are_in_lot: bool,
+    /// True once the rays are loaded into the stream: most rays never need it.
+    are_loaded: bool,
 }

@@ -1,6 +1,6 @@
-//! Large meshes and many rays from one point: the rays go through the mesh's own tree together.
+//! Large meshes and ray bundles: the rays traverse the BVH of the mesh together.
 
-use super::bundle::each_bit;
+use super::bundle::{PointBundle, each_bit};
 use super::rays::{RayPacket4, RayStream};
 use crate::base::accel::Bundle;
 use crate::base::math::Ray;
@@ -16,39 +16,39 @@ use crate::world::primitive::Leaf;
 use crate::world::query::{ClosestHit, Occlusion, Query, Scratch};
 use glam::{DAffine3, DVec3};
 
-/// Meshes of fewer triangles are asked by one ray at a time, as all other shapes.
+/// Smaller meshes are intersected by one ray at a time, like all other shapes.
 const LEAST_TRIANGLES: usize = 256;
-/// Among more meshes than this rays find their way one by one.
+/// With more meshes than this, all rays traverse them one by one.
 const MOST_MESHES: usize = 8;
 
-/// Buffers that a thread keeps between meshes.
+/// Per-thread buffers that are reused between meshes.
 #[derive(Debug, Default)]
 pub(in crate::world) struct MeshScratch {
     bundle: Bundle,
-    /// The rays in the space of the mesh.
+    /// The rays in object space.
     rays: Vec<MeshPacket>,
-    /// What triangles ask of them, once some of four have come to one.
+    /// Their data for triangle tests, computed once some ray of a packet reaches a triangle.
     frames: Vec<Option<TriangleFrames>>,
 }
 
-/// Four rays made ready for triangles.
+/// A ray packet prepared for triangle tests.
 #[derive(Debug)]
 struct TriangleFrames {
     each: [RayFrame; 4],
-    /// Them together, where they are longest along the same axis.
-    four: Option<RayFrames4>,
+    /// The rays as a packet, if they share their dominant axis.
+    packet: Option<RayFrames4>,
 }
 
-/// Four rays in the space of a mesh.
+/// A ray packet in object space.
 #[derive(Clone, Copy, Debug)]
 struct MeshPacket {
     origin: [[f64; 4]; 3],
     dir: [[f64; 4]; 3],
-    /// The unit directions from the common point.
+    /// Unit directions from the common point.
     unit_dir: [[f64; 4]; 3],
-    /// How far the rays go in a unit of their parameter.
+    /// Lengths of the directions: distance per unit of the ray parameter.
     speed: [f64; 4],
-    /// How far from the common point they start.
+    /// Distances of the origins from the common point.
     distance: [f64; 4],
 }
 
@@ -63,14 +63,14 @@ impl MeshPacket {
         };
         let each = [frame(0), frame(1), frame(2), frame(3)];
         TriangleFrames {
-            four: RayFrames4::new(&each),
+            packet: RayFrames4::new(&each),
             each,
         }
     }
 }
 
 impl MeshScratch {
-    /// Four rays made ready.
+    /// The triangle-test data of a packet.
     #[inline(always)]
     fn ready(&mut self, number: usize) -> &TriangleFrames {
         let rays = &self.rays[number];
@@ -78,8 +78,8 @@ impl MeshScratch {
     }
 }
 
-/// Four queries on their way into a mesh. They have the point `origin` in common, and go from there, or come from there
-/// (`sign` -1).
+/// Transforms a ray packet to the object space of a mesh. The rays share the point `origin`, and start there (`sign` 1)
+/// or end there (`sign` -1).
 struct MeshEntry<'a> {
     queries: &'a RayPacket4,
     matrix: Option<&'a DAffine3>,
@@ -100,18 +100,35 @@ impl SimdKernel for MeshEntry<'_> {
             speed = dot(rays.dir, rays.dir).sqrt();
             unit_dir = divide(rays.dir, speed);
         }
-        let way: Vec3Lanes<F> = sub(rays.origin, splat(self.origin));
+        let offset: Vec3Lanes<F> = sub(rays.origin, splat(self.origin));
         MeshPacket {
             origin: to_arrays(rays.origin),
             dir: to_arrays(rays.dir),
             unit_dir: to_arrays(scale(unit_dir, F::splat(self.sign))),
             speed: speed.to_array(),
-            distance: dot(way, way).sqrt().to_array(),
+            distance: dot(offset, offset).sqrt().to_array(),
         }
     }
 }
 
-/// A mesh of a world, for rays that go together.
+/// The common point of a bundle's rays, which start there (`sign` 1) or end there (`sign` -1).
+#[derive(Clone, Copy)]
+struct CommonPoint {
+    point: DVec3,
+    sign: f64,
+}
+
+/// A triangle and up to eight rays that may hit it.
+#[derive(Clone, Copy)]
+struct TriangleRays {
+    face: u32,
+    /// Index of the first ray.
+    first: usize,
+    /// Mask of the active rays, from the first on.
+    active: u32,
+}
+
+/// A mesh item, for bundles.
 struct MeshQuery<'w> {
     number: u32,
     leaf: &'w Leaf,
@@ -119,17 +136,19 @@ struct MeshQuery<'w> {
 }
 
 impl World {
-    /// The items that are meshes through which rays go together; none if there are too many of them.
+    /// The mesh items that bundles traverse; none if there are too many.
     pub(in crate::world) fn large_meshes(&self) -> Vec<IndexedItem> {
-        if self.finder().tree.has_only_spheres() {
+        if self.bvh().tree.has_only_spheres() {
             return Vec::new();
         }
         let is_large = |item: &&IndexedItem| {
-            let asked = self.asked(**item);
-            asked.is_some_and(|asked| asked.mesh.is_patch() && asked.mesh.len() >= LEAST_TRIANGLES)
+            let mesh_query = self.mesh_query(**item);
+            mesh_query.is_some_and(|mesh_query| {
+                mesh_query.mesh.is_patch() && mesh_query.mesh.len() >= LEAST_TRIANGLES
+            })
         };
         let meshes: Vec<IndexedItem> = self
-            .finder()
+            .bvh()
             .bounded
             .iter()
             .filter(is_large)
@@ -142,13 +161,13 @@ impl World {
         }
     }
 
-    /// Whether rays that go together have been through an item already.
+    /// Returns true if bundles handle this item as a large mesh.
     #[inline(always)]
     pub(in crate::world) fn is_large_mesh(&self, item: IndexedItem) -> bool {
         self.meshes.iter().any(|mesh| mesh.number == item.number)
     }
 
-    fn asked(&self, item: IndexedItem) -> Option<MeshQuery<'_>> {
+    fn mesh_query(&self, item: IndexedItem) -> Option<MeshQuery<'_>> {
         let Item::Leaf(number) = item.item else {
             return None;
         };
@@ -159,67 +178,88 @@ impl World {
         }
     }
 
-    /// Lets the queries of a lot, which start at one point, go through the large meshes that they may meet, and makes
-    /// `bests` and `bundle` know what they find. False if some could not go together.
+    /// Intersects a bundle of rays from one point with the large meshes in its frustum, and updates `bests` and
+    /// `bundle`. Returns false if some mesh could not be traversed by a bundle.
     #[inline(always)]
-    pub(in crate::world) fn see_meshes(
+    pub(in crate::world) fn intersect_meshes(
         &self,
         lanes: SimdLevel,
-        (lot, bests): (&mut RayStream, &mut [Option<ClosestHit>]),
+        stream: &mut RayStream,
+        bests: &mut [Option<ClosestHit>],
         query: impl Fn(usize) -> Query,
-        (bundle, origin): (&mut Bundle, DVec3),
+        rays: PointBundle,
         scratch: &mut Scratch,
     ) -> bool {
+        let PointBundle {
+            bundle,
+            point: origin,
+        } = rays;
         for &item in &self.meshes {
-            let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
+            let Some(mesh_query) = self
+                .mesh_query(item)
+                .filter(|_| self.may_meet(bundle, item))
+            else {
                 continue;
             };
-            let mut own = std::mem::take(&mut scratch.mesh);
+            let mut buffers = std::mem::take(&mut scratch.mesh);
             let count = bests.len();
-            let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let entering = (lanes, &mut own, &mut bundle_of_mesh);
-            let is_done = asked.enter(entering, (origin, 1.0), count, lot)
-                && asked.mesh.tree().together(
-                    lanes,
-                    &mut bundle_of_mesh,
-                    #[inline(always)]
-                    |face, first, rays, ended| {
-                        asked.meet(
-                            lanes,
-                            (&mut own, lot),
-                            (face, first, rays),
-                            #[inline(always)]
-                            |lot, ray, t, speed| {
-                                let found = asked.found(t, face);
-                                let far = lot.far(ray);
-                                let best = &mut bests[ray];
-                                // Of several triangles at the same distance the first in the list is drawn.
-                                if let Some(best) = best
-                                    && best.item == item.number
-                                    && best.found.root.t == t
-                                {
-                                    if face < best.found.root.face {
-                                        best.found = found;
-                                    }
-                                    return;
+            let mut bundle_of_mesh = std::mem::take(&mut buffers.bundle);
+            let common = CommonPoint {
+                point: origin,
+                sign: 1.0,
+            };
+            let is_done = mesh_query.enter(
+                lanes,
+                &mut buffers,
+                &mut bundle_of_mesh,
+                common,
+                count,
+                stream,
+            ) && mesh_query.mesh.tree().together(
+                lanes,
+                &mut bundle_of_mesh,
+                #[inline(always)]
+                |face, first, active, ended| {
+                    mesh_query.intersect(
+                        lanes,
+                        &mut buffers,
+                        stream,
+                        TriangleRays {
+                            face,
+                            first,
+                            active,
+                        },
+                        #[inline(always)]
+                        |stream, ray, t, speed| {
+                            let hit = mesh_query.hit(t, face);
+                            let far = stream.t_max(ray);
+                            let best = &mut bests[ray];
+                            // Of several triangles at the same distance, the first in the list wins.
+                            if let Some(best) = best
+                                && best.item == item.number
+                                && best.hit.root.t == t
+                            {
+                                if face < best.hit.root.face {
+                                    best.hit = hit;
                                 }
-                                let query = query(ray);
-                                if !self.is_seen(&found, query.kind) {
-                                    return;
-                                }
-                                let new =
-                                    self.accept_if_closer(item.number, found, &query, far, best);
-                                if new < far {
-                                    lot.shorten(ray, new);
-                                    bundle.shorten(ray, new);
-                                    ended.note(ray - first, new * speed);
-                                }
-                            },
-                        );
-                    },
-                );
-            own.bundle = bundle_of_mesh;
-            scratch.mesh = own;
+                                return;
+                            }
+                            let query = query(ray);
+                            if !self.is_seen(&hit, query.kind) {
+                                return;
+                            }
+                            let new = self.accept_if_closer(item.number, hit, &query, far, best);
+                            if new < far {
+                                stream.shorten(ray, new);
+                                bundle.shorten(ray, new);
+                                ended.note(ray - first, new * speed);
+                            }
+                        },
+                    );
+                },
+            );
+            buffers.bundle = bundle_of_mesh;
+            scratch.mesh = buffers;
             if !is_done {
                 return false;
             }
@@ -227,58 +267,80 @@ impl World {
         true
     }
 
-    /// The same for rays to a light at `centre`: `ways` learns what is blocked.
+    /// Same for shadow rays to a light at `centre`: updates `occlusions`.
     #[inline(always)]
-    pub(in crate::world) fn meshes_block(
+    pub(in crate::world) fn occlude_by_meshes(
         &self,
         lanes: SimdLevel,
-        (lot, ways): (&mut RayStream, &mut [Occlusion]),
+        stream: &mut RayStream,
+        occlusions: &mut [Occlusion],
         query: impl Fn(usize) -> Query,
-        (bundle, centre): (&mut Bundle, DVec3),
+        rays: PointBundle,
         scratch: &mut Scratch,
     ) -> bool {
+        let PointBundle {
+            bundle,
+            point: centre,
+        } = rays;
         for &item in &self.meshes {
-            let Some(asked) = self.asked(item).filter(|_| self.may_meet(bundle, item)) else {
+            let Some(mesh_query) = self
+                .mesh_query(item)
+                .filter(|_| self.may_meet(bundle, item))
+            else {
                 continue;
             };
-            let mut own = std::mem::take(&mut scratch.mesh);
-            let count = ways.len();
-            let mut bundle_of_mesh = std::mem::take(&mut own.bundle);
-            let entering = (lanes, &mut own, &mut bundle_of_mesh);
-            let is_done = asked.enter(entering, (centre, -1.0), count, lot)
-                && asked.mesh.tree().together(
-                    lanes,
-                    &mut bundle_of_mesh,
-                    #[inline(always)]
-                    |face, first, rays, ended| {
-                        asked.meet(
-                            lanes,
-                            (&mut own, lot),
-                            (face, first, rays),
-                            #[inline(always)]
-                            |_, ray, t, _| {
-                                if ways[ray] == Occlusion::Opaque {
-                                    return;
-                                }
-                                let query = query(ray);
-                                let is_left = query.origin_surface.is_some_and(|left| {
-                                    left.leaf == asked.number && left.face == face
-                                });
-                                if is_left || t >= query.t_max {
-                                    return;
-                                }
-                                let found = asked.found(t, face);
-                                if self.blocks_light(&found, &query, &mut ways[ray]) {
-                                    ways[ray] = Occlusion::Opaque;
-                                    bundle.shorten(ray, f64::NEG_INFINITY);
-                                    ended.note(ray - first, f64::NEG_INFINITY);
-                                }
-                            },
-                        );
-                    },
-                );
-            own.bundle = bundle_of_mesh;
-            scratch.mesh = own;
+            let mut buffers = std::mem::take(&mut scratch.mesh);
+            let count = occlusions.len();
+            let mut bundle_of_mesh = std::mem::take(&mut buffers.bundle);
+            let common = CommonPoint {
+                point: centre,
+                sign: -1.0,
+            };
+            let is_done = mesh_query.enter(
+                lanes,
+                &mut buffers,
+                &mut bundle_of_mesh,
+                common,
+                count,
+                stream,
+            ) && mesh_query.mesh.tree().together(
+                lanes,
+                &mut bundle_of_mesh,
+                #[inline(always)]
+                |face, first, active, ended| {
+                    mesh_query.intersect(
+                        lanes,
+                        &mut buffers,
+                        stream,
+                        TriangleRays {
+                            face,
+                            first,
+                            active,
+                        },
+                        #[inline(always)]
+                        |_, ray, t, _| {
+                            if occlusions[ray] == Occlusion::Opaque {
+                                return;
+                            }
+                            let query = query(ray);
+                            let is_self_hit = query.origin_surface.is_some_and(|origin| {
+                                origin.leaf == mesh_query.number && origin.face == face
+                            });
+                            if is_self_hit || t >= query.t_max {
+                                return;
+                            }
+                            let hit = mesh_query.hit(t, face);
+                            if self.blocks_light(&hit, &query, &mut occlusions[ray]) {
+                                occlusions[ray] = Occlusion::Opaque;
+                                bundle.shorten(ray, f64::NEG_INFINITY);
+                                ended.note(ray - first, f64::NEG_INFINITY);
+                            }
+                        },
+                    );
+                },
+            );
+            buffers.bundle = bundle_of_mesh;
+            scratch.mesh = buffers;
             if !is_done {
                 return false;
             }
@@ -288,42 +350,45 @@ impl World {
 
     fn may_meet(&self, bundle: &Bundle, item: IndexedItem) -> bool {
         let bounds = self.boxes[item.number as usize].bounds();
-        bundle.may_meet(&self.finder().tree, &bounds)
+        bundle.may_meet(&self.bvh().tree, &bounds)
     }
 }
 
 impl MeshQuery<'_> {
-    /// Makes the queries ready for the tree of the mesh. They have the point `origin` in common and go from there in
-    /// their direction, or come from there (`sign` -1).
+    /// Prepares the rays for the BVH of the mesh. They share the point `origin`, and start there (`sign` 1) or end
+    /// there (`sign` -1).
     #[inline(always)]
     fn enter(
         &self,
-        (lanes, own, bundle): (SimdLevel, &mut MeshScratch, &mut Bundle),
-        (origin, sign): (DVec3, f64),
+        lanes: SimdLevel,
+        buffers: &mut MeshScratch,
+        bundle: &mut Bundle,
+        common: CommonPoint,
         count: usize,
-        lot: &RayStream,
+        stream: &RayStream,
     ) -> bool {
-        let origin = self.leaf.point_to_object(origin);
-        own.rays.clear();
-        own.frames.clear();
+        let sign = common.sign;
+        let origin = self.leaf.point_to_object(common.point);
+        buffers.rays.clear();
+        buffers.frames.clear();
         for first in (0..count).step_by(4) {
             let entering = MeshEntry {
-                queries: lot.four(first),
+                queries: stream.packet(first),
                 matrix: self.leaf.object_from_world.as_deref(),
                 origin,
                 sign,
             };
-            own.rays.push(lanes.run(entering));
-            own.frames.push(None);
+            buffers.rays.push(lanes.run(entering));
+            buffers.frames.push(None);
         }
-        let rays = &own.rays;
+        let rays = &buffers.rays;
         bundle.fill(
             self.mesh.tree(),
             origin,
             count,
             #[inline(always)]
-            |four| {
-                let (far, rays) = (&lot.four(4 * four).far, &rays[four]);
+            |packet| {
+                let (far, rays) = (&stream.packet(4 * packet).t_max, &rays[packet]);
                 let mut ends = [f64::NEG_INFINITY; 4];
                 for (lane, end) in ends.iter_mut().enumerate() {
                     if far[lane] >= 0.0 {
@@ -339,51 +404,52 @@ impl MeshQuery<'_> {
         )
     }
 
-    /// Calls `take` with the number, the parameter and the speed of each of some rays, those of `rays` from the first on,
-    /// that meet a triangle before they end.
+    /// Intersects a triangle with some rays: calls `take` with the index, the parameter and the speed of each ray that
+    /// hits it within its limits.
     #[inline(always)]
-    fn meet(
+    fn intersect(
         &self,
         lanes: SimdLevel,
-        (own, lot): (&mut MeshScratch, &mut RayStream),
-        (face, first, rays): (u32, usize, u32),
+        buffers: &mut MeshScratch,
+        stream: &mut RayStream,
+        rays: TriangleRays,
         mut take: impl FnMut(&mut RayStream, usize, f64, f64),
     ) {
         for half in [0, 4] {
-            let some = rays >> half & 0b1111;
+            let some = rays.active >> half & 0b1111;
             if some == 0 {
                 continue;
             }
-            let start = first + half as usize;
-            let speed = own.rays[start / 4].speed;
-            let frames = own.ready(start / 4);
-            let mut singly = some;
-            if let Some(four) = &frames.four
+            let start = rays.first + half as usize;
+            let speed = buffers.rays[start / 4].speed;
+            let frames = buffers.ready(start / 4);
+            let mut scalar = some;
+            if let Some(packet) = &frames.packet
                 && !some.is_power_of_two()
             {
-                let found = self.mesh.meet_four(lanes, four, face);
-                singly &= found.unknown;
-                each_bit(found.met & some, |lane| {
-                    let (ray, t) = (start + lane, found.t[lane % 4]);
-                    if lot.from(ray) < t && t <= lot.far(ray) {
-                        take(lot, ray, t, speed[lane % 4]);
+                let hits = self.mesh.meet_four(lanes, packet, rays.face);
+                scalar &= hits.unknown;
+                each_bit(hits.met & some, |lane| {
+                    let (ray, t) = (start + lane, hits.t[lane % 4]);
+                    if stream.t_min(ray) < t && t <= stream.t_max(ray) {
+                        take(stream, ray, t, speed[lane % 4]);
                     }
                 });
             }
-            each_bit(singly, |lane| {
+            each_bit(scalar, |lane| {
                 let ray = start + lane;
-                if let Some(t) = self.mesh.meet(&frames.each[lane % 4], face)
-                    && lot.from(ray) < t
-                    && t <= lot.far(ray)
+                if let Some(t) = self.mesh.meet(&frames.each[lane % 4], rays.face)
+                    && stream.t_min(ray) < t
+                    && t <= stream.t_max(ray)
                 {
-                    take(lot, ray, t, speed[lane % 4]);
+                    take(stream, ray, t, speed[lane % 4]);
                 }
             });
         }
     }
 
     #[inline(always)]
-    fn found(&self, t: f64, face: u32) -> RawHit {
+    fn hit(&self, t: f64, face: u32) -> RawHit {
         RawHit {
             root: Mesh::root(t, face),
             leaf: self.number,

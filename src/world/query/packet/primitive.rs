@@ -1,6 +1,7 @@
-//! Four rays and a primitive at once: to the bit what each finds by itself.
+//! Packets of four rays and a primitive: bit for bit the hits of single rays.
 
-use super::csg::may_be_left;
+use super::bundle::StreamPacket;
+use super::csg::may_be_self_hit;
 use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root};
@@ -9,21 +10,21 @@ use crate::world::csg::program::RawHit;
 use crate::world::primitive::Leaf;
 use crate::world::query::Query;
 
-/// Four rays on their way to a primitive.
+/// A ray packet and a primitive.
 struct PrimitivePacket<'a, const ANY: bool> {
     leaf: &'a Leaf,
     rays: &'a RayPacket4,
-    /// Which have just left a root of it that enters, and which one that leaves, one bit each.
-    left: [u32; 2],
-    /// Which rays there are.
-    there: u32,
+    /// Masks of the lanes that start on an entering root of the primitive, and on a leaving one.
+    origin_masks: [u32; 2],
+    /// Mask of the active lanes.
+    active: u32,
 }
 
 /// The first roots of four rays.
 struct NearestRoots {
     t: [f64; 4],
     leaves: u32,
-    met: u32,
+    hit_mask: u32,
     unknown: u32,
 }
 
@@ -37,23 +38,25 @@ impl<const ANY: bool> SimdKernel for PrimitivePacket<'_, ANY> {
             rays = rays.to_object(matrix);
         }
         let (from, far) = (
-            F::from_array(&self.rays.from),
-            F::from_array(&self.rays.far),
+            F::from_array(&self.rays.t_min),
+            F::from_array(&self.rays.t_max),
         );
-        let nearest =
-            self.leaf
-                .shape
-                .nearest_of_four::<F, ANY>(&rays, (from, far), self.left, self.there);
+        let nearest = self.leaf.shape.nearest_of_four::<F, ANY>(
+            &rays,
+            (from, far),
+            self.origin_masks,
+            self.active,
+        );
         NearestRoots {
             t: nearest.t.to_array(),
             leaves: nearest.leaves,
-            met: nearest.met,
+            hit_mask: nearest.met,
             unknown: nearest.unknown,
         }
     }
 }
 
-/// Asks which of four rays that go out from a leaf have left it for good, one bit each.
+/// Computes the mask of the rays that have exited a convex leaf for good.
 struct ExitedLanes<'a> {
     leaf: &'a Leaf,
     rays: &'a RayPacket4,
@@ -73,78 +76,83 @@ impl SimdKernel for ExitedLanes<'_> {
 }
 
 impl World {
-    /// What some of four rays from `start` on find of a primitive up to and including where they end: calls `take` with the number of
-    /// each ray that meets it; if `ANY` will do perhaps with some place in it. Gives those that must be asked for singly,
-    /// one bit each.
+    /// Intersects four rays, which start at index `start`, with a primitive up to and including their far limits: calls
+    /// `take` with the index of each ray that hits it, with any point inside if `ANY`. Returns the lanes that need the
+    /// scalar path.
     #[inline(always)]
     pub(in crate::world) fn packet4_primitive<const ANY: bool>(
         &self,
         lanes: SimdLevel,
         number: u32,
-        (lot, start, mut there): (&mut RayStream, usize, u32),
+        packet: StreamPacket,
         query: impl Fn(usize) -> Query,
         roots: &mut Vec<Root>,
         take: &mut impl FnMut(&mut RayStream, usize, RawHit),
     ) -> u32 {
-        let rays = lot.four(start);
-        let from = rays.from;
+        let StreamPacket {
+            stream,
+            start,
+            mut active,
+        } = packet;
+        let rays = stream.packet(start);
+        let from = rays.t_min;
         let leaf = &self.model.leaves[number as usize];
         let mut unclear = 0;
-        let mut asked = PrimitivePacket::<ANY> {
+        let mut packet = PrimitivePacket::<ANY> {
             leaf,
             rays,
-            left: [0, 0],
-            there,
+            origin_masks: [0, 0],
+            active,
         };
-        let mut own = rays.have_left(number) & there;
-        let is_told = leaf.shape.tells_left_behind();
-        if own & rays.goes_out != 0 && is_told {
+        let mut own = rays.start_on(number) & active;
+        let handles_exits = leaf.shape.tells_left_behind();
+        if own & rays.goes_out != 0 && handles_exits {
             let gone = own & rays.goes_out & lanes.run(ExitedLanes { leaf, rays });
-            there &= !gone;
+            active &= !gone;
             own &= !gone;
         }
         while own != 0 {
             let lane = own.trailing_zeros() as usize % 4;
             own &= own - 1;
             let query = query(start + lane);
-            if let Some(left) = &query.origin_surface {
-                let is_plain = left.face == 0 && left.crossing != Crossing::Touch;
-                let leaves = left.normal.dot(query.ray.dir) > 0.0;
-                if leaves && !is_told && leaf.is_exiting(&query.ray) {
-                    there &= !(1 << lane);
+            if let Some(origin) = &query.origin_surface {
+                let is_plain = origin.face == 0 && origin.crossing != Crossing::Touch;
+                let leaves = origin.normal.dot(query.ray.dir) > 0.0;
+                if leaves && !handles_exits && leaf.is_exiting(&query.ray) {
+                    active &= !(1 << lane);
                     continue;
                 }
-                asked.left[usize::from(leaves)] |= 1 << lane;
+                packet.origin_masks[usize::from(leaves)] |= 1 << lane;
                 unclear |= u32::from(!is_plain) << lane;
             }
         }
-        if there == 0 {
+        if active == 0 {
             return 0;
         }
-        asked.there = there;
-        let found = lanes.run(asked);
-        let mut unknown = (found.unknown | unclear) & there;
-        let mut met = found.met & there & !unknown;
-        while met != 0 {
-            let lane = met.trailing_zeros() as usize % 4;
-            met &= met - 1;
-            if may_be_left(from[lane], found.t[lane]) {
+        packet.active = active;
+        let hits = lanes.run(packet);
+        let mut unknown = (hits.unknown | unclear) & active;
+        let mut hit_mask = hits.hit_mask & active & !unknown;
+        while hit_mask != 0 {
+            let lane = hit_mask.trailing_zeros() as usize % 4;
+            hit_mask &= hit_mask - 1;
+            if may_be_self_hit(from[lane], hits.t[lane]) {
                 unknown |= 1 << lane;
                 continue;
             }
             let root = if !ANY && leaf.shape.has_faces() {
                 let ray = query(start + lane).ray;
-                let Some(root) = leaf.root_at(&ray, found.t[lane], roots) else {
+                let Some(root) = leaf.root_at(&ray, hits.t[lane], roots) else {
                     unknown |= 1 << lane;
                     continue;
                 };
                 root
             } else {
-                Root::on_smooth(found.t[lane], found.leaves >> lane & 1 == 1)
+                Root::on_smooth(hits.t[lane], hits.leaves >> lane & 1 == 1)
             };
             let surface = leaf.surface;
             take(
-                lot,
+                stream,
                 start + lane,
                 RawHit {
                     root,

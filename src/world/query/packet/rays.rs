@@ -1,4 +1,4 @@
-//! Queries side by side, in the form in which four are answered at once.
+//! Streams of ray queries, stored in packets of four that are intersected together.
 
 use super::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
 use crate::base::math::Ray;
@@ -8,189 +8,192 @@ use crate::scene::shape::RayPacket;
 use crate::world::query::Query;
 use glam::DVec3;
 
-/// Four queries. Where there are fewer the last stands in for those that are missing.
+/// Four ray queries. Unused lanes repeat the last query.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub(in crate::world) struct RayPacket4 {
     origin: [[f64; 4]; 3],
     dir: [[f64; 4]; 3],
-    /// Nothing up to here counts.
-    pub(in crate::world) from: [f64; 4],
-    /// Nothing beyond counts.
-    pub(in crate::world) far: [f64; 4],
-    /// The leaves that the rays have just left; [`NO_LEAF`] for none.
-    pub(in crate::world) left: [u32; 4],
-    /// Which of them go to the outer side of the leaf that they have left, one bit each.
+    /// Near limits: hits up to here are ignored.
+    pub(in crate::world) t_min: [f64; 4],
+    /// Far limits.
+    pub(in crate::world) t_max: [f64; 4],
+    /// The leaves that the rays start on; [`NO_LEAF`] for none.
+    pub(in crate::world) origin_leaf: [u32; 4],
+    /// Mask of the lanes whose rays go to the outer side of the leaf they start on.
     pub(in crate::world) goes_out: u32,
 }
 
-/// Any number of queries, four by four.
+/// A stream of any number of ray queries, in packets of four.
 #[derive(Debug, Default)]
 pub(in crate::world) struct RayStream {
-    fours: Vec<RayPacket4>,
+    packets: Vec<RayPacket4>,
 }
 
 impl RayStream {
-    /// Takes in the rays of a camera, which start at one point; up to `least` nothing counts.
+    /// Loads camera rays, which share their origin and the near limit `t_min`.
     #[inline(always)]
     pub(in crate::world) fn load_camera_rays(
         &mut self,
         origin: DVec3,
-        least: f64,
+        t_min: f64,
         hits: &[HitPacket4],
     ) {
-        self.fours.resize(hits.len(), RayPacket4::NONE);
-        for (four, hits) in self.fours.iter_mut().zip(hits) {
-            four.origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
-            four.dir = hits.dir;
-            four.from = [least; 4];
-            four.far = [f64::INFINITY; 4];
-            four.left = [NO_LEAF; 4];
+        self.packets.resize(hits.len(), RayPacket4::NONE);
+        for (packet, hits) in self.packets.iter_mut().zip(hits) {
+            packet.origin = [[origin.x; 4], [origin.y; 4], [origin.z; 4]];
+            packet.dir = hits.dir;
+            packet.t_min = [t_min; 4];
+            packet.t_max = [f64::INFINITY; 4];
+            packet.origin_leaf = [NO_LEAF; 4];
         }
     }
 
-    /// Takes in this many rays, up to eight, that may start anywhere; `least` is the distance up to which nothing counts
-    /// for one.
+    /// Loads up to eight rays with any origins; `t_min_of` gives the near limit of each.
     #[inline(always)]
-    pub(in crate::world) fn follow(
+    pub(in crate::world) fn load_rays(
         &mut self,
         count: usize,
         query: impl Fn(usize) -> Query,
-        least: impl Fn(&Query) -> f64,
+        t_min_of: impl Fn(&Query) -> f64,
     ) {
-        self.fours.resize(count.div_ceil(4), RayPacket4::NONE);
-        for (number, four) in self.fours.iter_mut().enumerate() {
-            four.goes_out = 0;
+        self.packets.resize(count.div_ceil(4), RayPacket4::NONE);
+        for (number, packet) in self.packets.iter_mut().enumerate() {
+            packet.goes_out = 0;
             for lane in 0..4 {
                 let query = query((4 * number + lane).min(count - 1));
                 for axis in 0..3 {
-                    four.origin[axis][lane] = query.ray.origin[axis];
-                    four.dir[axis][lane] = query.ray.dir[axis];
+                    packet.origin[axis][lane] = query.ray.origin[axis];
+                    packet.dir[axis][lane] = query.ray.dir[axis];
                 }
-                four.from[lane] = least(&query);
-                four.far[lane] = query.t_max;
-                four.left[lane] = query.origin_surface.map_or(NO_LEAF, |left| left.leaf);
+                packet.t_min[lane] = t_min_of(&query);
+                packet.t_max[lane] = query.t_max;
+                packet.origin_leaf[lane] =
+                    query.origin_surface.map_or(NO_LEAF, |origin| origin.leaf);
                 let goes_out = query
                     .origin_surface
-                    .is_some_and(|left| left.normal.dot(query.ray.dir) > 0.0);
-                four.goes_out |= u32::from(goes_out) << lane;
+                    .is_some_and(|origin| origin.normal.dot(query.ray.dir) > 0.0);
+                packet.goes_out |= u32::from(goes_out) << lane;
             }
         }
     }
 
-    /// Where the first eight queries end.
+    /// Far limits of the first eight queries.
     #[inline(always)]
     pub(in crate::world) fn ends(&self) -> [f64; 8] {
         let mut ends = [0.0; 8];
-        for (ends, four) in ends.chunks_mut(4).zip(&self.fours) {
-            ends.copy_from_slice(&four.far);
+        for (ends, packet) in ends.chunks_mut(4).zip(&self.packets) {
+            ends.copy_from_slice(&packet.t_max);
         }
         ends
     }
 
-    /// Takes in the rays to a light from all of these hits; `least` is the distance up to which nothing counts for one of
-    /// such a blur.
+    /// Loads the shadow rays of all these hits to a light; `t_min_of` gives the near limit for the error of the origin.
     #[inline(always)]
     pub(in crate::world) fn load_shadow_rays(
         &mut self,
-        (hits, ways): (&[HitPacket4], &[ShadowPacket4]),
-        least: impl Fn(f64) -> f64,
+        hits: &[HitPacket4],
+        shadow_rays: &[ShadowPacket4],
+        t_min_of: impl Fn(f64) -> f64,
     ) {
-        self.fours.resize(hits.len(), RayPacket4::NONE);
-        for (four, (hits, ways)) in self.fours.iter_mut().zip(hits.iter().zip(ways)) {
-            four.origin = hits.point;
-            four.dir = ways.to_light;
+        self.packets.resize(hits.len(), RayPacket4::NONE);
+        for (packet, (hits, shadow_rays)) in
+            self.packets.iter_mut().zip(hits.iter().zip(shadow_rays))
+        {
+            packet.origin = hits.point;
+            packet.dir = shadow_rays.to_light;
             for lane in 0..4 {
-                four.from[lane] = least(hits.blur[lane]);
+                packet.t_min[lane] = t_min_of(hits.blur[lane]);
             }
-            four.far = ways.far;
-            four.left = hits.leaf;
-            four.goes_out = ways.goes_out;
+            packet.t_max = shadow_rays.far;
+            packet.origin_leaf = hits.leaf;
+            packet.goes_out = shadow_rays.goes_out;
         }
     }
 
-    /// Takes in rays that all leave from one hit, of which each of the four is; `least` as in the others.
+    /// Loads shadow rays that all start at one hit, which fills all lanes of `hits`; `t_min_of` as above.
     #[inline(always)]
-    pub(in crate::world) fn shine_from(
+    pub(in crate::world) fn load_shadow_rays_from_point(
         &mut self,
         hits: &HitPacket4,
-        ways: &[ShadowPacket4],
-        least: impl Fn(f64) -> f64,
+        shadow_rays: &[ShadowPacket4],
+        t_min_of: impl Fn(f64) -> f64,
     ) {
-        self.fours.resize(ways.len(), RayPacket4::NONE);
-        let least = least(hits.blur[0]);
-        for (four, ways) in self.fours.iter_mut().zip(ways) {
-            four.origin = hits.point;
-            four.dir = ways.to_light;
-            four.from = [least; 4];
-            four.far = ways.far;
-            four.left = hits.leaf;
-            four.goes_out = ways.goes_out;
+        self.packets.resize(shadow_rays.len(), RayPacket4::NONE);
+        let t_min = t_min_of(hits.blur[0]);
+        for (packet, shadow_rays) in self.packets.iter_mut().zip(shadow_rays) {
+            packet.origin = hits.point;
+            packet.dir = shadow_rays.to_light;
+            packet.t_min = [t_min; 4];
+            packet.t_max = shadow_rays.far;
+            packet.origin_leaf = hits.leaf;
+            packet.goes_out = shadow_rays.goes_out;
         }
     }
 
-    /// Takes in the rays to a light from hits at these places; `least` is the distance up to which nothing counts for
-    /// one of such a blur.
+    /// Loads the shadow rays to a light of the hits with these indices; `t_min_of` gives the near limit for the error
+    /// of the origin.
     #[inline(always)]
     pub(in crate::world) fn load_shadow_rays_all(
         &mut self,
-        places: &[u16],
-        (hits, ways): (&[HitPacket4], &[ShadowPacket4]),
-        least: impl Fn(f64) -> f64,
+        indices: &[u16],
+        hits: &[HitPacket4],
+        shadow_rays: &[ShadowPacket4],
+        t_min_of: impl Fn(f64) -> f64,
     ) {
-        self.fours
-            .resize(places.len().div_ceil(4), RayPacket4::NONE);
-        for (four, places) in self.fours.iter_mut().zip(places.chunks(4)) {
-            four.goes_out = 0;
+        self.packets
+            .resize(indices.len().div_ceil(4), RayPacket4::NONE);
+        for (packet, indices) in self.packets.iter_mut().zip(indices.chunks(4)) {
+            packet.goes_out = 0;
             for lane in 0..4 {
-                let place = usize::from(places[lane.min(places.len() - 1)]);
-                let (hits, ways) = (&hits[place / 4], &ways[place / 4]);
+                let index = usize::from(indices[lane.min(indices.len() - 1)]);
+                let (hits, shadow_rays) = (&hits[index / 4], &shadow_rays[index / 4]);
                 for axis in 0..3 {
-                    four.origin[axis][lane] = hits.point[axis][place % 4];
-                    four.dir[axis][lane] = ways.to_light[axis][place % 4];
+                    packet.origin[axis][lane] = hits.point[axis][index % 4];
+                    packet.dir[axis][lane] = shadow_rays.to_light[axis][index % 4];
                 }
-                four.from[lane] = least(hits.blur[place % 4]);
-                four.far[lane] = ways.far[place % 4];
-                four.left[lane] = hits.leaf[place % 4];
-                four.goes_out |= (ways.goes_out >> (place % 4) & 1) << lane;
+                packet.t_min[lane] = t_min_of(hits.blur[index % 4]);
+                packet.t_max[lane] = shadow_rays.far[index % 4];
+                packet.origin_leaf[lane] = hits.leaf[index % 4];
+                packet.goes_out |= (shadow_rays.goes_out >> (index % 4) & 1) << lane;
             }
         }
     }
 
-    /// The directions of four of them.
+    /// Directions of one packet.
     #[inline(always)]
-    pub(in crate::world) fn dirs(&self, four: usize) -> &[[f64; 4]; 3] {
-        &self.fours[four].dir
+    pub(in crate::world) fn dirs(&self, packet: usize) -> &[[f64; 4]; 3] {
+        &self.packets[packet].dir
     }
 
-    /// The ray of the query of this number.
+    /// The ray with this index.
     #[cfg(test)]
     pub(in crate::world) fn ray(&self, number: usize) -> Ray {
-        self.fours[number / 4].ray(number % 4)
+        self.packets[number / 4].ray(number % 4)
     }
 
-    /// The four among which the query of this number is.
+    /// The packet that contains the ray with this index.
     #[inline(always)]
-    pub(in crate::world) fn four(&self, number: usize) -> &RayPacket4 {
-        &self.fours[number / 4]
+    pub(in crate::world) fn packet(&self, number: usize) -> &RayPacket4 {
+        &self.packets[number / 4]
     }
 
-    /// Up to here nothing counts for the query of this number.
+    /// Near limit of the ray with this index.
     #[inline(always)]
-    pub(in crate::world) fn from(&self, number: usize) -> f64 {
-        self.fours[number / 4].from[number % 4]
+    pub(in crate::world) fn t_min(&self, number: usize) -> f64 {
+        self.packets[number / 4].t_min[number % 4]
     }
 
-    /// Beyond this nothing counts for the query of this number.
+    /// Far limit of the ray with this index.
     #[inline(always)]
-    pub(in crate::world) fn far(&self, number: usize) -> f64 {
-        self.fours[number / 4].far[number % 4]
+    pub(in crate::world) fn t_max(&self, number: usize) -> f64 {
+        self.packets[number / 4].t_max[number % 4]
     }
 
-    /// Lets a query end sooner.
+    /// Moves the far limit of a ray closer.
     #[inline(always)]
-    pub(in crate::world) fn shorten(&mut self, number: usize, far: f64) {
-        self.fours[number / 4].far[number % 4] = far;
+    pub(in crate::world) fn shorten(&mut self, number: usize, t_max: f64) {
+        self.packets[number / 4].t_max[number % 4] = t_max;
     }
 }
 
@@ -198,9 +201,9 @@ impl RayPacket4 {
     const NONE: RayPacket4 = RayPacket4 {
         origin: [[0.0; 4]; 3],
         dir: [[0.0; 4]; 3],
-        from: [0.0; 4],
-        far: [0.0; 4],
-        left: [NO_LEAF; 4],
+        t_min: [0.0; 4],
+        t_max: [0.0; 4],
+        origin_leaf: [NO_LEAF; 4],
         goes_out: 0,
     };
 
@@ -220,12 +223,12 @@ impl RayPacket4 {
         }
     }
 
-    /// Which rays have just left this leaf, one bit each.
+    /// Mask of the rays that start on this leaf.
     #[inline(always)]
-    pub(in crate::world) fn have_left(&self, leaf: u32) -> u32 {
+    pub(in crate::world) fn start_on(&self, leaf: u32) -> u32 {
         let mut bits = 0;
-        for (lane, left) in self.left.iter().enumerate() {
-            bits |= u32::from(*left == leaf) << lane;
+        for (lane, origin_leaf) in self.origin_leaf.iter().enumerate() {
+            bits |= u32::from(*origin_leaf == leaf) << lane;
         }
         bits
     }
