@@ -1,17 +1,17 @@
-//! `mesh` and `mesh2`: many triangles as one shape, with a tree of their own.
+//! `mesh` and `mesh2`: many triangles as one shape, with a BVH of their own.
 //!
-//! Corners and normals are kept in single precision, as POV-Ray keeps them; what is computed from them is not. Copies
-//! of an object share the triangles, and a transform never moves them. Error bound: that of a triangle, 2 roundings of the
-//! problem's size from the plane of its corners as they are kept, and no gap at any edge (`math/watertight.rs`).
+//! Corners and normals are stored in single precision, as in POV-Ray; everything computed from them is double. Copies
+//! of an object share the triangles, and a transform never moves them. Error bound: as for a triangle, 2 roundings of
+//! the problem's size from the plane of the stored corners, and no gap at any edge (`math/watertight.rs`).
 //!
 //! Without `inside_vector` a mesh is a patch. With it a point is inside if a ray from it along the vector crosses an
-//! odd number of triangles. If every edge belongs to an even number of triangles this is so along any line, and so
-//! enter and leave alternate along a ray ([`RayFrame::crossing`] counts without fault). If not, the state between two
-//! roots is that of the point midway, and outside beyond them.
+//! odd number of triangles. If every edge belongs to an even number of triangles this holds along any line, so enter
+//! and leave alternate along a ray ([`RayFrame::crossing`] counts exactly). Otherwise the state between two roots is
+//! that of the midpoint, and the state beyond the outermost roots is outside.
 
 use super::face_texture::{FaceTexture, TextureWeights};
-use super::mesh::attributes::{Looks, NO_TRIPLE};
-use super::mesh::build::{Draft, single_pair};
+use super::mesh::attributes::{NO_TRIPLE, TriangleAttributes};
+use super::mesh::build::{MeshBuilder, single_pair};
 use super::patch::smooth_triangle::weights;
 use super::{Crossing, Geometry, Root, Start, first_visible, read};
 use crate::base::accel::Bvh;
@@ -27,51 +27,51 @@ use crate::scene::texture::Texture;
 use glam::{DVec3, Vec2, Vec3};
 use std::sync::{Arc, OnceLock};
 
-/// Triangles that share corners. Copies share all of it.
+/// Triangles that share corners. Copies of the mesh share all of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh(Arc<Triangles>);
 
-/// What a mesh is made of.
+/// Vertices, faces and attributes of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
     pub(super) vertices: Vec<Vec3>,
-    /// For each triangle its corners in [`Triangles::vertices`].
+    /// Per triangle, the indices of its corners in [`Triangles::vertices`].
     pub(super) corners: Vec<[u32; 3]>,
     /// Unit vectors, or zero.
     pub(super) normals: Vec<Vec3>,
-    /// For each triangle the normals at its corners, or [`FLAT`]; empty if all triangles are flat.
+    /// Per triangle, the indices of its corner normals, or [`FLAT`]; empty if all triangles are flat.
     pub(super) smooth: Vec<[u32; 3]>,
-    /// Texture coordinates and textures of triangles, if it has any.
-    pub(super) looks: Option<Box<Looks>>,
+    /// Texture coordinates and textures of triangles, if there are any.
+    pub(super) attributes: Option<Box<TriangleAttributes>>,
     pub(super) inside: Option<Inside>,
     pub(super) bounds: Bounds,
-    /// Made when the mesh is prepared for rays: one that is never seen needs none.
+    /// BVH over the triangles, built in [`Geometry::prepare`]: a mesh that is never traced needs none.
     pub(super) tree: OnceLock<Bvh>,
 }
 
-/// In [`Triangles::smooth`]: the normals of the triangle are that of its plane.
+/// Entry of [`Triangles::smooth`]: the triangle is shaded with the normal of its plane.
 pub(super) const FLAT: [u32; 3] = [u32::MAX; 3];
 
-/// No triangle.
+/// Index of no triangle.
 const NONE: u32 = u32::MAX;
 
-/// How a mesh has an inside.
+/// Definition of the inside of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Inside {
     /// The `inside_vector`.
     pub(super) dir: DVec3,
-    /// Whether every edge belongs to an even number of triangles.
+    /// True if every edge belongs to an even number of triangles.
     pub(super) is_closed: bool,
 }
 
 impl PartialEq for Triangles {
-    /// The tree follows from the rest.
+    /// The BVH follows from the rest.
     fn eq(&self, other: &Self) -> bool {
         self.vertices == other.vertices
             && self.corners == other.corners
             && self.normals == other.normals
             && self.smooth == other.smooth
-            && self.looks == other.looks
+            && self.attributes == other.attributes
             && self.inside == other.inside
     }
 }
@@ -81,27 +81,27 @@ impl Mesh {
         Mesh(Arc::new(triangles))
     }
 
-    /// Reads the triangles of `mesh` and its `inside_vector`. Degenerate triangles are left out without a word.
+    /// Reads the triangles of `mesh` and its `inside_vector`. Degenerate triangles are dropped silently.
     ///
     /// # Errors
     /// Malformed or non-finite parameters, or no triangle at all.
     pub fn read(args: &mut dyn Args) -> Parse<Self> {
         let start = args.span();
-        let mut draft = Draft::default();
+        let mut builder = MeshBuilder::default();
         loop {
             if args.accept(Word::Triangle)? {
-                read_triangle(args, &mut draft, Shading::Flat)?;
+                read_triangle(args, &mut builder, Shading::Flat)?;
             } else if args.accept(Word::SmoothTriangle)? {
-                read_triangle(args, &mut draft, Shading::Smooth)?;
+                read_triangle(args, &mut builder, Shading::Smooth)?;
             } else {
                 break;
             }
         }
-        if draft.corners.is_empty() {
+        if builder.corners.is_empty() {
             return Err(args.expected("`triangle` or `smooth_triangle` in `mesh`"));
         }
-        read_inside_vector(args, &mut draft)?;
-        let mesh = draft.build();
+        read_inside_vector(args, &mut builder)?;
+        let mesh = builder.build();
         if mesh.corners.is_empty() {
             return Err(Box::new(Diagnostic::error(
                 start.to(args.last_span()),
@@ -111,28 +111,28 @@ impl Mesh {
         Ok(Mesh::new(mesh))
     }
 
-    /// What it is made of.
+    /// The vertices, faces and attributes.
     pub(super) fn triangles(&self) -> &Triangles {
         &self.0
     }
 
-    /// The tree over its triangles.
+    /// The BVH over the triangles.
     pub(crate) fn tree(&self) -> &Bvh {
         self.0.tree()
     }
 
-    /// Whether it has no inside.
+    /// True if the mesh has no inside.
     pub(crate) fn is_patch(&self) -> bool {
         self.0.inside.is_none()
     }
 
-    /// Where the whole line of a ray meets a triangle of a patch.
+    /// Intersects the whole line of a ray with a triangle of a patch; returns `t`.
     #[inline(always)]
     pub(crate) fn meet(&self, frame: &RayFrame, face: u32) -> Option<f64> {
         frame.hit(&self.0.corners(face)).map(|hit| hit.t)
     }
 
-    /// Where the whole lines of four rays meet a triangle of a patch.
+    /// Intersects the whole lines of a ray packet with a triangle of a patch.
     #[inline(always)]
     pub(crate) fn meet_four(
         &self,
@@ -144,29 +144,29 @@ impl Mesh {
         lanes.run(RaysAndTriangle { rays, corners })
     }
 
-    /// The root of a patch on a triangle.
+    /// A root of a patch on triangle `face`.
     pub(crate) fn root(t: f64, face: u32) -> Root {
         root(t, face, Crossing::Touch)
     }
 
-    /// The weights of the corners of a triangle at a point of it.
+    /// Barycentric coordinates of a point of a triangle.
     fn weights(&self, point: DVec3, face: u32) -> [f64; 3] {
         weights(&self.0.corners(face), self.normal(point, face), point)
     }
 
-    /// How many triangles it has, degenerate ones not counted.
+    /// Number of triangles, degenerate ones not counted.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.corners.len()
     }
 
-    /// Whether it has no triangles.
+    /// True if there are no triangles.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.corners.is_empty()
     }
 
-    /// The memory it takes, shared by all copies.
+    /// Memory in bytes, shared by all copies.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let lists = self.0.vertices.capacity() + self.0.normals.capacity();
@@ -174,24 +174,22 @@ impl Mesh {
         size_of::<Triangles>()
             + lists * size_of::<Vec3>()
             + triples * size_of::<[u32; 3]>()
-            + self
-                .0
-                .looks
-                .as_ref()
-                .map_or(0, |looks| size_of::<Looks>() + looks.bytes())
+            + self.0.attributes.as_ref().map_or(0, |attributes| {
+                size_of::<TriangleAttributes>() + attributes.bytes()
+            })
             + self.0.tree.get().map_or(0, Bvh::bytes)
     }
 }
 
-/// Whether a triangle of a `mesh` has normals at its corners.
+/// Shading of a triangle of a `mesh`: flat, or smooth with a normal at each corner.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shading {
     Flat,
     Smooth,
 }
 
-/// `{ corners and normals [uv_vectors] }` behind the word of a triangle.
-fn read_triangle(args: &mut dyn Args, draft: &mut Draft, shading: Shading) -> Parse<()> {
+/// Reads `{ corners and normals [uv_vectors] }` after `triangle` or `smooth_triangle`.
+fn read_triangle(args: &mut dyn Args, builder: &mut MeshBuilder, shading: Shading) -> Parse<()> {
     args.open()?;
     let at = args.span();
     let count = if shading == Shading::Smooth { 6 } else { 3 };
@@ -210,15 +208,15 @@ fn read_triangle(args: &mut dyn Args, draft: &mut Draft, shading: Shading) -> Pa
         *vector = read::vector(args, what)?;
     }
     let added = match shading {
-        Shading::Flat => draft.triangle([given[0], given[1], given[2]], None),
-        Shading::Smooth => draft.triangle(
+        Shading::Flat => builder.triangle([given[0], given[1], given[2]], None),
+        Shading::Smooth => builder.triangle(
             [given[0], given[2], given[4]],
             Some([given[1], given[3], given[5]]),
         ),
     };
     if let Err(fault) = added {
-        let place = at.to(args.last_span());
-        return Err(Box::new(Diagnostic::error(place, fault)));
+        let location = at.to(args.last_span());
+        return Err(Box::new(Diagnostic::error(location, fault)));
     }
     if args.accept(Word::UvVectors)? {
         let mut pairs = [Vec2::ZERO; 3];
@@ -226,67 +224,67 @@ fn read_triangle(args: &mut dyn Args, draft: &mut Draft, shading: Shading) -> Pa
             args.comma()?;
             *pair = single_pair(args.vector2()?);
         }
-        draft.uv_of_last(pairs);
+        builder.set_uv_of_last(pairs);
     }
-    if let Some(skins) = read_skins(args, draft)? {
-        draft.skins_of_last(skins);
+    if let Some(textures) = read_textures(args, builder)? {
+        builder.set_textures_of_last(textures);
     }
     args.close()
 }
 
-/// `texture { ... }` for a whole triangle, or `texture_list { T1 T2 T3 }` for its corners.
-fn read_skins(args: &mut dyn Args, draft: &mut Draft) -> Parse<Option<[u32; 3]>> {
+/// Reads `texture { ... }` for a whole triangle, or `texture_list { T1 T2 T3 }` for its corners.
+fn read_textures(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<Option<[u32; 3]>> {
     if args.accept(Word::Texture)? {
-        let skin = draft.skin(FaceTexture::read(args)?);
-        return Ok(Some([skin; 3]));
+        let texture = builder.texture_index(FaceTexture::read(args)?);
+        return Ok(Some([texture; 3]));
     }
     if !args.accept(Word::TextureList)? {
         return Ok(None);
     }
     args.open()?;
-    let mut skins = NO_TRIPLE;
-    for skin in &mut skins {
+    let mut textures = NO_TRIPLE;
+    for texture in &mut textures {
         args.comma()?;
         let named = match declared::<Texture>(args)? {
             Some(named) => FaceTexture(named),
             None if args.accept(Word::Texture)? => FaceTexture::read(args)?,
             None => return Err(args.expected("the names of three textures in `texture_list`")),
         };
-        *skin = draft.skin(named);
+        *texture = builder.texture_index(named);
     }
     args.comma()?;
     args.close()?;
-    Ok(Some(skins))
+    Ok(Some(textures))
 }
 
-/// `inside_vector` if it stands here; the zero vector takes the inside away again.
-pub(super) fn read_inside_vector(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+/// Reads any `inside_vector`; the zero vector removes the inside again.
+pub(super) fn read_inside_vector(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     while args.accept(Word::InsideVector)? {
         let dir = read::vector(args, "the `inside_vector` of the mesh")?;
-        draft.inside = (dir != DVec3::ZERO).then_some(dir);
+        builder.inside = (dir != DVec3::ZERO).then_some(dir);
     }
     Ok(())
 }
 
 impl Triangles {
-    /// The box of a triangle.
+    /// Bounding box of a triangle.
     pub(super) fn bounds_of(&self, corners: &[u32; 3]) -> Bounds {
-        // Spelt out: `map` is not always inlined.
+        // Written out: `map` is not always inlined.
         let [a, b, c] = *corners;
         let corner = |number: u32| self.vertices[number as usize].as_dvec3();
         let [a, b, c] = [corner(a), corner(b), corner(c)];
         Bounds::new(a, b).with_point(c)
     }
 
-    /// Finds the bounds, when all triangles are known.
+    /// Computes the bounds once all triangles are known.
     pub(super) fn bounded(mut self) -> Self {
         let boxes = self.corners.iter().map(|corners| self.bounds_of(corners));
         self.bounds = boxes.fold(Bounds::EMPTY, |sum, next| sum.union(&next));
         self
     }
 
-    /// The tree over the triangles. Threads that ask for it at once before it was ever made would each make one; whoever
-    /// makes it holds nothing that others wait for.
+    /// The BVH over the triangles. Threads that need it before it exists each build one, and one of the results is
+    /// stored: no thread waits for another while holding a lock.
     fn tree(&self) -> &Bvh {
         if let Some(tree) = self.tree.get() {
             return tree;
@@ -297,7 +295,7 @@ impl Triangles {
         self.tree.get_or_init(|| tree)
     }
 
-    // Spelt out: `map` is not always inlined.
+    // Written out: `map` is not always inlined.
     #[inline(always)]
     fn corners(&self, face: u32) -> [DVec3; 3] {
         let [a, b, c] = self.corners[face as usize];
@@ -306,70 +304,73 @@ impl Triangles {
     }
 
     #[inline]
-    fn meet(&self, frame: &RayFrame, face: u32) -> Option<TriangleHit> {
+    fn intersect(&self, frame: &RayFrame, face: u32) -> Option<TriangleHit> {
         match self.inside {
             Some(_) => frame.crossing(&self.corners(face)),
             None => frame.hit(&self.corners(face)),
         }
     }
 
-    /// The first hit with `from < t < to` on any triangle but `but`; of several at the same `t` the first in the list.
-    fn first(&self, ray: &Ray, from: f64, to: f64, but: u32) -> Option<(f64, u32)> {
+    /// Closest hit with `from < t < to` on any triangle except `skip`; at equal `t` the one first in the list.
+    fn first(&self, ray: &Ray, from: f64, to: f64, skip: u32) -> Option<(f64, u32)> {
         with_widest(
             #[inline(always)]
-            |lanes| self.first_found(lanes, ray, (from, to), but),
+            |lanes| self.first_in(lanes, ray, from, to, skip),
         )
     }
 
     #[inline(always)]
-    fn first_found(
+    fn first_in(
         &self,
         lanes: SimdLevel,
         ray: &Ray,
-        (from, to): (f64, f64),
-        but: u32,
+        from: f64,
+        to: f64,
+        skip: u32,
     ) -> Option<(f64, u32)> {
         let frame = RayFrame::new(ray);
-        let mut best = None;
+        let mut closest = None;
         let visit = |face, end| {
-            let Some(TriangleHit { t, .. }) = self.meet(&frame, face) else {
+            let Some(TriangleHit { t, .. }) = self.intersect(&frame, face) else {
                 return end;
             };
-            let is_first = match best {
+            let is_first = match closest {
                 None => true,
-                Some((best_t, best_face)) => t < best_t || (t == best_t && face < best_face),
+                Some((closest_t, closest_face)) => {
+                    t < closest_t || (t == closest_t && face < closest_face)
+                }
             };
-            if face != but && from < t && t < to && is_first {
-                best = Some((t, face));
+            if face != skip && from < t && t < to && is_first {
+                closest = Some((t, face));
                 return t;
             }
             end
         };
         self.tree().nearest_in(lanes, ray, (from, to), visit);
-        best
+        closest
     }
 
-    /// How many triangles a ray crosses at `from <= t <= to`.
+    /// Number of triangles that a ray crosses at `from <= t <= to`.
     fn count(&self, ray: &Ray, from: f64, to: f64) -> usize {
         let frame = RayFrame::new(ray);
         let mut count = 0;
         self.tree().any(ray, from, to, |face| {
-            let hit = self.meet(&frame, face);
+            let hit = self.intersect(&frame, face);
             count += usize::from(hit.is_some_and(|hit| from <= hit.t && hit.t <= to));
             false
         });
         count
     }
 
-    /// What the first root of a closed mesh beyond `from` does, on any triangle but `left`, which lies behind even if
-    /// it rounds to the other side.
+    /// Crossing at the first root of a closed mesh beyond `from`. `left`, the triangle that the ray starts on, counts
+    /// as behind even if its hit rounds to the other side.
     fn crossing_after(&self, ray: &Ray, from: f64, left: u32) -> Crossing {
-        let mut passed = self.count(ray, f64::NEG_INFINITY, from);
+        let mut crossed = self.count(ray, f64::NEG_INFINITY, from);
         if left != NONE {
-            let hit = self.meet(&RayFrame::new(ray), left);
-            passed += usize::from(hit.is_some_and(|hit| hit.t > from));
+            let hit = self.intersect(&RayFrame::new(ray), left);
+            crossed += usize::from(hit.is_some_and(|hit| hit.t > from));
         }
-        if passed.is_multiple_of(2) {
+        if crossed.is_multiple_of(2) {
             Crossing::Enter
         } else {
             Crossing::Leave
@@ -382,7 +383,7 @@ impl Triangles {
         is_near && self.count(&Ray::new(point, inside.dir), 0.0, f64::INFINITY) % 2 == 1
     }
 
-    /// Says for each root of a line what happens there.
+    /// Sets the crossing of each root of a line.
     fn label(&self, ray: &Ray, inside: &Inside, roots: &mut [Root]) {
         let mut is_inside = false;
         for i in 0..roots.len() {
@@ -425,14 +426,14 @@ impl Geometry for Mesh {
         let first = roots.len();
         let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
         mesh.tree().any(ray, from, to, |face| {
-            let hit = mesh.meet(&frame, face);
+            let hit = mesh.intersect(&frame, face);
             roots.extend(hit.map(|hit| root(hit.t, face, Crossing::Touch)));
             false
         });
-        let found = &mut roots[first..];
-        found.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
+        let own = &mut roots[first..];
+        own.sort_unstable_by(|a, b| a.t.total_cmp(&b.t).then(a.face.cmp(&b.face)));
         if let Some(inside) = &mesh.inside {
-            mesh.label(ray, inside, found);
+            mesh.label(ray, inside, own);
         }
         Start::Outside
     }
@@ -457,7 +458,7 @@ impl Geometry for Mesh {
     fn normal(&self, _: DVec3, face: u32) -> DVec3 {
         let [a, b, c] = self.0.corners(face);
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
-        // This way round `interior_texture` shows on the side where POV-Ray shows it.
+        // With this winding `interior_texture` shows on the side where POV-Ray shows it.
         ((c - a) / size).cross((b - a) / size)
     }
 
@@ -477,17 +478,17 @@ impl Geometry for Mesh {
     fn shading_normal(&self, point: DVec3, face: u32) -> Option<DVec3> {
         let smooth = self.0.smooth.get(face as usize).copied();
         let smooth = smooth.filter(|smooth| *smooth != FLAT)?;
-        let shares = self.weights(point, face);
+        let weights = self.weights(point, face);
         let normals = smooth.map(|normal| self.0.normals[normal as usize].as_dvec3());
-        let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + shares[i] * normals[i]);
+        let mean = (0..3).fold(DVec3::ZERO, |sum, i| sum + weights[i] * normals[i]);
         (mean.is_finite() && mean != DVec3::ZERO).then_some(mean)
     }
 
     fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
-        let Some(looks) = &self.0.looks else {
+        let Some(attributes) = &self.0.attributes else {
             return Some([0.0; 2]);
         };
-        Some(looks.uv(
+        Some(attributes.uv(
             face,
             self.0.corners[face as usize],
             self.weights(point, face),
@@ -495,12 +496,15 @@ impl Geometry for Mesh {
     }
 
     fn skins(&self) -> &[FaceTexture] {
-        self.0.looks.as_ref().map_or(&[], |looks| &looks.skins)
+        self.0
+            .attributes
+            .as_ref()
+            .map_or(&[], |attributes| &attributes.textures)
     }
 
     fn shares(&self, point: DVec3, face: u32) -> TextureWeights {
-        match &self.0.looks {
-            Some(looks) => looks.shares(face, || self.weights(point, face)),
+        match &self.0.attributes {
+            Some(attributes) => attributes.texture_weights(face, || self.weights(point, face)),
             None => TextureWeights::new(),
         }
     }

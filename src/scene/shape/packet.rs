@@ -1,4 +1,5 @@
-//! Four rays at once: the spans of simple solids, to the bit what [`super::Geometry::roots`] gives for each.
+//! Ray packets of four lanes: spans and roots of simple solids, bit for bit as [`super::Geometry::roots`] gives them
+//! per ray.
 
 use super::Shape;
 use super::packet_search::{FourAsked, FourFound};
@@ -10,47 +11,47 @@ pub(crate) use crate::base::math::simd::vec3::Vec3Lanes;
 pub(super) use crate::base::math::simd::vec3::{add, dot, scale, splat, sub};
 use glam::DAffine3;
 
-/// Places for roots: a torus has up to four on each of two stretches.
-pub(super) const MOST_ROOTS: usize = 8;
+/// Slots for roots: a torus has up to four on each of two intervals.
+pub(super) const MAX_ROOTS: usize = 8;
 
-/// Four rays.
+/// A packet of four rays.
 #[derive(Clone, Copy)]
 pub(crate) struct RayPacket<F> {
     pub(crate) origin: Vec3Lanes<F>,
     pub(crate) dir: Vec3Lanes<F>,
 }
 
-/// Where four lines are inside of a solid that each enters and leaves once, or not at all. What a line enters or leaves
-/// nowhere it enters or leaves infinitely far away.
+/// Inside spans of a ray packet for a solid that each line enters and leaves at most once. An end that a line does not
+/// have is infinite.
 pub(crate) struct SpanPacket<F: F64Lanes> {
     pub(crate) enter: F,
     pub(crate) leave: F,
-    /// Which lines meet it.
+    /// Mask of the lanes that hit the solid.
     pub(crate) is_met: F::Mask,
-    /// The lines, one bit each, of which no more is known than that they must be asked for singly.
+    /// Bit mask of the lanes for which the packet test is inconclusive: they take the scalar path.
     pub(crate) unknown: u32,
 }
 
 impl<F: F64Lanes> SpanPacket<F> {
-    /// Spans of lines of which those with `is_known` need no care by this shape's own reckoning.
+    /// Spans from raw ends; lanes outside `is_known` take the scalar path, as the shape requires.
     #[inline(always)]
-    pub(super) fn new((enter, leave): (F, F), is_met: F::Mask, is_known: F::Mask) -> Self {
+    pub(super) fn new((enter, leave): (F, F), is_hit: F::Mask, is_known: F::Mask) -> Self {
         let endless = F::splat(f64::INFINITY);
         let is_finite = enter.abs().lt(endless) & leave.abs().lt(endless);
-        // A span without length is left to the rules of single rays, too.
+        // A span of zero length follows the tie rules of the scalar path, too.
         let is_plain = is_finite & (enter.lt(leave) | leave.lt(enter));
         SpanPacket {
             enter,
             leave,
-            is_met: is_met & enter.lt(leave),
+            is_met: is_hit & enter.lt(leave),
             unknown: 0b1111
-                & (!F::bitmask(is_known) | (F::bitmask(is_met) & !F::bitmask(is_plain))),
+                & (!F::bitmask(is_known) | (F::bitmask(is_hit) & !F::bitmask(is_plain))),
         }
     }
 }
 
 impl<F: F64Lanes> SpanPacket<F> {
-    /// The first ends with `from < t <= far`.
+    /// The first span ends with `from < t <= far`.
     #[inline(always)]
     pub(super) fn nearest(&self, from: F, far: F) -> NearestPacket<F> {
         let within = from.lt(self.enter) & self.enter.le(far);
@@ -67,35 +68,35 @@ impl<F: F64Lanes> SpanPacket<F> {
     }
 }
 
-/// All roots of four lines with a shape, all visible and of face 0, in order: they enter and leave in turn. Places may be
-/// left out.
+/// All roots of a ray packet with a shape, all visible and of face 0, in order: even slots enter, odd slots leave.
+/// Slots may be empty.
 pub(crate) struct RootPacket<F: F64Lanes> {
-    pub(super) t: [F; MOST_ROOTS],
-    /// For each place, which lines have a root there, one bit each.
-    pub(super) met: [u32; MOST_ROOTS],
-    /// Which lines must be asked for singly.
+    pub(super) t: [F; MAX_ROOTS],
+    /// Per slot, the bit mask of the lanes that have a root there.
+    pub(super) hit_masks: [u32; MAX_ROOTS],
+    /// Bit mask of the lanes that take the scalar path.
     pub(super) unknown: u32,
 }
 
-/// The first roots of four rays.
+/// Nearest roots of a ray packet.
 pub(crate) struct NearestPacket<F: F64Lanes> {
     pub(crate) t: F,
-    /// Which of the roots that were found leave the solid, one bit each; the others enter.
+    /// Bit mask of the lanes whose root leaves the solid; the others enter.
     pub(crate) leaves: u32,
-    /// Which rays have one.
+    /// Bit mask of the lanes that have a root.
     pub(crate) met: u32,
-    /// Which rays must be asked for singly.
+    /// Bit mask of the lanes that take the scalar path.
     pub(crate) unknown: u32,
 }
 
 impl<F: F64Lanes> NearestPacket<F> {
     #[inline(always)]
-    fn load(found: &FourFound) -> Self {
+    fn load(result: &FourFound) -> Self {
         NearestPacket {
-            t: F::from_array(&found.t),
+            t: F::from_array(&result.t),
             leaves: 0,
-            met: found.met,
-            unknown: found.unknown,
+            met: result.met,
+            unknown: result.unknown,
         }
     }
 }
@@ -104,14 +105,15 @@ impl<F: F64Lanes> RootPacket<F> {
     #[inline(always)]
     pub(super) fn none(unknown: u32) -> Self {
         RootPacket {
-            t: [F::splat(f64::INFINITY); MOST_ROOTS],
-            met: [0; MOST_ROOTS],
+            t: [F::splat(f64::INFINITY); MAX_ROOTS],
+            hit_masks: [0; MAX_ROOTS],
             unknown,
         }
     }
 
-    /// The first with `from < t <= far`, without the root that a ray has just left: of the roots of that crossing the one
-    /// nearest to its start. `left` tells which rays have left a root that enters, and which one that leaves.
+    /// The first root with `from < t <= far`, without the root that a ray has just left, which is the one of that
+    /// crossing nearest to its start. `left` holds the lanes that have left an entering root and those that have left a
+    /// leaving one.
     #[inline(always)]
     pub(crate) fn nearest(&self, from: F, far: F, left: [u32; 2]) -> NearestPacket<F> {
         let mut nearest = NearestPacket {
@@ -123,25 +125,25 @@ impl<F: F64Lanes> RootPacket<F> {
         let mut hidden = F::splat(f64::NAN);
         if left != [0, 0] {
             let mut size = F::splat(f64::INFINITY);
-            for place in 0..MOST_ROOTS {
-                let own = F::mask_from_bits(self.met[place] & left[place % 2]);
-                let is_nearer = own & self.t[place].abs().lt(size);
-                size = F::select(is_nearer, self.t[place].abs(), size);
-                hidden = F::select(is_nearer, self.t[place], hidden);
+            for slot in 0..MAX_ROOTS {
+                let own = F::mask_from_bits(self.hit_masks[slot] & left[slot % 2]);
+                let is_nearer = own & self.t[slot].abs().lt(size);
+                size = F::select(is_nearer, self.t[slot].abs(), size);
+                hidden = F::select(is_nearer, self.t[slot], hidden);
             }
         }
         let mut passed = 0;
-        for place in 0..MOST_ROOTS {
-            if self.met[place] == 0 {
+        for slot in 0..MAX_ROOTS {
+            if self.hit_masks[slot] == 0 {
                 continue;
             }
-            let is_hidden = F::bitmask(self.t[place].eq(hidden)) & self.met[place];
+            let is_hidden = F::bitmask(self.t[slot].eq(hidden)) & self.hit_masks[slot];
             nearest.unknown |= is_hidden & passed;
             passed |= is_hidden;
-            let is_within = from.lt(self.t[place]) & self.t[place].le(far);
-            let new = F::bitmask(is_within) & self.met[place] & !is_hidden & !nearest.met;
-            nearest.t = F::select(F::mask_from_bits(new), self.t[place], nearest.t);
-            if place % 2 == 1 {
+            let is_within = from.lt(self.t[slot]) & self.t[slot].le(far);
+            let new = F::bitmask(is_within) & self.hit_masks[slot] & !is_hidden & !nearest.met;
+            nearest.t = F::select(F::mask_from_bits(new), self.t[slot], nearest.t);
+            if slot % 2 == 1 {
                 nearest.leaves |= new;
             }
             nearest.met |= new;
@@ -151,7 +153,7 @@ impl<F: F64Lanes> RootPacket<F> {
 }
 
 impl<F: F64Lanes> RayPacket<F> {
-    /// These rays.
+    /// Packs four rays.
     #[cfg(test)]
     pub(super) fn of_each(rays: &[Ray; 4]) -> Self {
         let axis = |of: fn(&Ray) -> glam::DVec3, axis: usize| {
@@ -165,7 +167,7 @@ impl<F: F64Lanes> RayPacket<F> {
 }
 
 impl RayPacket<f64> {
-    /// One ray.
+    /// A packet with one lane.
     #[inline(always)]
     pub(super) fn of(ray: &Ray) -> Self {
         RayPacket {
@@ -176,7 +178,7 @@ impl RayPacket<f64> {
 }
 
 impl<F: F64Lanes> RayPacket<F> {
-    /// The same rays in an object space.
+    /// Transforms the packet to object space.
     #[inline(always)]
     pub(crate) fn to_object(self, matrix: &DAffine3) -> Self {
         let turned = turned(self.origin, matrix);
@@ -187,7 +189,7 @@ impl<F: F64Lanes> RayPacket<F> {
     }
 }
 
-/// The part of a matrix that turns and scales, applied to four vectors.
+/// Applies the linear part of a matrix to a packet of vectors.
 #[inline(always)]
 fn turned<F: F64Lanes>(v: Vec3Lanes<F>, matrix: &DAffine3) -> Vec3Lanes<F> {
     let (x, y, z) = (
@@ -204,7 +206,7 @@ fn turned<F: F64Lanes>(v: Vec3Lanes<F>, matrix: &DAffine3) -> Vec3Lanes<F> {
 }
 
 impl Shape {
-    /// Whether it has spans for four rays at once.
+    /// True if packet spans are implemented for the shape.
     pub(crate) fn has_four(&self) -> bool {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
@@ -215,12 +217,12 @@ impl Shape {
         }
     }
 
-    /// Whether the first roots of four rays can be asked for at once.
+    /// True if packet queries of the nearest root are implemented for the shape.
     pub(crate) fn has_roots_of_four(&self) -> bool {
         match self {
             Shape::Sphere(sphere) => is_comfortable_size(sphere.radius),
-            Shape::Torus(torus) => torus.has_four(),
-            Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
+            Shape::Torus(torus) => torus.supports_packets(),
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
             Shape::JuliaFractal(fractal) => fractal.has_four(),
             Shape::Plane(_) | Shape::Cuboid(_) | Shape::Quadric(_) => true,
             Shape::Cylinder(cylinder) => cylinder.has_four(),
@@ -234,89 +236,89 @@ impl Shape {
         matches!(self, Shape::Cuboid(_) | Shape::Cylinder(_))
     }
 
-    /// The first roots of those of four rays that are `there`, as [`RootPacket::nearest`] finds them. If `ANY` will do the
-    /// distance may be that of some place within the solid.
+    /// Nearest roots of the active lanes, as [`RootPacket::nearest`] finds them. With `ANY` the distance may be that of
+    /// any point within the solid.
     #[inline(always)]
     pub(crate) fn nearest_of_four<F: F64Lanes, const ANY: bool>(
         &self,
         rays: &RayPacket<F>,
         (from, far): (F, F),
         left: [u32; 2],
-        there: u32,
+        active: u32,
     ) -> NearestPacket<F> {
         match self {
             Shape::Sphere(sphere) if left == [0, 0] && ANY => {
-                sphere.any_of_four(rays, (from, far), there)
+                sphere.any_hit_packet(rays, from, far, active)
             }
             Shape::Sphere(sphere) if left == [0, 0] => sphere.nearest_of_four(rays, from, far),
-            Shape::Torus(torus) => torus.nearest_of_four::<F, ANY>(rays, (from, far), left, there),
+            Shape::Torus(torus) => torus.nearest_packet::<F, ANY>(rays, from, far, left, active),
             Shape::Superellipsoid(_) | Shape::JuliaFractal(_) => NearestPacket::load(
-                &self.search_of_four(&FourAsked::new(rays, (from, far), left, there)),
+                &self.search_packet(&FourAsked::new(rays, from, far, left, active)),
             ),
             Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Quadric(_) => {
-                // The first end is enough.
+                // No end beyond the first is needed.
                 let mut nearest = self.four(rays, (from, from)).nearest(from, far);
                 nearest.unknown |= left[0] | left[1];
                 nearest
             }
-            _ => self.roots_of_four(rays).nearest(from, far, left),
+            _ => self.root_packet(rays).nearest(from, far, left),
         }
     }
 
-    /// Which of four rays that go out from the surface leave behind all that they enter, as
-    /// [`super::Geometry::is_exiting`] tells of each.
+    /// Packet version of [`super::Geometry::is_exiting`], for rays that leave the surface.
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         match self {
             Shape::Sphere(sphere) => sphere.four_left_behind(rays),
-            Shape::Torus(torus) => torus.four_left_behind(rays),
+            Shape::Torus(torus) => torus.is_exiting_packet(rays),
             Shape::Superellipsoid(superellipsoid) => {
                 let none = F::splat(0.0);
-                let rays = FourAsked::new(rays, (none, none), [0, 0], 0b1111);
-                F::mask_from_bits(superellipsoid.four_left_behind(&rays))
+                let rays = FourAsked::new(rays, none, none, [0, 0], 0b1111);
+                F::mask_from_bits(superellipsoid.is_exiting_packet(&rays))
             }
-            Shape::Plane(plane) => plane.four_left_behind(rays),
+            Shape::Plane(plane) => plane.is_exiting_packet(rays),
             _ => F::mask_from_bits(0),
         }
     }
 
-    /// Whether [`Shape::four_left_behind`] knows anything.
+    /// True if the packet version of `is_exiting` is implemented for the shape.
     #[inline(always)]
     pub(crate) fn tells_left_behind(&self) -> bool {
         match self {
             Shape::Sphere(_) | Shape::Torus(_) | Shape::Plane(_) => true,
-            Shape::Superellipsoid(superellipsoid) => superellipsoid.has_four(),
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.supports_packets(),
             _ => false,
         }
     }
 
-    /// The roots of four rays; all unknown for a shape that is not asked for four.
+    /// Roots of a ray packet; all lanes are unknown for a shape without packet roots.
     #[inline(always)]
-    pub(crate) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
+    pub(crate) fn root_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
         match self {
             Shape::Sphere(sphere) => {
-                let spans = sphere.four(rays);
+                let spans = sphere.span_packet(rays);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
-                roots.met[0] = F::bitmask(spans.is_met);
-                roots.met[1] = roots.met[0];
+                roots.hit_masks[0] = F::bitmask(spans.is_met);
+                roots.hit_masks[1] = roots.hit_masks[0];
                 roots
             }
-            Shape::Torus(torus) => torus.roots_of_four(rays),
-            Shape::Plane(plane) => plane.roots_of_four(rays),
+            Shape::Torus(torus) => torus.root_packet(rays),
+            Shape::Plane(plane) => plane.root_packet(rays),
             _ => RootPacket::none(0b1111),
         }
     }
 
-    /// Spans of four rays, all unknown for a shape that has none; ends outside of the intervals `within` may be missing.
+    /// Spans of a ray packet, all unknown for a shape without packet spans; ends outside the intervals `within` may be
+    /// missing.
     #[inline(always)]
     pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>, within: (F, F)) -> SpanPacket<F> {
         match self {
-            Shape::Sphere(sphere) => sphere.four(rays),
+            Shape::Sphere(sphere) => sphere.span_packet(rays),
             Shape::Cuboid(cuboid) => cuboid.four(rays),
             Shape::Cylinder(cylinder) => cylinder.four(rays),
-            Shape::Plane(plane) => plane.four(rays),
-            Shape::Quadric(quadric) => quadric.four(rays, within),
+            Shape::Plane(plane) => plane.span_packet(rays),
+            Shape::Quadric(quadric) => quadric.span_packet(rays, within.0, within.1),
             _ => {
                 let nothing = F::splat(0.0);
                 SpanPacket::new(
@@ -329,22 +331,22 @@ impl Shape {
     }
 }
 
-/// The parts of four vectors across an axis.
+/// Components of a packet of vectors perpendicular to an axis.
 #[inline(always)]
 pub(super) fn across<F: F64Lanes>(unit: Vec3Lanes<F>, v: Vec3Lanes<F>) -> Vec3Lanes<F> {
     sub(v, scale(unit, dot(unit, v)))
 }
 
-/// Whether four rays can be worked on without rescaling, besides the size of the body.
+/// Mask of the lanes whose squares need no rescaling; the size of the solid is tested apart.
 #[inline(always)]
 pub(super) fn is_comfortable<F: F64Lanes>(dir_sq: F, origin_sq: F) -> F::Mask {
     let least = F::splat(1.0 / COMFORTABLE_SQUARE);
-    let is_way = least.le(dir_sq) & dir_sq.lt(F::splat(COMFORTABLE_SQUARE));
-    is_way & origin_sq.lt(F::splat(FAR_SQUARE))
+    let is_dir = least.le(dir_sq) & dir_sq.lt(F::splat(COMFORTABLE_SQUARE));
+    is_dir & origin_sq.lt(F::splat(FAR_SQUARE))
 }
 
-/// Four chords of a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds each: enter, leave, and which
-/// lines meet it.
+/// Chords of a ray packet with a sphere about the origin, as [`crate::base::math::roots::ray_sphere::ball_chord`] finds each:
+/// enter, leave, and the mask of the lanes that hit it.
 #[inline(always)]
 pub(super) fn chords<F: F64Lanes>(
     p: Vec3Lanes<F>,
@@ -372,8 +374,8 @@ pub(super) fn chords<F: F64Lanes>(
     let is_ahead = b.lt(F::splat(0.0));
     let q = F::select(is_ahead, root - b, -(root + b));
     let (t, other) = (q / a, c / q);
-    let is_met = nearest_sq.lt(r_sq) & F::splat(0.0).lt(half_sq);
-    (t.lane_min(other), t.lane_max(other), is_met)
+    let is_hit = nearest_sq.lt(r_sq) & F::splat(0.0).lt(half_sq);
+    (t.lane_min(other), t.lane_max(other), is_hit)
 }
 
 #[cfg(test)]
@@ -386,14 +388,14 @@ mod tests {
     use crate::scene::shape::{Crossing, Cuboid, Cylinder, Geometry, Plane, Root, Sphere, Torus};
     use glam::DVec3;
 
-    /// What is known of the roots of four rays, as single rays know it.
+    /// Roots of a ray packet per lane, in the form of the scalar path.
     #[derive(Clone, Copy)]
-    struct Asked<'a> {
+    struct RootsKernel<'a> {
         shape: &'a Shape,
         rays: [Ray; 4],
     }
 
-    impl SimdKernel for Asked<'_> {
+    impl SimdKernel for RootsKernel<'_> {
         type Output = [Option<Vec<(f64, Crossing)>>; 4];
 
         fn run<F: F64Lanes>(self) -> Self::Output {
@@ -401,19 +403,19 @@ mod tests {
             let roots = if self.shape.has_four() {
                 let all = F::splat(f64::INFINITY);
                 let spans = self.shape.four(&rays, (-all, all));
-                let met = F::bitmask(spans.is_met);
+                let hits = F::bitmask(spans.is_met);
                 let mut roots = RootPacket::none(spans.unknown);
                 (roots.t[0], roots.t[1]) = (spans.enter, spans.leave);
-                (roots.met[0], roots.met[1]) = (met, met);
+                (roots.hit_masks[0], roots.hit_masks[1]) = (hits, hits);
                 roots
             } else {
-                self.shape.roots_of_four(&rays)
+                self.shape.root_packet(&rays)
             };
             [0, 1, 2, 3].map(|lane| {
                 let has = |bits: u32| bits >> lane & 1 == 1;
-                let crossing = |place| [Crossing::Enter, Crossing::Leave][place % 2];
-                let there = (0..MOST_ROOTS).filter(|&place| has(roots.met[place]));
-                let known = there.map(|place| (roots.t[place].to_array()[lane], crossing(place)));
+                let crossing = |slot| [Crossing::Enter, Crossing::Leave][slot % 2];
+                let slots = (0..MAX_ROOTS).filter(|&slot| has(roots.hit_masks[slot]));
+                let known = slots.map(|slot| (roots.t[slot].to_array()[lane], crossing(slot)));
                 let known = known.filter(|(t, _)| t.is_finite());
                 (!has(roots.unknown)).then(|| known.collect())
             })
@@ -421,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn four_rays_find_what_each_finds() {
+    fn packets_find_the_roots_of_each_ray() {
         let read = |text: &str| TextArgs::new(text);
         let shapes = [
             Shape::Sphere(Sphere::read(&mut read("<1, 2, 3>, 1.5")).unwrap()),
@@ -443,43 +445,48 @@ mod tests {
             } else {
                 Bounds::new(DVec3::NEG_ONE, DVec3::ONE)
             };
-            let (mut known, mut met) = (0, 0);
+            let (mut known, mut hits) = (0, 0);
             for _ in 0..4000 {
                 let rays = [(); 4].map(|()| rng.ray_near(&bounds));
-                let asked = Asked { shape, rays };
-                let (wide, narrow) = (SimdLevel::widest().run(asked), SimdLevel::NARROW.run(asked));
+                let kernel = RootsKernel { shape, rays };
+                let (wide, narrow) = (
+                    SimdLevel::widest().run(kernel),
+                    SimdLevel::NARROW.run(kernel),
+                );
                 assert_eq!(wide, narrow);
-                for (ray, found) in rays.iter().zip(wide) {
-                    let Some(found) = found else { continue };
+                for (ray, lane_roots) in rays.iter().zip(wide) {
+                    let Some(lane_roots) = lane_roots else {
+                        continue;
+                    };
                     let mut roots: Vec<Root> = Vec::new();
                     shape.roots(ray, &mut roots);
-                    let alone: Vec<_> = roots.iter().map(|root| (root.t, root.crossing)).collect();
-                    assert_eq!(found, alone, "{shape:?} {ray:?}");
+                    let scalar: Vec<_> = roots.iter().map(|root| (root.t, root.crossing)).collect();
+                    assert_eq!(lane_roots, scalar, "{shape:?} {ray:?}");
                     known += 1;
-                    met += usize::from(!alone.is_empty());
+                    hits += usize::from(!scalar.is_empty());
                 }
             }
-            assert!(known > 3000, "{shape:?} {known} {met}");
+            assert!(known > 3000, "{shape:?} {known} {hits}");
         }
     }
 
-    /// Asks whether a ball lies on four rays, with and without its roots: `(met, unknown)` each, and whether the places
-    /// that are told differ.
+    /// Any-hit test of a sphere with and without its roots: `(hits, unknown)` of each, and whether the two report
+    /// different `t`.
     #[derive(Clone, Copy)]
-    struct InTheWay<'a> {
+    struct AnyHitKernel<'a> {
         sphere: &'a Sphere,
         rays: [Ray; 4],
         from: [f64; 4],
         far: [f64; 4],
     }
 
-    impl SimdKernel for InTheWay<'_> {
+    impl SimdKernel for AnyHitKernel<'_> {
         type Output = ([(u32, u32); 2], bool);
 
         fn run<F: F64Lanes>(self) -> Self::Output {
             let rays = RayPacket::<F>::of_each(&self.rays);
             let (from, far) = (F::from_array(&self.from), F::from_array(&self.far));
-            let any = self.sphere.any_of_four(&rays, (from, far), 0b1111);
+            let any = self.sphere.any_hit_packet(&rays, from, far, 0b1111);
             let first = self.sphere.nearest_of_four(&rays, from, far);
             let differs = any.t.to_array() != first.t.to_array() && any.met != 0;
             (
@@ -490,18 +497,18 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_lies_in_the_way_without_roots_where_it_does_with_them() {
+    fn any_hit_without_roots_agrees_with_the_nearest_root() {
         let sphere = Sphere {
             centre: DVec3::new(1.0, -2.0, 0.5),
             radius: 1.5,
         };
         let bounds = sphere.bounds();
         let mut rng = Random::new(51);
-        let (mut met, mut quick) = (0, 0);
+        let (mut hits, mut quick) = (0, 0);
         for round in 0..40_000 {
             let rays = [(); 4].map(|()| {
                 let ray = rng.ray_near(&bounds);
-                // Some start on the ball, or near it.
+                // Some start on the sphere, or near it.
                 let out = (ray.origin - sphere.centre).normalize_or(DVec3::X);
                 let near = 1.0 + 1e-15 * f64::from(round % 7 - 3);
                 let on_it = sphere.centre + near * sphere.radius * out;
@@ -511,25 +518,28 @@ mod tests {
             let from = [(); 4].map(|()| 1e-13 * rng.share());
             let far = [(); 4].map(|()| 12.0 * rng.share());
             let sphere = &sphere;
-            let asked = InTheWay {
+            let kernel = AnyHitKernel {
                 sphere,
                 rays,
                 from,
                 far,
             };
-            let (wide, narrow) = (SimdLevel::widest().run(asked), SimdLevel::NARROW.run(asked));
+            let (wide, narrow) = (
+                SimdLevel::widest().run(kernel),
+                SimdLevel::NARROW.run(kernel),
+            );
             assert_eq!(wide, narrow);
             let ([any, first], differs) = wide;
             let known = 0b1111 & !any.1 & !first.1;
             assert_eq!(
                 any.0 & known,
                 first.0 & known,
-                "{asked:?}",
-                asked = asked.rays
+                "{kernel:?}",
+                kernel = kernel.rays
             );
-            met += (any.0 & known).count_ones();
+            hits += (any.0 & known).count_ones();
             quick += u32::from(differs);
         }
-        assert!(met > 10_000 && quick > 3_000, "{met} {quick}");
+        assert!(hits > 10_000 && quick > 3_000, "{hits} {quick}");
     }
 }

@@ -1,5 +1,5 @@
-//! The first roots of four rays by searches so long that they are not made part of whoever asks: what goes in and comes
-//! out lies in memory. To the bit what each ray finds by itself.
+//! Nearest roots of ray packets by iterative searches. They are too long to inline, so arguments and results pass
+//! through memory. Bit for bit what each ray finds by itself.
 
 use super::Shape;
 use super::packet::RayPacket;
@@ -8,25 +8,25 @@ use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::{from_arrays, to_arrays};
 use glam::DVec3;
 
-/// Four rays that look for the first root of a shape.
+/// Nearest-root query of a ray packet.
 pub(crate) struct FourAsked {
     pub(super) origin: [[f64; 4]; 3],
     pub(super) dir: [[f64; 4]; 3],
     pub(super) from: [f64; 4],
     pub(super) far: [f64; 4],
-    /// Which have just left it.
+    /// Bit mask of the lanes that have just left the shape.
     pub(super) left: u32,
-    /// Which rays there are.
+    /// Bit mask of the active lanes.
     pub(super) there: u32,
 }
 
-/// The first roots of four rays; all enter.
+/// Nearest roots of a ray packet; all enter the shape.
 #[derive(Default)]
 pub(crate) struct FourFound {
     pub(super) t: [f64; 4],
-    /// Which rays have one, one bit each.
+    /// Bit mask of the lanes that have a root.
     pub(super) met: u32,
-    /// Which rays must be asked for singly.
+    /// Bit mask of the lanes that take the scalar path.
     pub(super) unknown: u32,
 }
 
@@ -34,7 +34,8 @@ impl FourAsked {
     #[inline(always)]
     pub(super) fn new<F: F64Lanes>(
         rays: &RayPacket<F>,
-        (from, far): (F, F),
+        from: F,
+        far: F,
         left: [u32; 2],
         there: u32,
     ) -> Self {
@@ -56,7 +57,7 @@ impl FourAsked {
         }
     }
 
-    /// One of the rays.
+    /// The ray of one lane.
     pub(super) fn ray(&self, lane: usize) -> Ray {
         let one_of = |of: &[[f64; 4]; 3]| DVec3::new(of[0][lane], of[1][lane], of[2][lane]);
         Ray::new(one_of(&self.origin), one_of(&self.dir))
@@ -64,14 +65,14 @@ impl FourAsked {
 }
 
 impl Shape {
-    /// The first roots of four rays, for the shapes that are searched so.
+    /// Nearest roots of a ray packet, for the shapes that need an iterative search.
     #[inline(never)]
-    pub(super) fn search_of_four(&self, asked: &FourAsked) -> FourFound {
+    pub(super) fn search_packet(&self, query: &FourAsked) -> FourFound {
         match self {
-            Shape::Superellipsoid(superellipsoid) => superellipsoid.nearest_of_four(asked),
-            Shape::JuliaFractal(fractal) => fractal.nearest_of_four(asked),
+            Shape::Superellipsoid(superellipsoid) => superellipsoid.nearest_packet(query),
+            Shape::JuliaFractal(fractal) => fractal.nearest_of_four(query),
             _ => FourFound {
-                unknown: asked.there,
+                unknown: query.there,
                 ..FourFound::default()
             },
         }
@@ -86,7 +87,7 @@ mod tests {
     use crate::scene::shape::{Crossing, Geometry, JuliaFractal, Superellipsoid};
 
     #[test]
-    fn four_rays_find_what_each_finds() {
+    fn packets_find_the_roots_of_each_ray() {
         let fractal =
             |text: &str| Shape::JuliaFractal(JuliaFractal::read(&mut TextArgs::new(text)).unwrap());
         let shapes = [
@@ -98,12 +99,12 @@ mod tests {
         ];
         let mut rng = Random::new(77);
         for shape in &shapes {
-            let (mut known, mut met) = (0, 0);
+            let (mut known, mut hits) = (0, 0);
             for round in 0..200 {
                 let rays = [(); 4].map(|()| rng.ray_near(&shape.bounds()));
                 let of =
                     |part: fn(&Ray) -> DVec3| [0, 1, 2].map(|axis| rays.map(|r| part(&r)[axis]));
-                let asked = FourAsked {
+                let query = FourAsked {
                     origin: of(|ray| ray.origin),
                     dir: of(|ray| ray.dir),
                     from: [0.0; 4],
@@ -111,25 +112,25 @@ mod tests {
                     left: 0,
                     there: 0b1111,
                 };
-                let found = shape.search_of_four(&asked);
+                let result = shape.search_packet(&query);
                 for (lane, ray) in rays.iter().enumerate() {
-                    if found.unknown >> lane & 1 == 1 {
+                    if result.unknown >> lane & 1 == 1 {
                         continue;
                     }
-                    let alone = shape.nearest(ray, 0.0, f64::INFINITY);
-                    let alone = alone.filter(|root| root.t <= asked.far[lane]);
-                    let four =
-                        (found.met >> lane & 1 == 1).then_some((found.t[lane], Crossing::Enter));
+                    let scalar = shape.nearest(ray, 0.0, f64::INFINITY);
+                    let scalar = scalar.filter(|root| root.t <= query.far[lane]);
+                    let packet =
+                        (result.met >> lane & 1 == 1).then_some((result.t[lane], Crossing::Enter));
                     assert_eq!(
-                        four,
-                        alone.map(|root| (root.t, root.crossing)),
+                        packet,
+                        scalar.map(|root| (root.t, root.crossing)),
                         "{shape:?} {ray:?}"
                     );
                     known += 1;
-                    met += usize::from(four.is_some());
+                    hits += usize::from(packet.is_some());
                 }
             }
-            assert!(known > 400 && met > 20, "{shape:?} {known} {met}");
+            assert!(known > 400 && hits > 20, "{shape:?} {known} {hits}");
         }
     }
 }

@@ -1,10 +1,10 @@
-//! Reading the parameters of shapes: finite numbers and points, with the name of the one that is not.
+//! Readers of shape parameters: finite numbers and vectors, with errors that name the parameter.
 
 use crate::base::args::{Args, Parse};
 use crate::base::source::Diagnostic;
 use glam::DVec3;
 
-/// A finite number, after an optional comma. `what` names it: "the radius of the sphere".
+/// Reads a finite number, after an optional comma. `what` names it in errors: "the radius of the sphere".
 pub(super) fn number(args: &mut dyn Args, what: &str) -> Parse<f64> {
     args.comma()?;
     let value = args.float()?;
@@ -17,7 +17,7 @@ pub(super) fn number(args: &mut dyn Args, what: &str) -> Parse<f64> {
     )))
 }
 
-/// A point or direction with finite components, after an optional comma.
+/// Reads a point or direction with finite components, after an optional comma.
 pub(super) fn vector(args: &mut dyn Args, what: &str) -> Parse<DVec3> {
     args.comma()?;
     let value = args.vector()?;

@@ -69,7 +69,7 @@ fn a_shape_reads_its_parameters_and_stops() {
 }
 
 #[test]
-fn a_word_that_begins_no_shape_reads_nothing() {
+fn a_word_of_no_shape_reads_nothing() {
     assert!(Shape::read(Word::Union, &mut TextArgs::new("")).is_none());
 }
 
@@ -84,7 +84,7 @@ fn a_missing_parameter_is_an_error() {
 }
 
 #[test]
-fn what_a_ray_leaves_for_good_it_does_not_enter_again() {
+fn an_exited_convex_shape_is_not_entered_again() {
     let mut rng = Random::new(19);
     for (word, text) in [
         (Word::Sphere, "<1,2,3>, 4"),

@@ -1,12 +1,13 @@
-//! `poly { order, <coefficients> }`, `cubic { <20 coefficients> }`, `quartic { <35 coefficients> }`: where a polynomial in
-//! x, y and z is zero; solid where it is not positive.
+//! `poly { order, <coefficients> }`, `cubic { <20 coefficients> }`, `quartic { <35 coefficients> }`: the zero set of a
+//! polynomial in x, y and z; solid where the polynomial is not positive.
 //!
-//! Coefficients stand by falling power of x, of y within that, and of z within that. A ray makes a polynomial in one
-//! variable of it by Horner's rule over lines instead of numbers, about the place nearest to the origin and in units of
-//! that distance or of the surface's own size, whichever is larger: `u`. All roots with `|u| <= 1` are sign changes of
-//! that polynomial, and those beyond sign changes of its reverse in `1/u` ([`sign_changes`]). Each is refined on the
-//! polynomial in space itself. Error bound: roots lie within the rounding of the terms over the slope, for a torus written
-//! as a quartic 2 roundings of the problem's size (`shape/roundings.rs`). `sturm` is accepted and changes nothing; there is one solver.
+//! Coefficients are ordered by falling power of x, of y within that, and of z within that. Restriction to a ray gives a
+//! polynomial in one variable `u`, by Horner's rule over lines instead of numbers, about the point of the ray nearest
+//! to the origin and in units of that distance or of the surface's own size, whichever is larger. All roots with
+//! `|u| <= 1` are sign changes of that polynomial, and those beyond are sign changes of its reverse in `1/u`
+//! ([`sign_changes`]). Each is refined on the polynomial in space itself. Error bound: roots lie within the rounding of
+//! the terms over the slope, for a torus written as a quartic 2 roundings of the problem's size (`shape/roundings.rs`).
+//! `sturm` is accepted and ignored; there is one solver.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
@@ -21,13 +22,13 @@ use std::sync::Arc;
 /// The orders that POV-Ray allows.
 const ORDERS: std::ops::RangeInclusive<usize> = 2..=MAX_ORDER;
 const MAX_ORDER: usize = 35;
-/// Below this order there is less to clear: quartics are the most.
-const SMALL: usize = 5;
+/// Orders below this use a smaller array, which is cheaper to clear: most polynomials are quartics at most.
+const SMALL_COUNT: usize = 5;
 
-/// Refinement moves a root by less than this share of the size of its ray's polynomial, or leaves it.
+/// A refinement step larger than this share of the size of the ray's polynomial is rejected.
 const REFINEMENT: f64 = 1e-4;
 
-/// A surface of any order up to 35. It is one smooth piece, face 0.
+/// A polynomial surface of any order up to 35. It is one smooth piece, face 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Poly(Arc<Polynomial>);
 
@@ -36,11 +37,11 @@ struct Polynomial {
     order: usize,
     /// By falling power of x, y, z.
     c: Vec<f64>,
-    /// The distance from the origin at which the terms of highest degree become the largest.
+    /// Distance from the origin at which the terms of highest degree become the largest.
     size: f64,
 }
 
-/// A polynomial on a line, by rising power, of a degree below `COUNT`.
+/// A polynomial on a line, by rising power, of degree below `COUNT`.
 #[derive(Clone, Copy)]
 struct OnLine<const COUNT: usize> {
     c: [f64; COUNT],
@@ -123,7 +124,7 @@ impl Polynomial {
         }
     }
 
-    /// By Horner's rule: sums over powers of z within sums over powers of y within one over powers of x.
+    /// Evaluates by Horner's rule: sums over powers of z within sums over powers of y within one over powers of x.
     fn horner<T: Copy>(
         &self,
         zero: T,
@@ -153,11 +154,11 @@ impl Polynomial {
         self.horner(0.0, [by(p.x), by(p.y), by(p.z)], |a, c| a + c, |a, b| a + b)
     }
 
-    /// The value at a point, and the slope there along a way.
-    fn value_and_slope(&self, p: DVec3, way: DVec3) -> (f64, f64) {
+    /// Value and directional derivative at a point.
+    fn value_and_slope(&self, p: DVec3, dir: DVec3) -> (f64, f64) {
         type Jet = (f64, f64);
         let by = |axis: usize| {
-            let (factor, rate) = (p[axis], way[axis]);
+            let (factor, rate) = (p[axis], dir[axis]);
             move |(value, slope): Jet| (value * factor, slope * factor + value * rate)
         };
         let add = |(value, slope): Jet, c: f64| (value + c, slope);
@@ -166,7 +167,7 @@ impl Polynomial {
     }
 
     fn gradient(&self, p: DVec3) -> DVec3 {
-        // The value and the three derivatives.
+        // Value and gradient.
         type Jet = (f64, DVec3);
         let by = |axis: usize| {
             move |(value, slopes): Jet| {
@@ -181,8 +182,8 @@ impl Polynomial {
             .1
     }
 
-    /// The polynomial at `point + u · way`.
-    fn on_line<const COUNT: usize>(&self, point: DVec3, way: DVec3) -> OnLine<COUNT> {
+    /// The polynomial on the line `point + u · dir`.
+    fn on_line<const COUNT: usize>(&self, point: DVec3, dir: DVec3) -> OnLine<COUNT> {
         let mut whole = OnLine::ZERO;
         let mut next = 0;
         for i in (0..=self.order).rev() {
@@ -190,14 +191,14 @@ impl Polynomial {
             for j in (0..=self.order - i).rev() {
                 let mut row = OnLine::ZERO;
                 for _ in 0..=self.order - i - j {
-                    row.times(point.z, way.z);
+                    row.times(point.z, dir.z);
                     row.c[0] += self.c[next];
                     next += 1;
                 }
-                sheet.times(point.y, way.y);
+                sheet.times(point.y, dir.y);
                 sheet.plus(&row);
             }
-            whole.times(point.x, way.x);
+            whole.times(point.x, dir.x);
             whole.plus(&sheet);
         }
         whole
@@ -220,20 +221,20 @@ impl Polynomial {
             1.0
         };
         let unit = size / dir.length();
-        let way = dir * unit;
-        let (start, places) = if self.order < SMALL {
-            all_sign_changes(&self.on_line::<SMALL>(near, way).c[..=self.order])
+        let step = dir * unit;
+        let (start, params) = if self.order < SMALL_COUNT {
+            all_sign_changes(&self.on_line::<SMALL_COUNT>(near, step).c[..=self.order])
         } else {
-            all_sign_changes(&self.on_line::<{ MAX_ORDER + 1 }>(near, way).c[..=self.order])
+            all_sign_changes(&self.on_line::<{ MAX_ORDER + 1 }>(near, step).c[..=self.order])
         };
-        let places = self.refined(near, way, places);
-        alternate(start, places.iter().map(|u| (ahead + u * unit) / dir_size))
+        let params = self.refined(near, step, params);
+        alternate(start, params.iter().map(|u| (ahead + u * unit) / dir_size))
     }
 
-    /// The places after two Newton steps in space; as they were if that breaks their order.
-    fn refined(&self, near: DVec3, way: DVec3, places: Roots) -> Roots {
+    /// The roots after two Newton steps in space; unchanged if that breaks their order.
+    fn refined(&self, near: DVec3, dir: DVec3, params: Roots) -> Roots {
         let refine = |u: f64| {
-            let (value, slope) = self.value_and_slope(near + u * way, way);
+            let (value, slope) = self.value_and_slope(near + u * dir, dir);
             let step = value / slope;
             if step.abs() < REFINEMENT * u.abs().min(1.0) {
                 u - step
@@ -241,9 +242,9 @@ impl Polynomial {
                 u
             }
         };
-        let moved: Roots = places.iter().map(|u| refine(refine(*u))).collect();
+        let moved: Roots = params.iter().map(|u| refine(refine(*u))).collect();
         let is_in_order = moved.windows(2).all(|pair| pair[0] < pair[1]);
-        if is_in_order { moved } else { places }
+        if is_in_order { moved } else { params }
     }
 }
 
@@ -273,7 +274,7 @@ impl<const COUNT: usize> OnLine<COUNT> {
     }
 }
 
-/// The degree of each coefficient, in their order.
+/// Degree of each coefficient, in their order.
 fn degrees(order: usize) -> impl Iterator<Item = usize> {
     (0..=order).rev().flat_map(move |i| {
         (0..=order - i)
@@ -282,7 +283,7 @@ fn degrees(order: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// All places where a polynomial changes sign, and whether it is negative far back. Zero everywhere is inside.
+/// All sign changes of a polynomial, and the sign at negative infinity. The zero polynomial is inside everywhere.
 fn all_sign_changes(c: &[f64]) -> (Start, Roots) {
     let Some(top) = c.iter().rposition(|c| *c != 0.0) else {
         return (Start::Inside, Roots::new());
@@ -293,47 +294,47 @@ fn all_sign_changes(c: &[f64]) -> (Start, Roots) {
     let (at_low, at_high) = (value(c, -1.0) < 0.0, value(c, 1.0) < 0.0);
     let reversed: SmallVec<[f64; MAX_ORDER + 1]> = c.iter().rev().copied().collect();
     let beyond = sign_changes(&reversed);
-    let mut places = Roots::new();
-    // From far back up to -1: 1/u falls from 0 to -1.
-    places.extend(beyond.iter().rev().filter(|v| **v < 0.0).map(|v| 1.0 / v));
-    agree(&mut places, is_inside != at_low, -1.0);
-    places.extend(sign_changes_between(c, at_low, at_high));
+    let mut params = Roots::new();
+    // From negative infinity up to -1: 1/u falls from 0 to -1.
+    params.extend(beyond.iter().rev().filter(|v| **v < 0.0).map(|v| 1.0 / v));
+    fix_parity(&mut params, is_inside != at_low, -1.0);
+    params.extend(sign_changes_between(c, at_low, at_high));
     let mut ahead: Roots = beyond
         .iter()
         .filter(|v| **v > 0.0)
         .map(|v| 1.0 / v)
         .collect();
     let ends_inside = c[top] < 0.0;
-    agree(&mut ahead, at_high != ends_inside, 1.0);
+    fix_parity(&mut ahead, at_high != ends_inside, 1.0);
     ahead.sort_unstable_by(f64::total_cmp);
-    places.extend(ahead);
+    params.extend(ahead);
     let start = if is_inside {
         Start::Inside
     } else {
         Start::Outside
     };
-    (start, places)
+    (start, params)
 }
 
-/// Makes the number of places odd or even, by one at the joint of two stretches.
-fn agree(places: &mut Roots, is_odd: bool, joint: f64) {
-    /// How near to the joint rounding may hide or make one.
+/// Makes the number of roots odd or even by adding or removing one at the joint of two intervals.
+fn fix_parity(params: &mut Roots, is_odd: bool, joint: f64) {
+    /// Distance from the joint within which rounding may hide or create a root.
     const ROUNDED: f64 = 1e-7;
-    if (places.len() % 2 == 1) == is_odd {
+    if (params.len() % 2 == 1) == is_odd {
         return;
     }
-    match places.iter().position(|u| (u - joint).abs() < ROUNDED) {
+    match params.iter().position(|u| (u - joint).abs() < ROUNDED) {
         Some(near) => {
-            places.remove(near);
+            params.remove(near);
         }
-        None => places.push(joint),
+        None => params.push(joint),
     }
 }
 
 impl Geometry for Poly {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        let (start, found) = self.0.crossings(ray);
-        roots.extend_from_slice(&found);
+        let (start, own) = self.0.crossings(ray);
+        roots.extend_from_slice(&own);
         start
     }
 
@@ -343,7 +344,7 @@ impl Geometry for Poly {
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         let normal = self.0.gradient(point);
-        // Only where sheets meet.
+        // Zero only where sheets of the surface cross.
         if normal == DVec3::ZERO {
             DVec3::X
         } else {

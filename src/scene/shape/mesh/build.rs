@@ -1,6 +1,6 @@
-//! From the triangles of a scene to a mesh ready for rays.
+//! Builds a mesh for tracing from the triangles of a scene.
 
-use super::attributes::{Looks, NO_TRIPLE, SkinsOf, UvOf, retain};
+use super::attributes::{NO_TRIPLE, TexturesOf, TriangleAttributes, UvOf, retain};
 use super::{FLAT, Inside, Triangles};
 use crate::base::math::conditioning::unit;
 use crate::base::math::{Bounds, rounding};
@@ -11,30 +11,30 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
-/// Triangles of one mesh. The tree counts in 31 bits.
-const MOST: usize = 1 << 30;
+/// Maximum number of triangles of a mesh. The BVH has 31-bit indices.
+const MAX_TRIANGLES: usize = 1 << 30;
 
 /// A triangle whose unit normals differ by no more than this is flat (measured: 0.7e-5 is flat, 1.4e-5 is not).
 const SAME_NORMAL: f32 = 1e-5;
 
 /// The triangles of a mesh while it is read.
 #[derive(Default)]
-pub(crate) struct Draft {
+pub(crate) struct MeshBuilder {
     pub(crate) vertices: Vec<Vec3>,
     pub(crate) corners: Vec<[u32; 3]>,
     pub(crate) normals: Vec<Vec3>,
-    /// As long as `corners`, or shorter: the others are flat.
+    /// At most as long as `corners`; triangles beyond its end are flat.
     pub(crate) smooth: Vec<[u32; 3]>,
     pub(crate) inside: Option<DVec3>,
-    pub(crate) looks: Looks,
+    pub(crate) attributes: TriangleAttributes,
     known_vertices: FxHashMap<[u32; 3], u32>,
     known_normals: FxHashMap<[u32; 3], u32>,
     known_uvs: FxHashMap<[u32; 2], u32>,
-    /// By address.
-    known_skins: FxHashMap<usize, u32>,
+    /// Keyed by address.
+    known_textures: FxHashMap<usize, u32>,
 }
 
-/// A corner as it is kept, or what is wrong with it.
+/// Converts a corner to single precision, or describes what is wrong with it.
 pub(crate) fn single(point: DVec3) -> Result<Vec3, String> {
     let single = Vec3::from(point.to_array().map(rounding::nearest));
     if single.is_finite() {
@@ -47,19 +47,19 @@ pub(crate) fn single(point: DVec3) -> Result<Vec3, String> {
     ))
 }
 
-/// A normal as it is kept: of length one, or zero.
+/// Converts a normal to single precision, of length one or zero.
 pub(crate) fn single_normal(normal: DVec3) -> Vec3 {
     let normal = unit(normal).unwrap_or(DVec3::ZERO);
     Vec3::from(normal.to_array().map(rounding::nearest)) + Vec3::ZERO
 }
 
-/// Texture coordinates as they are kept.
+/// Converts texture coordinates to single precision.
 pub(crate) fn single_pair(pair: DVec2) -> Vec2 {
     Vec2::from(pair.to_array().map(rounding::nearest)) + Vec2::ZERO
 }
 
-impl Draft {
-    /// Adds a triangle of a `mesh`; corners and normals that were there before are shared.
+impl MeshBuilder {
+    /// Adds a triangle of a `mesh`; equal corners and normals are shared.
     pub(crate) fn triangle(
         &mut self,
         corners: [DVec3; 3],
@@ -83,22 +83,22 @@ impl Draft {
         self.face(indices)
     }
 
-    /// Gives the triangle that was added last texture coordinates at its corners; those before without any have zero.
-    pub(crate) fn uv_of_last(&mut self, pairs: [Vec2; 3]) {
+    /// Sets the texture coordinates at the corners of the triangle added last; earlier triangles without any get zero.
+    pub(crate) fn set_uv_of_last(&mut self, pairs: [Vec2; 3]) {
         let indices = pairs.map(|pair| self.uv(pair));
         let zero = self.uv(Vec2::ZERO);
         let before = self.corners.len() - 1;
-        let mut list = match std::mem::take(&mut self.looks.uv_of) {
+        let mut list = match std::mem::take(&mut self.attributes.uv_of) {
             UvOf::Triangles(list) => list,
             UvOf::None | UvOf::Corners => Vec::new(),
         };
         list.resize(before, [zero; 3]);
         list.push(indices);
-        self.looks.uv_of = UvOf::Triangles(list);
+        self.attributes.uv_of = UvOf::Triangles(list);
     }
 
     fn uv(&mut self, pair: Vec2) -> u32 {
-        let uvs = &mut self.looks.uvs;
+        let uvs = &mut self.attributes.uvs;
         let key = pair.to_array().map(f32::to_bits);
         *self.known_uvs.entry(key).or_insert_with(|| {
             uvs.push(pair);
@@ -106,36 +106,36 @@ impl Draft {
         })
     }
 
-    /// The number of a texture, which the list gets if it is new.
-    pub(crate) fn skin(&mut self, skin: FaceTexture) -> u32 {
-        let key = std::sync::Arc::as_ptr(&skin.0).addr();
-        let skins = &mut self.looks.skins;
-        *self.known_skins.entry(key).or_insert_with(|| {
-            skins.push(skin);
-            index(skins.len() - 1)
+    /// Index of a texture, appended to the list if it is new.
+    pub(crate) fn texture_index(&mut self, texture: FaceTexture) -> u32 {
+        let key = std::sync::Arc::as_ptr(&texture.0).addr();
+        let textures = &mut self.attributes.textures;
+        *self.known_textures.entry(key).or_insert_with(|| {
+            textures.push(texture);
+            index(textures.len() - 1)
         })
     }
 
-    /// Gives the triangle that was added last its textures.
-    pub(crate) fn skins_of_last(&mut self, skins: [u32; 3]) {
+    /// Sets the textures of the triangle added last.
+    pub(crate) fn set_textures_of_last(&mut self, textures: [u32; 3]) {
         let before = self.corners.len() - 1;
-        self.fill_skins(before);
-        self.looks.skins_of.push(skins, before);
+        self.fill_textures(before);
+        self.attributes.textures_of.push(textures, before);
     }
 
-    /// Gives triangles without a word on textures that of the object, if others have some.
-    fn fill_skins(&mut self, triangles: usize) {
-        match &mut self.looks.skins_of {
-            SkinsOf::Object => {}
-            SkinsOf::One(list) => list.resize(triangles, u32::MAX),
-            SkinsOf::Three(list) => list.resize(triangles, NO_TRIPLE),
+    /// Assigns the texture of the object to triangles without one, if others have their own.
+    fn fill_textures(&mut self, triangles: usize) {
+        match &mut self.attributes.textures_of {
+            TexturesOf::Object => {}
+            TexturesOf::One(list) => list.resize(triangles, u32::MAX),
+            TexturesOf::Three(list) => list.resize(triangles, NO_TRIPLE),
         }
     }
 
-    /// Adds a triangle between known corners.
+    /// Adds a triangle between existing vertices.
     pub(crate) fn face(&mut self, corners: [u32; 3]) -> Result<(), String> {
-        if self.corners.len() >= MOST {
-            return Err(format!("a mesh has at most {MOST} triangles"));
+        if self.corners.len() >= MAX_TRIANGLES {
+            return Err(format!("a mesh has at most {MAX_TRIANGLES} triangles"));
         }
         self.corners.push(corners);
         Ok(())
@@ -159,12 +159,12 @@ impl Draft {
             }
         }
         let triangles = self.corners.len();
-        self.fill_skins(triangles);
-        if let UvOf::Triangles(list) = &self.looks.uv_of
+        self.fill_textures(triangles);
+        if let UvOf::Triangles(list) = &self.attributes.uv_of
             && list.len() < triangles
         {
             let zero = self.uv(Vec2::ZERO);
-            if let UvOf::Triangles(list) = &mut self.looks.uv_of {
+            if let UvOf::Triangles(list) = &mut self.attributes.uv_of {
                 list.resize(triangles, [zero; 3]);
             }
         }
@@ -179,13 +179,14 @@ impl Draft {
         for list in [&mut self.vertices, &mut self.normals] {
             list.shrink_to_fit();
         }
-        self.looks.shrink();
+        self.attributes.shrink();
         Triangles {
             vertices: self.vertices,
             corners: self.corners,
             normals: self.normals,
             smooth: self.smooth,
-            looks: (self.looks != Looks::default()).then(|| Box::new(self.looks)),
+            attributes: (self.attributes != TriangleAttributes::default())
+                .then(|| Box::new(self.attributes)),
             inside,
             bounds: Bounds::EMPTY,
             tree: OnceLock::new(),
@@ -194,7 +195,7 @@ impl Draft {
     }
 
     fn drop_degenerate(&mut self) {
-        let is_kept: Vec<bool> = self
+        let keep: Vec<bool> = self
             .corners
             .par_iter()
             .map(|corners| {
@@ -202,24 +203,24 @@ impl Draft {
                 !Triangle { corners }.is_flat_line()
             })
             .collect();
-        if is_kept.iter().all(|is_kept| *is_kept) {
+        if keep.iter().all(|keep| *keep) {
             return;
         }
-        retain(&mut self.corners, &is_kept);
-        retain(&mut self.smooth, &is_kept);
-        self.looks.retain(&is_kept);
+        retain(&mut self.corners, &keep);
+        retain(&mut self.smooth, &keep);
+        self.attributes.retain(&keep);
     }
 
-    /// Whether every edge belongs to an even number of triangles; corners at the same place are one.
+    /// True if every edge belongs to an even number of triangles; vertices at the same point count as one.
     fn is_closed(&self) -> bool {
-        let mut known: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-        let places: Vec<u32> = (0u32..)
+        let mut first_at: FxHashMap<[u32; 3], u32> = FxHashMap::default();
+        let vertex_ids: Vec<u32> = (0u32..)
             .zip(&self.vertices)
-            .map(|(index, vertex)| *known.entry(bits(*vertex)).or_insert(index))
+            .map(|(index, vertex)| *first_at.entry(bits(*vertex)).or_insert(index))
             .collect();
         let mut edges: Vec<u64> = Vec::with_capacity(3 * self.corners.len());
         for corners in &self.corners {
-            let [a, b, c] = corners.map(|i| places[i as usize]);
+            let [a, b, c] = corners.map(|i| vertex_ids[i as usize]);
             for (from, to) in [(a, b), (b, c), (c, a)] {
                 if from != to {
                     edges.push(u64::from(from.min(to)) << 32 | u64::from(from.max(to)));
@@ -233,7 +234,7 @@ impl Draft {
     }
 }
 
-/// The index of a point in a list, which gets it if it is new.
+/// Index of a point in a list, appended if it is new.
 fn share(point: Vec3, list: &mut Vec<Vec3>, known: &mut FxHashMap<[u32; 3], u32>) -> u32 {
     *known.entry(bits(point)).or_insert_with(|| {
         list.push(point);

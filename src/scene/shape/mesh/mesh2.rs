@@ -1,10 +1,10 @@
-//! Reading `mesh2`: lists of corners and normals, and triangles by their indices, counted from zero.
+//! Parser for `mesh2`: lists of vertices and normals, and triangles by zero-based indices.
 //!
-//! A count or an index loses what stands behind its decimal point, as in POV-Ray. Behind a triangle may stand the index
-//! of its texture, or those of its three corners.
+//! Counts and indices are truncated to integers, as in POV-Ray. A triangle may be followed by the index of its texture,
+//! or by those of its three corners.
 
 use super::attributes::UvOf;
-use super::build::{Draft, single, single_normal, single_pair};
+use super::build::{MeshBuilder, single, single_normal, single_pair};
 use super::read_inside_vector;
 use crate::base::args::{Args, Parse, Word};
 use crate::base::source::{Diagnostic, Span};
@@ -13,24 +13,24 @@ use crate::scene::shape::{Mesh, read};
 use glam::{DVec2, DVec3, Vec3};
 
 impl Mesh {
-    /// Reads the lists of `mesh2` and its `inside_vector`. Degenerate triangles are left out without a word.
+    /// Reads the lists of `mesh2` and its `inside_vector`. Degenerate triangles are dropped silently.
     ///
     /// # Errors
     /// Malformed or non-finite parameters, counts that do not agree, indices out of range, lists out of order, or no
     /// triangle at all.
     pub fn read_mesh2(args: &mut dyn Args) -> Parse<Self> {
-        let mut draft = Draft::default();
+        let mut builder = MeshBuilder::default();
         if !args.accept(Word::VertexVectors)? {
             return Err(args.expected("`vertex_vectors` at the start of `mesh2`"));
         }
-        read_vertices(args, &mut draft)?;
+        read_vertices(args, &mut builder)?;
         loop {
             if args.accept(Word::NormalVectors)? {
-                read_normals(args, &mut draft)?;
+                read_normals(args, &mut builder)?;
             } else if args.accept(Word::UvVectors)? {
-                read_uvs(args, &mut draft)?;
+                read_uvs(args, &mut builder)?;
             } else if args.accept(Word::TextureList)? {
-                read_textures(args, &mut draft)?;
+                read_textures(args, &mut builder)?;
             } else {
                 break;
             }
@@ -39,13 +39,13 @@ impl Mesh {
             return Err(args.expected("`face_indices` behind the lists of vectors in `mesh2`"));
         }
         let faces_at = args.last_span();
-        read_faces(args, &mut draft)?;
-        read_indices(args, &mut draft, faces_at)?;
-        Ok(Mesh::new(draft.build()))
+        read_faces(args, &mut builder)?;
+        read_indices(args, &mut builder, faces_at)?;
+        Ok(Mesh::new(builder.build()))
     }
 }
 
-/// A list of `mesh2`: its word, and what one item is called.
+/// A list of `mesh2`: its keyword, and the name of one item in messages.
 struct List {
     word: Word,
     item: &'static str,
@@ -80,22 +80,22 @@ const UV_INDICES: List = List {
     item: "triangle",
 };
 
-fn read_vertices(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+fn read_vertices(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     let at = args.last_span();
-    let vertices = &mut draft.vertices;
+    let vertices = &mut builder.vertices;
     list::<3>(args, &VERTICES, |point| {
         vertices.push(single(DVec3::from(point))?);
         Ok(())
     })?;
-    if draft.vertices.is_empty() {
+    if builder.vertices.is_empty() {
         return Err(error(at, "a mesh needs at least one vertex"));
     }
     Ok(())
 }
 
-fn read_normals(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+fn read_normals(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     let at = args.last_span();
-    draft.normals.clear();
+    builder.normals.clear();
     let mut zeros = 0;
     list::<3>(args, &NORMALS, |normal| {
         let mut normal = single_normal(DVec3::from(normal));
@@ -103,7 +103,7 @@ fn read_normals(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
             zeros += 1;
             normal = Vec3::X;
         }
-        draft.normals.push(normal);
+        builder.normals.push(normal);
         Ok(())
     })?;
     if zeros > 0 {
@@ -118,8 +118,8 @@ fn read_normals(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
     Ok(())
 }
 
-fn read_uvs(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
-    let uvs = &mut draft.looks.uvs;
+fn read_uvs(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
+    let uvs = &mut builder.attributes.uvs;
     uvs.clear();
     list::<2>(args, &UV_VECTORS, |pair| {
         uvs.push(single_pair(DVec2::from(pair)));
@@ -128,51 +128,51 @@ fn read_uvs(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
     Ok(())
 }
 
-/// `{ count, texture { ... }, ... }`
-fn read_textures(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+/// Reads `{ count, texture { ... }, ... }`.
+fn read_textures(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     args.open()?;
     let count = read_count(args, &TEXTURES)?;
-    draft.looks.skins.clear();
+    builder.attributes.textures.clear();
     for number in 1..=count {
         args.comma()?;
         if !args.accept(Word::Texture)? {
             let what = format!("`texture` {number} of {count} in `texture_list`");
             return Err(args.expected(&what));
         }
-        draft.looks.skins.push(FaceTexture::read(args)?);
+        builder.attributes.textures.push(FaceTexture::read(args)?);
     }
     close_list(args, &TEXTURES, count)
 }
 
-fn read_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
+fn read_faces(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
     let at = args.last_span();
-    let count = draft.vertices.len();
-    if draft.looks.skins.is_empty() {
+    let count = builder.vertices.len();
+    if builder.attributes.textures.is_empty() {
         list::<3>(args, &FACES, |corners| {
-            draft.face(indices(corners, count, "vertex", "vertices")?)
+            builder.face(indices(corners, count, "vertex", "vertices")?)
         })?;
     } else {
-        read_textured_faces(args, draft)?;
+        read_textured_faces(args, builder)?;
     }
-    if draft.corners.is_empty() {
+    if builder.corners.is_empty() {
         return Err(error(at, "a mesh needs at least one triangle"));
     }
     Ok(())
 }
 
-/// Triangles that may each be followed by one or three indices of textures.
-fn read_textured_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
-    let vertices = draft.vertices.len();
-    let textures = draft.looks.skins.len();
+/// Reads triangles that may each be followed by one or three texture indices.
+fn read_textured_faces(args: &mut dyn Args, builder: &mut MeshBuilder) -> Parse<()> {
+    let vertex_count = builder.vertices.len();
+    let texture_count = builder.attributes.textures.len();
     args.open()?;
     let count = read_count(args, &FACES)?;
-    for found in 0..count {
+    for number in 0..count {
         args.comma()?;
         let at = args.span();
-        let corners: [f64; 3] = item(args, &FACES, found, count)?;
+        let corners: [f64; 3] = item(args, &FACES, number, count)?;
         let fault = |args: &dyn Args, fault| error(at.to(args.last_span()), fault);
-        let corners = indices(corners, vertices, "vertex", "vertices");
-        draft
+        let corners = indices(corners, vertex_count, "vertex", "vertices");
+        builder
             .face(corners.map_err(|wrong| fault(args, wrong))?)
             .map_err(|wrong| fault(args, wrong))?;
         let mut given = [0.0; 3];
@@ -183,7 +183,7 @@ fn read_textured_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
             given[len] = index;
             len += 1;
         }
-        let skins = match len {
+        let textures = match len {
             0 => continue,
             1 => [given[0]; 3],
             3 => given,
@@ -194,13 +194,13 @@ fn read_textured_faces(args: &mut dyn Args, draft: &mut Draft) -> Parse<()> {
                 ));
             }
         };
-        let skins = indices(skins, textures, "texture", "textures");
-        draft.skins_of_last(skins.map_err(|wrong| fault(args, wrong))?);
+        let textures = indices(textures, texture_count, "texture", "textures");
+        builder.set_textures_of_last(textures.map_err(|wrong| fault(args, wrong))?);
     }
     close_list(args, &FACES, count)
 }
 
-/// The index of a texture, if one stands here and not the next triangle.
+/// Reads a texture index, if one comes next rather than the next triangle.
 fn texture_index(args: &mut dyn Args) -> Parse<Option<f64>> {
     if let Some(number) = args.literal_number() {
         return Ok(Some(number));
@@ -212,76 +212,83 @@ fn texture_index(args: &mut dyn Args) -> Parse<Option<f64>> {
     args.float().map(Some)
 }
 
-/// What may stand behind the triangles: `normal_indices`, `uv_indices`, `inside_vector`.
-fn read_indices(args: &mut dyn Args, draft: &mut Draft, faces_at: Span) -> Parse<()> {
-    let uvs = draft.looks.uvs.len();
-    let faces = draft.corners.len();
+/// Reads the lists that may follow the triangles: `normal_indices`, `uv_indices`, `inside_vector`.
+fn read_indices(args: &mut dyn Args, builder: &mut MeshBuilder, faces_at: Span) -> Parse<()> {
+    let uvs = builder.attributes.uvs.len();
+    let faces = builder.corners.len();
     let mut has_uv_indices = false;
     loop {
         if args.accept(Word::NormalIndices)? {
             let at = args.last_span();
-            let count = draft.normals.len();
-            let smooth = &mut draft.smooth;
+            let count = builder.normals.len();
+            let smooth = &mut builder.smooth;
             smooth.clear();
-            let found = list::<3>(args, &NORMAL_INDICES, |normals| {
+            let triangles = list::<3>(args, &NORMAL_INDICES, |normals| {
                 smooth.push(indices(normals, count, "normal", "normals")?);
                 Ok(())
             })?;
-            if found > faces {
+            if triangles > faces {
                 return Err(error(
                     at,
-                    format!("`normal_indices` has {found} triangles, `face_indices` only {faces}"),
+                    format!(
+                        "`normal_indices` has {triangles} triangles, `face_indices` only {faces}"
+                    ),
                 ));
             }
         } else if args.accept(Word::UvIndices)? {
             let at = args.last_span();
             has_uv_indices = true;
-            if draft.looks.uvs.is_empty() {
-                draft.looks.uvs.push(glam::Vec2::ZERO);
+            if builder.attributes.uvs.is_empty() {
+                builder.attributes.uvs.push(glam::Vec2::ZERO);
             }
             let mut triples = Vec::new();
-            let found = list::<3>(args, &UV_INDICES, |pairs| {
+            let triangles = list::<3>(args, &UV_INDICES, |pairs| {
                 triples.push(indices(pairs, uvs.max(1), "uv vector", "uv vectors")?);
                 Ok(())
             })?;
-            draft.looks.uv_of = UvOf::Triangles(triples);
-            if found != faces {
+            builder.attributes.uv_of = UvOf::Triangles(triples);
+            if triangles != faces {
                 return Err(error(
                     at,
-                    format!("`uv_indices` has {found} triangles, `face_indices` has {faces}"),
+                    format!("`uv_indices` has {triangles} triangles, `face_indices` has {faces}"),
                 ));
             }
         } else if args.word()? == Some(Word::InsideVector) {
-            read_inside_vector(args, draft)?;
+            read_inside_vector(args, builder)?;
         } else {
             break;
         }
     }
-    let vertices = draft.vertices.len();
-    if !draft.normals.is_empty() && draft.smooth.is_empty() {
-        if draft.normals.len() != vertices {
-            let count = draft.normals.len();
+    let vertices = builder.vertices.len();
+    if !builder.normals.is_empty() && builder.smooth.is_empty() {
+        if builder.normals.len() != vertices {
+            let count = builder.normals.len();
             return Err(missing(
                 faces_at,
                 Word::NormalIndices,
-                (count, "normals"),
+                count,
+                "normals",
                 vertices,
             ));
         }
-        draft.smooth.clone_from(&draft.corners);
+        builder.smooth.clone_from(&builder.corners);
     }
     if uvs > 0 && !has_uv_indices {
         if uvs != vertices {
-            let found = (uvs, "uv vectors");
-            return Err(missing(faces_at, Word::UvIndices, found, vertices));
+            return Err(missing(
+                faces_at,
+                Word::UvIndices,
+                uvs,
+                "uv vectors",
+                vertices,
+            ));
         }
-        draft.looks.uv_of = UvOf::Corners;
+        builder.attributes.uv_of = UvOf::Corners;
     }
     Ok(())
 }
 
-fn missing(at: Span, word: Word, found: (usize, &str), vertices: usize) -> Box<Diagnostic> {
-    let (count, what) = found;
+fn missing(at: Span, word: Word, count: usize, what: &str, vertices: usize) -> Box<Diagnostic> {
     let message =
         format!("`{word}` is missing: {count} {what} cannot stand for {vertices} vertices");
     Box::new(
@@ -290,7 +297,7 @@ fn missing(at: Span, word: Word, found: (usize, &str), vertices: usize) -> Box<D
     )
 }
 
-/// `{ count, vectors }` behind the word of a list: gives each vector to `add` and says how many there were.
+/// Reads `{ count, vectors }` after the keyword of a list, passes each vector to `add` and returns the count.
 fn list<const N: usize>(
     args: &mut dyn Args,
     list: &List,
@@ -298,29 +305,29 @@ fn list<const N: usize>(
 ) -> Parse<usize> {
     args.open()?;
     let count = read_count(args, list)?;
-    let mut found = 0;
-    while found < count {
+    let mut len = 0;
+    while len < count {
         args.literal_vectors(N, &mut |vector| {
-            let is_wanted = found < count
+            let is_wanted = len < count
                 && <[f64; N]>::try_from(vector)
                     .is_ok_and(|vector| is_finite(&vector) && add(vector).is_ok());
-            found += usize::from(is_wanted);
+            len += usize::from(is_wanted);
             is_wanted
         });
-        if found == count {
+        if len == count {
             break;
         }
         args.comma()?;
         let at = args.span();
-        let vector = slow_item::<N>(args, list, found, count)?;
+        let vector = slow_item::<N>(args, list, len, count)?;
         add(vector).map_err(|fault| error(at.to(args.last_span()), fault))?;
-        found += 1;
+        len += 1;
     }
     close_list(args, list, count)?;
     Ok(count)
 }
 
-/// The comma that may stand behind the last item of a list, and its `}`.
+/// Reads the optional comma after the last item of a list, and the closing `}`.
 fn close_list(args: &mut dyn Args, list: &List, count: usize) -> Parse<()> {
     args.comma()?;
     if args.accept_close()? {
@@ -330,11 +337,11 @@ fn close_list(args: &mut dyn Args, list: &List, count: usize) -> Parse<()> {
     Err(args.expected(&format!("`}}` behind item {count}, the last of `{word}`")))
 }
 
-/// The next vector of a list, of which so many were found.
+/// Reads vector number `index` of a list.
 fn item<const N: usize>(
     args: &mut dyn Args,
     list: &List,
-    found: usize,
+    index: usize,
     count: usize,
 ) -> Parse<[f64; N]> {
     let mut item = None;
@@ -347,19 +354,19 @@ fn item<const N: usize>(
     });
     match item {
         Some(item) => Ok(item),
-        None => slow_item(args, list, found, count),
+        None => slow_item(args, list, index, count),
     }
 }
 
-/// The same for one that is not written as literal numbers.
+/// As [`item`], for a vector that is not written in literal numbers.
 fn slow_item<const N: usize>(
     args: &mut dyn Args,
     list: &List,
-    found: usize,
+    index: usize,
     count: usize,
 ) -> Parse<[f64; N]> {
     let List { word, item } = list;
-    let number = found + 1;
+    let number = index + 1;
     args.comma()?;
     if !args.at_expression()? {
         return Err(args.expected(&format!("{item} {number} of {count} in `{word}`")));
@@ -375,7 +382,7 @@ fn slow_item<const N: usize>(
     Ok(vector)
 }
 
-/// One vector of a list that is not literal.
+/// Evaluates one vector of a list that is not literal.
 fn one<const N: usize>(args: &mut dyn Args) -> Parse<[f64; N]> {
     let mut vector = [0.0; N];
     if N == 2 {
@@ -408,7 +415,7 @@ fn read_count(args: &mut dyn Args, list: &List) -> Parse<usize> {
     Ok(count as usize)
 }
 
-/// Three indices below `count`, or which of them is not.
+/// Converts `N` numbers to indices below `count`, or names the one that is out of range.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

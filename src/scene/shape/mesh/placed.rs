@@ -1,4 +1,4 @@
-//! A mesh in its place, triangle by triangle, for cameras that look out of one.
+//! A mesh with its transform, triangle by triangle, for cameras that look out of a mesh.
 
 use super::build::single_normal;
 use super::{FLAT, Mesh};
@@ -6,29 +6,29 @@ use crate::base::math::Transform;
 use crate::scene::shape::Geometry;
 use glam::{DVec2, DVec3};
 
-/// A mesh and where it stands.
+/// A mesh and its transform to the world.
 #[derive(Clone, Debug)]
 pub struct PlacedMesh {
     /// The mesh.
     pub mesh: Mesh,
-    /// Its place in the world.
+    /// From the mesh's object space to the world.
     pub place: Transform,
 }
 
 impl PlacedMesh {
-    /// A mesh in a place.
+    /// A mesh with a transform.
     #[must_use]
     pub fn new(mesh: Mesh, place: Transform) -> Self {
         PlacedMesh { mesh, place }
     }
 
-    /// How many triangles it has, degenerate ones not counted.
+    /// Number of triangles, degenerate ones not counted.
     #[must_use]
     pub fn len(&self) -> usize {
         self.mesh.len()
     }
 
-    /// Whether it has no triangles.
+    /// True if there are no triangles.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.mesh.is_empty()
@@ -45,8 +45,8 @@ impl PlacedMesh {
         })
     }
 
-    /// The normal of the plane of a triangle in the world, of any length; kept in single precision before it is moved, as
-    /// POV-Ray's.
+    /// The normal of the plane of a triangle in the world, of any length; rounded to single precision before the
+    /// transform, as in POV-Ray.
     #[must_use]
     pub fn normal(&self, face: usize) -> DVec3 {
         let number = u32::try_from(face).unwrap_or(u32::MAX);
@@ -54,7 +54,7 @@ impl PlacedMesh {
         self.place.normal(normal.as_dvec3())
     }
 
-    /// The normals at the corners of a triangle, of the object, if it is smooth.
+    /// The normals at the corners of a triangle in object space, if it is smooth.
     #[must_use]
     pub fn normals(&self, face: usize) -> Option<[DVec3; 3]> {
         let triangles = self.mesh.triangles();
@@ -67,11 +67,11 @@ impl PlacedMesh {
     #[must_use]
     pub fn coordinates(&self, face: usize) -> [DVec2; 3] {
         let triangles = self.mesh.triangles();
-        let Some(looks) = &triangles.looks else {
+        let Some(attributes) = &triangles.attributes else {
             return [DVec2::ZERO; 3];
         };
         let number = u32::try_from(face).unwrap_or(u32::MAX);
         let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        corners.map(|shares| DVec2::from(looks.uv(number, triangles.corners[face], shares)))
+        corners.map(|weights| DVec2::from(attributes.uv(number, triangles.corners[face], weights)))
     }
 }

@@ -21,17 +21,17 @@ fn fault(text: &str) -> String {
     Mesh::read(&mut TextArgs::new(text)).unwrap_err().message
 }
 
-/// What is wrong with a `mesh2`, and the text that is pointed at.
+/// The error of a `mesh2`, and the text that its span covers.
 fn fault2(text: &str) -> (String, &str) {
     let error = Mesh::read_mesh2(&mut TextArgs::new(text)).unwrap_err();
     let span = error.span.unwrap();
     (error.message, &text[span.start as usize..span.end as usize])
 }
 
-const FOUR: &str = "vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1> }";
+const TETRAHEDRON: &str = "vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1> }";
 
-/// A closed ball-like mesh with a dent, of `rows × columns` and two caps; not one of its triangles is along an axis.
-fn ball(rows: u32, columns: u32, inside: &str) -> Mesh {
+/// A closed sphere-like mesh with dents, of `rows × columns` and two caps; no triangle is parallel to an axis.
+fn dented_sphere(rows: u32, columns: u32, inside: &str) -> Mesh {
     let mut points = vec!["<0.01,1,0.02>".to_owned(), "<0,-1,0>".to_owned()];
     for i in 1..rows {
         for j in 0..columns {
@@ -69,7 +69,7 @@ fn ball(rows: u32, columns: u32, inside: &str) -> Mesh {
 
 #[test]
 fn a_mesh_without_an_inside_is_a_patch() {
-    check::patch(&ball(7, 11, ""));
+    check::patch(&dented_sphere(7, 11, ""));
     check::patch(&mesh(
         "triangle { <1,2,3>, <-2,3,5>, <0.5,-1,2> } triangle { <1,2,3>, <-2,3,5>, <3,3,3> }",
     ));
@@ -78,13 +78,13 @@ fn a_mesh_without_an_inside_is_a_patch() {
 #[test]
 fn a_closed_mesh_with_an_inside_is_a_solid() {
     for inside in ["inside_vector <0,1,0>", "inside_vector <0.3,-0.2,5>"] {
-        let ball = ball(7, 11, inside);
-        assert!(ball.is_solid() && ball.0.inside.unwrap().is_closed);
-        solid(&ball);
+        let sphere = dented_sphere(7, 11, inside);
+        assert!(sphere.is_solid() && sphere.0.inside.unwrap().is_closed);
+        solid(&sphere);
     }
 }
 
-/// As `check::solid`, but for normals, which a mesh has as its triangles are written.
+/// As `check::solid`, but without the test of normals: those of a mesh follow the winding of its triangles as written.
 fn solid(shape: &dyn Geometry) {
     let bounds = shape.bounds();
     let mut rng = check::Random::new(1);
@@ -118,14 +118,14 @@ fn solid(shape: &dyn Geometry) {
 
 #[test]
 fn rays_through_corners_and_edges_cross_a_solid_an_even_number_of_times() {
-    let ball = ball(8, 10, "inside_vector <0,1,0>");
+    let sphere = dented_sphere(8, 10, "inside_vector <0,1,0>");
     let mut rng = check::Random::new(5);
-    for at in 0..ball.len() {
-        let corners = ball.0.corners(u32::try_from(at).unwrap());
+    for at in 0..sphere.len() {
+        let corners = sphere.0.corners(u32::try_from(at).unwrap());
         for target in [corners[0], corners[1].lerp(corners[2], 0.5)] {
             for origin in [rng.vector(3.0), target - 4.0 * DVec3::X, DVec3::ZERO] {
                 let mut roots = Vec::new();
-                ball.roots(&Ray::new(origin, target - origin), &mut roots);
+                sphere.roots(&Ray::new(origin, target - origin), &mut roots);
                 assert_eq!(roots.len() % 2, 0, "{origin} to {target}: {roots:?}");
                 assert!(roots.iter().all(|root| root.crossing != Crossing::Touch));
             }
@@ -134,18 +134,18 @@ fn rays_through_corners_and_edges_cross_a_solid_an_even_number_of_times() {
 }
 
 #[test]
-fn a_ray_does_not_meet_the_triangle_it_leaves_but_its_neighbours() {
+fn a_ray_misses_the_triangle_it_leaves_but_not_its_neighbours() {
     for inside in ["", "inside_vector <0,1,0>"] {
-        let ball = ball(7, 11, inside);
+        let sphere = dented_sphere(7, 11, inside);
         let mut rng = check::Random::new(9);
         for _ in 0..2000 {
-            let ray = rng.ray_near(&ball.bounds());
-            let Some(hit) = ball.nearest(&ray, 0.0, f64::INFINITY) else {
+            let ray = rng.ray_near(&sphere.bounds());
+            let Some(hit) = sphere.nearest(&ray, 0.0, f64::INFINITY) else {
                 continue;
             };
             let on = Ray::new(ray.at(hit.t), ray.dir);
-            let next = ball.nearest_beside(&on, 0.0, f64::INFINITY, hit.face);
-            let expected = ball.nearest(&ray, hit.t, f64::INFINITY);
+            let next = sphere.nearest_beside(&on, 0.0, f64::INFINITY, hit.face);
+            let expected = sphere.nearest(&ray, hit.t, f64::INFINITY);
             assert_eq!(next.map(|next| next.face), expected.map(|next| next.face));
             assert_eq!(
                 next.map(|next| next.crossing),
@@ -157,7 +157,7 @@ fn a_ray_does_not_meet_the_triangle_it_leaves_but_its_neighbours() {
 
 #[test]
 fn an_open_mesh_is_inside_only_between_its_surfaces() {
-    // A roof over nothing: a ray up from below it crosses one triangle.
+    // A roof without a floor: a ray from below crosses one triangle.
     let roof = mesh("triangle { <-1,1,-1>, <1,1,-1>, <0,0,1> } inside_vector <0,1,0>");
     assert!(roof.is_solid() && !roof.0.inside.unwrap().is_closed);
     let mut roots = Vec::new();
@@ -186,7 +186,7 @@ fn smooth_triangles_have_the_mean_of_the_normals() {
         .unwrap();
     let expected = DVec3::new(0.0, 0.0, -2.0) / 5.0_f64.sqrt();
     assert!((normal - expected).length() < 1e-6);
-    // Equal normals count for nothing: POV-Ray shades such a triangle flat.
+    // Equal normals have no effect: POV-Ray shades such a triangle flat.
     let flat = mesh("smooth_triangle { <0,0,0>, <1,0,1>, <1,0,0>, <1,0,1>, <0,1,0>, <1,0,1> }");
     assert_eq!(flat.shading_normal(DVec3::ZERO, 0), None);
 }
@@ -194,36 +194,38 @@ fn smooth_triangles_have_the_mean_of_the_normals() {
 #[test]
 fn mesh2_takes_normals_by_their_own_indices_or_those_of_the_corners() {
     let normals = "normal_vectors { 4, <-1,0,-1>, <1,0,-1>, <0,1,-1>, <0,0,-1> }";
-    let by_corner = mesh2(&format!("{FOUR} {normals} face_indices {{ 1, <0,1,2> }}"));
+    let by_corner = mesh2(&format!(
+        "{TETRAHEDRON} {normals} face_indices {{ 1, <0,1,2> }}"
+    ));
     let by_index = mesh2(&format!(
-        "{FOUR} {normals} face_indices {{ 1, <0,1,2> }} normal_indices {{ 1, <0,1,2> }}"
+        "{TETRAHEDRON} {normals} face_indices {{ 1, <0,1,2> }} normal_indices {{ 1, <0,1,2> }}"
     ));
     assert_eq!(by_corner, by_index);
-    // Fewer triples than triangles leave the others flat, and indices lose their fractions.
-    let few = mesh2(&format!(
-        "{FOUR} {normals} face_indices {{ 2, <0,1,3>, <0.2,1.9,2> }} normal_indices {{ 1, <0,1,2> }}"
+    // With fewer triples than triangles the rest are flat; indices are truncated.
+    let partial = mesh2(&format!(
+        "{TETRAHEDRON} {normals} face_indices {{ 2, <0,1,3>, <0.2,1.9,2> }} normal_indices {{ 1, <0,1,2> }}"
     ));
-    assert_eq!(few.0.smooth, [[0, 1, 2], FLAT]);
-    assert_eq!(few.0.corners, [[0, 1, 3], [0, 1, 2]]);
+    assert_eq!(partial.0.smooth, [[0, 1, 2], FLAT]);
+    assert_eq!(partial.0.corners, [[0, 1, 3], [0, 1, 2]]);
 }
 
 #[test]
-fn degenerate_triangles_are_left_out_with_their_normals() {
+fn degenerate_triangles_are_dropped_with_their_normals() {
     let normals = "normal_vectors { 3, <-1,0,-1>, <1,0,-1>, <0,1,-1> }";
-    let kept = mesh2(&format!(
-        "{FOUR} {normals} uv_vectors {{ 1, <0,0> }} face_indices {{ 3, <0,1,1>, <0,1,2>, <3,3,3> }}
+    let mesh = mesh2(&format!(
+        "{TETRAHEDRON} {normals} uv_vectors {{ 1, <0,0> }} face_indices {{ 3, <0,1,1>, <0,1,2>, <3,3,3> }}
         normal_indices {{ 3, <0,0,0>, <0,1,2>, <0,1,0> }} uv_indices {{ 3, <0,0,0>, <0,0,0>, <0,0,0> }}"
     ));
-    assert_eq!(kept.0.corners, [[0, 1, 2]]);
-    assert_eq!(kept.0.smooth, [[0, 1, 2]]);
-    let none = mesh2(&format!("{FOUR} face_indices {{ 1, <0,1,1> }}"));
+    assert_eq!(mesh.0.corners, [[0, 1, 2]]);
+    assert_eq!(mesh.0.smooth, [[0, 1, 2]]);
+    let none = mesh2(&format!("{TETRAHEDRON} face_indices {{ 1, <0,1,1> }}"));
     assert!(none.is_empty() && none.bounds().is_empty());
 }
 
 #[test]
 fn a_normal_without_direction_is_warned_of() {
     let text = format!(
-        "{FOUR} normal_vectors {{ 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0> }} face_indices {{ 1, <0,1,2> }}"
+        "{TETRAHEDRON} normal_vectors {{ 4, <0,0,0>, <1,0,0>, <0,1,0>, <0,0,0> }} face_indices {{ 1, <0,1,2> }}"
     );
     let mut args = TextArgs::new(&text);
     Mesh::read_mesh2(&mut args).unwrap();
@@ -235,7 +237,7 @@ fn a_normal_without_direction_is_warned_of() {
 }
 
 #[test]
-fn what_is_wrong_with_a_mesh_is_said() {
+fn errors_of_mesh_name_the_fault() {
     assert_eq!(
         fault("inside_vector <0,1,0>"),
         "expected `triangle` or `smooth_triangle` in `mesh`, found `inside_vector`"
@@ -263,9 +265,9 @@ fn what_is_wrong_with_a_mesh_is_said() {
 }
 
 #[test]
-fn what_is_wrong_with_a_mesh2_is_said_at_its_place() {
+fn errors_of_mesh2_name_the_fault_and_its_location() {
     let two = "normal_vectors { 2, <0,0,1>, <0,1,0> }";
-    for (text, message, place) in [
+    for (text, message, location) in [
         (
             "face_indices { 1, <0,1,2> }".to_owned(),
             "expected `vertex_vectors` at the start of `mesh2`, found `face_indices`",
@@ -297,66 +299,66 @@ fn what_is_wrong_with_a_mesh2_is_said_at_its_place() {
             "<0,0,inf>",
         ),
         (
-            format!("{FOUR} inside_vector"),
+            format!("{TETRAHEDRON} inside_vector"),
             "expected `face_indices` behind the lists of vectors in `mesh2`, found `inside_vector`",
             "inside_vector",
         ),
         (
-            format!("{FOUR} texture_list {{ 1 }}"),
+            format!("{TETRAHEDRON} texture_list {{ 1 }}"),
             "expected `texture` 1 of 1 in `texture_list`, found `}`",
             "}",
         ),
         (
-            format!("{FOUR} face_indices {{ 0 }}"),
+            format!("{TETRAHEDRON} face_indices {{ 0 }}"),
             "a mesh needs at least one triangle",
             "face_indices",
         ),
         (
-            format!("{FOUR} face_indices {{ 2, <0,1,2>, <1,2,4> }}"),
+            format!("{TETRAHEDRON} face_indices {{ 2, <0,1,2>, <1,2,4> }}"),
             "vertex 4 is out of range: this mesh has 4 vertices, from 0 to 3",
             "<1,2,4>",
         ),
         (
-            format!("{FOUR} face_indices {{ 1, <-1,1,2> }}"),
+            format!("{TETRAHEDRON} face_indices {{ 1, <-1,1,2> }}"),
             "vertex -1 is out of range: this mesh has 4 vertices, from 0 to 3",
             "<-1,1,2>",
         ),
         (
-            format!("{FOUR} face_indices {{ 1, <0,1,2> }} normal_indices {{ 1, <0,0,0> }}"),
+            format!("{TETRAHEDRON} face_indices {{ 1, <0,1,2> }} normal_indices {{ 1, <0,0,0> }}"),
             "normal 0 is out of range: this mesh has no normals",
             "<0,0,0>",
         ),
         (
-            format!("{FOUR} {two} face_indices {{ 1, <0,1,2> }}"),
+            format!("{TETRAHEDRON} {two} face_indices {{ 1, <0,1,2> }}"),
             "`normal_indices` is missing: 2 normals cannot stand for 4 vertices",
             "face_indices",
         ),
         (
             format!(
-                "{FOUR} {two} face_indices {{ 1, <0,1,2> }} normal_indices {{ 2, <0,0,1>, <0,0,1> }}"
+                "{TETRAHEDRON} {two} face_indices {{ 1, <0,1,2> }} normal_indices {{ 2, <0,0,1>, <0,0,1> }}"
             ),
             "`normal_indices` has 2 triangles, `face_indices` only 1",
             "normal_indices",
         ),
         (
             format!(
-                "{FOUR} uv_vectors {{ 1, <0,0> }} face_indices {{ 1, <0,1,2> }} uv_indices {{ 1, <0,0,1> }}"
+                "{TETRAHEDRON} uv_vectors {{ 1, <0,0> }} face_indices {{ 1, <0,1,2> }} uv_indices {{ 1, <0,0,1> }}"
             ),
             "uv vector 1 is out of range: this mesh has one, with the index 0",
             "<0,0,1>",
         ),
         (
-            format!("{FOUR} uv_vectors {{ 1, <0,0> }} face_indices {{ 1, <0,1,2> }}"),
+            format!("{TETRAHEDRON} uv_vectors {{ 1, <0,0> }} face_indices {{ 1, <0,1,2> }}"),
             "`uv_indices` is missing: 1 uv vectors cannot stand for 4 vertices",
             "face_indices",
         ),
         (
-            format!("{FOUR} face_indices {{ 1, <0,1,2> }} uv_indices {{ 0 }}"),
+            format!("{TETRAHEDRON} face_indices {{ 1, <0,1,2> }} uv_indices {{ 0 }}"),
             "`uv_indices` has 0 triangles, `face_indices` has 1",
             "uv_indices",
         ),
     ] {
-        assert_eq!(fault2(&text), (message.to_owned(), place), "{text}");
+        assert_eq!(fault2(&text), (message.to_owned(), location), "{text}");
     }
 }
 
@@ -364,7 +366,7 @@ fn what_is_wrong_with_a_mesh2_is_said_at_its_place() {
 fn texture_coordinates_are_interpolated() {
     let uv = "uv_vectors { 3, <0,0>, <1,0>, <0,2> }";
     let mesh = mesh2(&format!(
-        "{FOUR} {uv} face_indices {{ 2, <0,1,2>, <0,1,3> }} uv_indices {{ 2, <0,1,2>, <2,2,2> }}"
+        "{TETRAHEDRON} {uv} face_indices {{ 2, <0,1,2>, <0,1,3> }} uv_indices {{ 2, <0,1,2>, <2,2,2> }}"
     ));
     let at = DVec3::new(0.25, 0.5, 0.0);
     assert_eq!(mesh.uv(at, 0), Some([0.25, 1.0]));
@@ -408,14 +410,14 @@ fn triangles_have_textures_of_their_own() {
 }
 
 #[test]
-fn what_a_mesh_does_not_have_takes_no_memory() {
+fn absent_attributes_take_no_memory() {
     let bare = mesh("triangle { <0,0,0>, <1,0,0>, <0,1,0> }");
-    assert!(bare.0.looks.is_none() && bare.0.smooth.is_empty() && bare.0.normals.is_empty());
+    assert!(bare.0.attributes.is_none() && bare.0.smooth.is_empty() && bare.0.normals.is_empty());
 }
 
 #[test]
 fn a_mesh_takes_about_a_hundred_bytes_a_triangle_at_most() {
-    let ball = ball(60, 60, "");
-    let each = ball.bytes() / ball.len();
+    let sphere = dented_sphere(60, 60, "");
+    let each = sphere.bytes() / sphere.len();
     assert!(each < 100, "{each} bytes");
 }

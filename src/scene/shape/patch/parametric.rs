@@ -1,16 +1,17 @@
-//! `parametric { function { x }, function { y }, function { z }, <u, v>, <u, v> [contained_by { ... }] ... }`: a surface
-//! of which each coordinate is a function of two parameters.
+//! `parametric { function { x }, function { y }, function { z }, <u, v>, <u, v> [contained_by { ... }] ... }`: a
+//! surface whose coordinates are functions of two parameters.
 //!
-//! The rectangle of the parameters is halved as long as a ray may meet the piece over it. What a coordinate may be over a
-//! rectangle follows from its values at the corners and `max_gradient`, as in POV-Ray; a piece smaller than `accuracy` is
-//! a hit, and its lower corner stands for it. The ray meets it where its third coordinate may first be right.
+//! The parameter rectangle is subdivided as long as a ray may hit the patch over it. The range of a coordinate over a
+//! rectangle follows from its values at the corners and `max_gradient`, as in POV-Ray; a patch smaller than `accuracy`
+//! is a hit, represented by its lower corner. The hit distance is where the range of the third coordinate begins on the
+//! ray.
 //!
-//! Error bound: that of POV-Ray, whose search this is: `accuracy` bounds the parameters, not the place. The worst of 150
-//! rays on a ball of radius 1 lies 0.168 off it at an accuracy of 0.001 and the worst of 100 lies 0.086 off it at 0.0001,
-//! where they graze it; POV-Ray gives the same numbers.
+//! Error bound: that of POV-Ray, which searches the same way: `accuracy` bounds the parameters, not the point. The
+//! worst of 150 rays on a sphere of radius 1 lies 0.168 off it at an accuracy of 0.001 and the worst of 100 lies 0.086
+//! off it at 0.0001, where they graze it; POV-Ray gives the same numbers.
 //!
-//! It is a patch. The parameters of a hit are its `face`: sixteen binary digits each, as many as halvings give them for
-//! any accuracy that a ray can be followed to.
+//! It has no inside. The parameters of a hit are its `face`: 16 bits each, as many as subdivision yields for any
+//! accuracy at which a ray can be traced.
 
 use super::parametric_patch::{Grid, Patch};
 use crate::base::args::{Args, Parse, Word};
@@ -23,21 +24,21 @@ use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::{Arc, OnceLock};
 
-/// A hit is at least so many accuracies from the start of a ray and from the border of the container.
-const LEAST_WAY: f64 = 4.0;
-/// Hits nearer than this to the start of a ray count for nothing, in POV-Ray's units whatever the size of the scene.
-const LEAST_DEPTH: f64 = 1e-3;
-/// Pieces that one search looks at: with an accuracy or a gradient beyond all measure there is no end to them.
-const MOST_PIECES: u32 = 1 << 18;
-/// Hits of one ray.
-const MOST_ROOTS: usize = 100;
-/// Digits of each parameter in a face.
-const DIGITS: u32 = 16;
-/// What `accuracy` and `max_gradient` are where the scene says nothing.
+/// Minimum distance of a hit from the start of a ray and from the border of the container, in units of `accuracy`.
+const MIN_DISTANCE: f64 = 4.0;
+/// Hits nearer than this to the start of a ray are ignored, in POV-Ray's units whatever the size of the scene.
+const MIN_DEPTH: f64 = 1e-3;
+/// Maximum number of patches per search: an extreme accuracy or gradient would never end.
+const MAX_PATCHES: u32 = 1 << 18;
+/// Maximum number of hits per ray.
+const MAX_ROOTS: usize = 100;
+/// Bits of each parameter in a face number.
+const BITS: u32 = 16;
+/// Defaults of `accuracy` and `max_gradient`.
 const ACCURACY: f64 = 0.001;
 const MAX_GRADIENT: f64 = 1.0;
 
-/// A surface of two parameters. Copies share it.
+/// A surface of two parameters, shared by its copies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parametric(Arc<Surface>);
 
@@ -48,14 +49,14 @@ struct Surface {
     high: DVec2,
     container: Container,
     accuracy: f64,
-    /// The length in which lengths along a ray count; POV-Ray has it 1 whatever the transform of the object.
+    /// Unit of lengths along a ray; in POV-Ray 1, whatever the transform of the object.
     unit: f64,
     gradient: f64,
     grid: OnceLock<Grid>,
 }
 
 impl PartialEq for Surface {
-    /// Functions are the same if they are one.
+    /// Functions are equal if they are the same object.
     fn eq(&self, other: &Self) -> bool {
         let functions = self.functions.iter().zip(&other.functions);
         functions.into_iter().all(|(a, b)| Arc::ptr_eq(a, b))
@@ -66,7 +67,7 @@ impl PartialEq for Surface {
 }
 
 impl Parametric {
-    /// Reads the functions, their parameters and the words of the surface.
+    /// Reads the functions, the parameter ranges and the options.
     ///
     /// # Errors
     /// Missing or malformed functions, or malformed or non-finite parameters.
@@ -123,7 +124,7 @@ fn read_function(args: &mut dyn Args) -> Parse<Arc<Function>> {
     ))
 }
 
-/// `precompute depth, x, y, z`, which only makes POV-Ray faster.
+/// Reads `precompute depth, x, y, z`, which only makes POV-Ray faster.
 fn read_precompute(args: &mut dyn Args) -> Parse<()> {
     args.float()?;
     loop {
@@ -163,11 +164,10 @@ impl Surface {
         DVec3::from_array([0, 1, 2].map(coordinate))
     }
 
-    /// The part of a ray, within limits, on which the piece over a rectangle may lie, and where by its third coordinate
-    /// it begins. The bounds lie lower than they are by `accuracy`, as in POV-Ray.
-    fn span(&self, ray: &Ray, patch: &Patch, within: (f64, f64)) -> Option<f64> {
+    /// Distance along the ray, within limits, at which the patch over a rectangle may begin by its third coordinate;
+    /// `None` if the ray misses the patch's box. The bounds are lowered by `accuracy`, as in POV-Ray.
+    fn span(&self, ray: &Ray, patch: &Patch, mut near: f64, mut far: f64) -> Option<f64> {
         let size = patch.high - patch.low;
-        let (mut near, mut far) = within;
         let mut start = near;
         for axis in 0..3 {
             let [a, b, c, d] = patch.corners.map(|corner| corner[axis]);
@@ -177,8 +177,8 @@ impl Surface {
             let most = self.between(left.1, right.1, size.x).1 - self.accuracy;
             let (origin, dir) = (ray.origin[axis], ray.dir[axis]);
             if dir == 0.0 {
-                let is_met = least <= origin && origin <= most;
-                if !is_met {
+                let is_hit = least <= origin && origin <= most;
+                if !is_hit {
                     return None;
                 }
                 continue;
@@ -194,47 +194,48 @@ impl Surface {
         Some(start)
     }
 
-    /// What a function may be between two places of these values.
+    /// Range of a function between two parameters at which it has these values.
     fn between(&self, a: f64, b: f64, distance: f64) -> (f64, f64) {
         let more = (0.5 * (self.gradient * distance - (a - b).abs())).max(0.0);
         (a.min(b) - more, a.max(b) + more)
     }
 
-    /// The first hit strictly between `from` and `to`, on any piece but `but`. Lower halves come first: of pieces that
-    /// overlap on the ray, which one is found depends on it.
-    fn first(&self, ray: &Ray, from: f64, to: f64, but: Option<u32>) -> Option<Root> {
+    /// Closest hit strictly between `from` and `to`, on any face except `skip`. Lower halves are searched first: which
+    /// of several patches overlapping on the ray is hit depends on the order.
+    fn first(&self, ray: &Ray, from: f64, to: f64, skip: Option<u32>) -> Option<Root> {
         let [enter, leave] = self.container.chord(ray)?;
-        // In POV-Ray the way through a ball begins behind a ray that starts in it, and what is met there hides the rest.
-        let is_ball = matches!(self.container, Container::Ball { .. });
-        let start = if is_ball && from < self.unit * LEAST_DEPTH {
+        // In POV-Ray the interval through a spherical container begins behind a ray that starts in it, and a hit there
+        // hides the rest.
+        let is_sphere = matches!(self.container, Container::Ball { .. });
+        let start = if is_sphere && from < self.unit * MIN_DEPTH {
             f64::NEG_INFINITY
         } else {
             from
         };
-        let least = enter.0.max(start) + LEAST_WAY * self.unit * self.accuracy;
+        let least = enter.0.max(start) + MIN_DISTANCE * self.unit * self.accuracy;
         let mut end = leave.0.min(to);
         let mut best: Option<Root> = None;
-        let mut open: SmallVec<[Patch; 32]> = SmallVec::new();
+        let mut stack: SmallVec<[Patch; 32]> = SmallVec::new();
         let grid = self.grid.get_or_init(|| self.grid());
-        open.push(grid.whole());
-        let mut pieces = 0;
-        while let Some(patch) = open.pop() {
-            pieces += 1;
-            if pieces > MOST_PIECES {
+        stack.push(grid.whole());
+        let mut visited = 0;
+        while let Some(patch) = stack.pop() {
+            visited += 1;
+            if visited > MAX_PATCHES {
                 break;
             }
-            let Some(at) = self.span(ray, &patch, (least, end)) else {
+            let Some(at) = self.span(ray, &patch, least, end) else {
                 continue;
             };
             let size = patch.high - patch.low;
             let is_small = size.max_element() < self.accuracy || patch.left == 0;
             if !is_small {
                 let [lower, upper] = patch.halves(grid, |at| self.point(at));
-                open.extend([upper, lower]);
+                stack.extend([upper, lower]);
                 continue;
             }
             let face = self.face(patch.low);
-            if least < at && at < end && (but != Some(face) || is_ball) {
+            if least < at && at < end && (skip != Some(face) || is_sphere) {
                 end = at;
                 best = Some(Root {
                     t: at,
@@ -244,7 +245,7 @@ impl Surface {
                 });
             }
         }
-        best.filter(|root| start == from || root.t > self.unit * LEAST_DEPTH)
+        best.filter(|root| start == from || root.t > self.unit * MIN_DEPTH)
     }
 
     #[allow(
@@ -254,25 +255,25 @@ impl Surface {
     )]
     fn face(&self, at: DVec2) -> u32 {
         let share = (at - self.low) / (self.high - self.low);
-        // Rounded, since halving leaves the corners a last digit beside their places.
-        let digits = |share: f64| {
-            let digits = (share * f64::from(1_u32 << DIGITS)).round();
-            digits.clamp(0.0, 65535.0) as u32
+        // Rounded, since subdivision leaves the corners off by a last digit.
+        let bits = |share: f64| {
+            let bits = (share * f64::from(1_u32 << BITS)).round();
+            bits.clamp(0.0, 65535.0) as u32
         };
-        digits(share.x) << DIGITS | digits(share.y)
+        bits(share.x) << BITS | bits(share.y)
     }
 
-    /// The parameters of a face.
+    /// Parameters of a face.
     fn parameters(&self, face: u32) -> DVec2 {
-        let share = DVec2::new(f64::from(face >> DIGITS), f64::from(face & 0xFFFF));
-        self.low + share / f64::from(1_u32 << DIGITS) * (self.high - self.low)
+        let share = DVec2::new(f64::from(face >> BITS), f64::from(face & 0xFFFF));
+        self.low + share / f64::from(1_u32 << BITS) * (self.high - self.low)
     }
 }
 
 impl Geometry for Parametric {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
         let mut from = f64::NEG_INFINITY;
-        for _ in 0..MOST_ROOTS {
+        for _ in 0..MAX_ROOTS {
             let Some(root) = self.0.first(ray, from, f64::INFINITY, None) else {
                 break;
             };
@@ -347,8 +348,8 @@ mod tests {
         }
     }
 
-    /// A ball of radius one.
-    fn ball() -> Parametric {
+    /// A sphere of radius one.
+    fn unit_sphere() -> Parametric {
         let functions: [fn(f64, f64) -> f64; 3] = [
             |u, v| u.sin() * v.cos(),
             |u, _| u.cos(),
@@ -372,34 +373,35 @@ mod tests {
 
     #[test]
     fn hits_lie_on_the_surface_and_normals_across_it() {
-        let ball = ball();
+        let sphere = unit_sphere();
         let ray = Ray::new(DVec3::new(0.3, 0.2, -3.0), DVec3::Z);
-        let hit = ball.nearest(&ray, 0.0, 9.0).unwrap();
+        let hit = sphere.nearest(&ray, 0.0, 9.0).unwrap();
         let point = ray.at(hit.t);
         assert!((point.length() - 1.0).abs() < 1e-3);
-        let normal = ball.normal(point, hit.face).normalize();
+        let normal = sphere.normal(point, hit.face).normalize();
         assert!(normal.dot(point.normalize()).abs() > 0.999);
         assert!(
-            ball.nearest(&Ray::new(DVec3::new(0.9, 0.9, -3.0), DVec3::Z), 0.0, 9.0)
+            sphere
+                .nearest(&Ray::new(DVec3::new(0.9, 0.9, -3.0), DVec3::Z), 0.0, 9.0)
                 .is_none()
         );
     }
 
     #[test]
     fn a_ray_goes_on_to_the_far_side() {
-        let ball = ball();
+        let sphere = unit_sphere();
         let ray = Ray::new(DVec3::new(0.3, 0.2, -3.0), DVec3::Z);
-        let hit = ball.nearest(&ray, 0.0, 9.0).unwrap();
+        let hit = sphere.nearest(&ray, 0.0, 9.0).unwrap();
         let on = Ray::new(ray.at(hit.t), ray.dir);
-        let far = ball.nearest_beside(&on, 0.0, 9.0, hit.face).unwrap();
+        let far = sphere.nearest_beside(&on, 0.0, 9.0, hit.face).unwrap();
         let expected = 2.0 * (1.0_f64 - 0.13).sqrt();
         assert!((far.t - expected).abs() < 2e-3, "{far:?}");
     }
 
     #[test]
-    fn a_face_tells_the_parameters() {
-        let ball = ball();
+    fn a_face_encodes_the_parameters() {
+        let sphere = unit_sphere();
         let at = DVec2::new(0.625 * std::f64::consts::PI, 0.5 * std::f64::consts::TAU);
-        assert_eq!(ball.0.parameters(ball.0.face(at)), at);
+        assert_eq!(sphere.0.parameters(sphere.0.face(at)), at);
     }
 }

@@ -1,40 +1,39 @@
-//! The rectangles of parameters into which a parametric surface is cut, and the points over their corners.
+//! Subdivision of the parameter rectangle of a parametric surface, and the surface points over the corners.
 //!
-//! Which rectangles there are does not depend on the ray. So the points over the corners of the larger ones are worked
-//! out once, when the first ray comes; below them each is worked out once for both rectangles that a halving leaves.
+//! The subdivision does not depend on the ray. So the points over the corners of the larger rectangles are computed
+//! once, for the first ray; below them each point is computed once for both halves.
 
 use glam::{DVec2, DVec3};
 
-/// Halvings of a rectangle: more than the faces of the surface tell apart.
-const MOST_HALVINGS: u32 = 40;
-/// Halvings of the rectangles whose corners are worked out beforehand: 33,000 corners, 1 MB.
-const HALVINGS_KNOWN: u32 = 15;
+/// Maximum depth of subdivision: more than the face numbers distinguish.
+const MAX_HALVINGS: u32 = 40;
+/// Depth of subdivision with precomputed corners: 33,000 corners, 1 MB.
+const PRECOMPUTED_HALVINGS: u32 = 15;
 
-/// The points of the surface over the corners of the larger rectangles.
+/// Surface points over the corners of the larger rectangles.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
     /// Their parameters.
     u: Vec<f64>,
     v: Vec<f64>,
-    /// For each u those of all v.
+    /// Row-major: for each u the points of all v.
     points: Vec<DVec3>,
 }
 
-/// A rectangle of parameters.
+/// A parameter rectangle and the surface over it.
 #[derive(Clone, Copy)]
 pub(crate) struct Patch {
     pub(crate) low: DVec2,
     pub(crate) high: DVec2,
-    /// The surface over its corners: with the lower u that with the lower and that with the upper v, then with the
-    /// upper u.
+    /// Surface points over the corners: (low u, low v), (low u, high v), (high u, low v), (high u, high v).
     pub(crate) corners: [DVec3; 4],
-    /// Where it lies in the grid, if all its corners are known there.
+    /// Its cells in the grid, if all its corners are precomputed.
     cells: Option<Cells>,
-    /// Halvings that it may still take.
+    /// Remaining depth of subdivision.
     pub(crate) left: u32,
 }
 
-/// A rectangle in a grid: the first and the last of its u and of its v.
+/// A rectangle of a grid: the first and the last index in u and in v.
 #[derive(Clone, Copy)]
 struct Cells {
     u: (u32, u32),
@@ -42,17 +41,17 @@ struct Cells {
 }
 
 impl Grid {
-    /// The grid of the surface of these points, whose rectangles are halved until they are smaller than `accuracy`.
+    /// Grid of the surface `point`, whose rectangles are halved until they are smaller than `accuracy`.
     pub(crate) fn new(
         low: DVec2,
         high: DVec2,
         accuracy: f64,
         point: impl Fn(DVec2) -> DVec3,
     ) -> Self {
-        // The number of cells along u and v that so many halvings lead to.
+        // Number of cells along u and v at that depth.
         let (mut along_u, mut along_v) = (1, 1);
         let mut size = high - low;
-        for _ in 0..HALVINGS_KNOWN {
+        for _ in 0..PRECOMPUTED_HALVINGS {
             if size.max_element() < accuracy {
                 break;
             }
@@ -66,12 +65,12 @@ impl Grid {
         }
         let u = halved(low.x, high.x, along_u);
         let v = halved(low.y, high.y, along_v);
-        let places = u.iter().flat_map(|u| v.iter().map(|v| DVec2::new(*u, *v)));
-        let points = places.map(point).collect();
+        let params = u.iter().flat_map(|u| v.iter().map(|v| DVec2::new(*u, *v)));
+        let points = params.map(point).collect();
         Grid { u, v, points }
     }
 
-    /// The rectangle of some of its cells.
+    /// Patch over some cells.
     fn patch(&self, cells: Cells, left: u32) -> Patch {
         let Cells { u, v } = cells;
         let point = |u: u32, v: u32| self.points[u as usize * self.v.len() + v as usize];
@@ -90,18 +89,18 @@ impl Grid {
         }
     }
 
-    /// The rectangle of all parameters.
+    /// Patch over all parameters.
     pub(crate) fn whole(&self) -> Patch {
         let last = |list: &[f64]| u32::try_from(list.len() - 1).expect("at most 2^15 cells");
         let cells = Cells {
             u: (0, last(&self.u)),
             v: (0, last(&self.v)),
         };
-        self.patch(cells, MOST_HALVINGS)
+        self.patch(cells, MAX_HALVINGS)
     }
 }
 
-/// The ends of a range and of its halves, of their halves, and so on to as many parts: a power of two.
+/// Ends of `parts` equal parts of a range, by repeated halving; `parts` is a power of two.
 fn halved(low: f64, high: f64, parts: usize) -> Vec<f64> {
     let mut ends = vec![low; parts + 1];
     ends[parts] = high;
@@ -116,7 +115,7 @@ fn halved(low: f64, high: f64, parts: usize) -> Vec<f64> {
 }
 
 impl Patch {
-    /// Its halves along its longer side, the lower one first.
+    /// Splits along the longer side, the lower half first.
     pub(crate) fn halves(&self, grid: &Grid, point: impl Fn(DVec2) -> DVec3) -> [Patch; 2] {
         let &Patch {
             low, high, corners, ..
@@ -171,20 +170,20 @@ mod tests {
         let point = |at: DVec2| DVec3::new(at.x.sin(), at.y.cos(), at.x * at.y);
         let (low, high) = (DVec2::new(-1.0, 0.3), DVec2::new(2.0, 7.1));
         let grid = Grid::new(low, high, 1e-3, point);
-        let mut known = grid.whole();
-        let mut unknown = Patch {
+        let mut with_grid = grid.whole();
+        let mut without_grid = Patch {
             cells: None,
-            ..known
+            ..with_grid
         };
         for round in 0..24 {
-            let [a, b] = known.halves(&grid, point);
-            let [c, d] = unknown.halves(&grid, point);
+            let [a, b] = with_grid.halves(&grid, point);
+            let [c, d] = without_grid.halves(&grid, point);
             for (a, b) in [(a, c), (b, d)] {
                 assert_eq!((a.low, a.high, a.corners), (b.low, b.high, b.corners));
                 assert_eq!(a.left, b.left);
-                assert_eq!(a.cells.is_some(), round < HALVINGS_KNOWN);
+                assert_eq!(a.cells.is_some(), round < PRECOMPUTED_HALVINGS);
             }
-            (known, unknown) = if round % 3 == 0 { (a, c) } else { (b, d) };
+            (with_grid, without_grid) = if round % 3 == 0 { (a, c) } else { (b, d) };
         }
     }
 

@@ -1,7 +1,8 @@
 //! `polygon { number of points, <point>, ... }`: a flat patch inside one or more closed outlines.
 //!
-//! Each outline ends where it comes back to its first point; what all of them wind around an odd number of times is
-//! there. Error bound: 2 roundings of the problem's size from the plane (`shape/roundings.rs`). Points that do not lie in one plane make nothing, as in POV-Ray. It has no inside.
+//! Each outline ends where it returns to its first point; a point is inside if the outlines wind around it an odd
+//! number of times. Points that do not lie in one plane make nothing, as in POV-Ray. It has no inside. Error bound: 2
+//! roundings of the problem's size from the plane (`shape/roundings.rs`).
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{power_of_two, unit};
@@ -12,7 +13,7 @@ use crate::scene::shape::{Crossing, Geometry, Root, Start, first_visible, read};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// Points farther from a common plane, in units of the polygon's size, make no polygon.
+/// Points farther from a common plane than this, in units of the polygon's size, make no polygon.
 const FLAT: f64 = 1e-10;
 
 /// A flat patch. It is one piece, face 0.
@@ -23,17 +24,17 @@ pub struct Polygon(Arc<Patch>);
 struct Patch {
     /// A point of the plane.
     centre: DVec3,
-    /// A unit vector; zero for what cannot be seen.
+    /// Unit normal; zero for a polygon that cannot be seen.
     normal: DVec3,
-    /// The axis along which the normal is longest: points are compared without it.
+    /// The dominant axis of the normal: points are compared in projection along it.
     axis: usize,
-    /// Edges, from the centre, without that axis.
+    /// Edges relative to the centre, projected along that axis.
     edges: Vec<[DVec2; 2]>,
     bounds: Bounds,
 }
 
 impl Polygon {
-    /// Reads how many points there are, and the points.
+    /// Reads the number of points and the points.
     ///
     /// # Errors
     /// Malformed or non-finite parameters, fewer than three points.
@@ -68,11 +69,11 @@ impl Polygon {
         Ok(Polygon(Arc::new(patch)))
     }
 
-    fn meet(&self, ray: &Ray) -> Option<Root> {
+    fn intersect(&self, ray: &Ray) -> Option<Root> {
         let patch = &*self.0;
         let origin = ray.origin - patch.centre;
         let t = -patch.normal.dot(origin) / patch.normal.dot(ray.dir);
-        if !t.is_finite() || !patch.holds(without(origin + t * ray.dir, patch.axis)) {
+        if !t.is_finite() || !patch.contains_projected(project(origin + t * ray.dir, patch.axis)) {
             return None;
         }
         Some(Root {
@@ -84,7 +85,7 @@ impl Polygon {
     }
 }
 
-/// The edges of all outlines, and whether the last one came back to its first point.
+/// Edges of all outlines, and true if the last one returns to its first point.
 fn edges(points: &[DVec3]) -> (Vec<[DVec3; 2]>, bool) {
     let is_same = |a: DVec3, b: DVec3| {
         let [a, b, c, d] = [a.truncate(), b.truncate(), DVec2::X * a.z, DVec2::X * b.z];
@@ -124,7 +125,7 @@ impl Patch {
         let slack = 8.0 * f64::EPSILON * whole.min.abs().max(whole.max.abs()).max_element();
         let edges = edges
             .iter()
-            .map(|edge| edge.map(|point| without(point - centre, axis)))
+            .map(|edge| edge.map(|point| project(point - centre, axis)))
             .collect();
         Patch {
             centre,
@@ -139,8 +140,8 @@ impl Patch {
         }
     }
 
-    /// Whether a point of the plane lies within the outlines.
-    fn holds(&self, point: DVec2) -> bool {
+    /// True if a point of the plane lies within the outlines.
+    fn contains_projected(&self, point: DVec2) -> bool {
         let mut is_within = false;
         for [a, b] in &self.edges {
             if (a.y < point.y) != (b.y < point.y) {
@@ -153,26 +154,28 @@ impl Patch {
     }
 }
 
-/// The unit normal of the plane of all points, zero if there is none.
+/// Unit normal of the plane of all points, zero if there is none.
 fn plane_normal(points: &[DVec3], centre: DVec3, size: f64) -> DVec3 {
-    let ways: Vec<DVec3> = points
+    let offsets: Vec<DVec3> = points
         .iter()
         .map(|point| (*point - centre) / size)
         .collect();
     let longest = |a: &DVec3, b: &DVec3| a.length_squared().total_cmp(&b.length_squared());
-    let Some(way) = ways.iter().copied().max_by(longest) else {
+    let Some(offset) = offsets.iter().copied().max_by(longest) else {
         return DVec3::ZERO;
     };
-    let crosses = ways.iter().map(|other| way.cross(*other));
+    let crosses = offsets.iter().map(|other| offset.cross(*other));
     let Some(normal) = crosses.max_by(longest).and_then(unit) else {
         return DVec3::ZERO;
     };
-    let is_flat = ways.iter().all(|way| normal.dot(*way).abs() <= FLAT);
+    let is_flat = offsets
+        .iter()
+        .all(|offset| normal.dot(*offset).abs() <= FLAT);
     if is_flat { normal } else { DVec3::ZERO }
 }
 
-/// The other two coordinates.
-fn without(v: DVec3, axis: usize) -> DVec2 {
+/// Projects a vector along an axis.
+fn project(v: DVec3, axis: usize) -> DVec2 {
     match axis {
         0 => DVec2::new(v.y, v.z),
         1 => DVec2::new(v.x, v.z),
@@ -182,12 +185,12 @@ fn without(v: DVec3, axis: usize) -> DVec2 {
 
 impl Geometry for Polygon {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend(self.meet(ray));
+        roots.extend(self.intersect(ray));
         Start::Outside
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        first_visible(self.meet(ray).as_slice(), from, to)
+        first_visible(self.intersect(ray).as_slice(), from, to)
     }
 
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {
@@ -239,8 +242,8 @@ mod tests {
         let (tilted, _) = polygon("4, <0,0,0>, <1,0,2>, <1,1,3>, <0,0,0>");
         check::patch(&tilted);
         let through = |x: f64| Ray::new(DVec3::new(x, 0.0, -4.0), DVec3::Z);
-        assert!(with_hole.meet(&through(0.5)).is_none());
-        assert_eq!(with_hole.meet(&through(1.5)).unwrap().t, 5.0);
+        assert!(with_hole.intersect(&through(0.5)).is_none());
+        assert_eq!(with_hole.intersect(&through(1.5)).unwrap().t, 5.0);
     }
 
     #[test]
@@ -259,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_flat_is_nothing() {
+    fn a_polygon_that_is_not_flat_is_empty() {
         for text in [
             "5, <-1,-1,0>, <1,-1,0>, <1,1,0.2>, <-1,1,0>, <-1,-1,0>",
             "4, <-1,-1,0>, <1,-1,0>, <2,-1,0>, <-1,-1,0>",
@@ -268,7 +271,7 @@ mod tests {
             let (nothing, _) = polygon(text);
             assert!(nothing.bounds().is_empty());
             let ray = Ray::new(DVec3::new(0.1, 0.1, -4.0), DVec3::Z);
-            assert!(nothing.meet(&ray).is_none());
+            assert!(nothing.intersect(&ray).is_none());
         }
         let error = Polygon::read(&mut TextArgs::new("2, <0,0,0>, <1,0,0>")).unwrap_err();
         assert_eq!(error.message, "polygon needs at least three points");
@@ -281,7 +284,7 @@ mod tests {
         for i in 1..1000 {
             let share = f64::from(i) / 1000.0;
             let ray = Ray::new(DVec3::new(0.7 * share, 1.3 * share, -1.0), DVec3::Z);
-            let hits = [&left, &right].map(|p| u8::from(p.meet(&ray).is_some()));
+            let hits = [&left, &right].map(|p| u8::from(p.intersect(&ray).is_some()));
             assert_eq!(hits[0] + hits[1], 1);
         }
     }

@@ -1,10 +1,10 @@
-//! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle shaded as if it
-//! were round. It is met where the flat one is, with the error bound of that.
+//! `smooth_triangle { <corner>, <normal>, <corner>, <normal>, <corner>, <normal> }`: a flat triangle with interpolated
+//! shading normals. Roots and error bound are those of the flat triangle.
 //!
-//! The shading normal is the barycentric mean of the normals at the corners, each made a unit vector first. `scale` leaves
-//! unit vectors behind; `matrix` and `transform` leave them as long as the inverse transpose makes them, and so change
-//! their shares in the mean (measured with `trace`). A step after which the normals do not all lie on one side leaves
-//! nothing of the triangle, as in POV-Ray: `scale` can do so, for it turns them another way than the face.
+//! The shading normal is the barycentric mean of the corner normals, each normalised first. `scale` keeps them unit
+//! vectors; `matrix` and `transform` leave them as long as the inverse transpose makes them, and so change their
+//! weights in the mean (measured with `trace`). A transform after which the normals do not all lie on one side makes
+//! the triangle empty, as in POV-Ray: `scale` can do so, because it turns normals differently than the face.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{power_of_two, unit};
@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3};
 pub struct SmoothTriangle {
     /// The triangle.
     pub flat: Triangle,
-    /// The normals at its corners: unit vectors, until a `matrix` moves them.
+    /// The corner normals: unit vectors, until a `matrix` transforms them.
     pub normals: Box<[DVec3; 3]>,
 }
 
@@ -66,7 +66,7 @@ fn are_on_one_side(face: DVec3, normals: &[DVec3; 3]) -> bool {
     sides.iter().all(|side| *side > 0.0) || sides.iter().all(|side| *side < 0.0)
 }
 
-/// The weights of the corners at a point of the triangle, from areas seen along the longest axis of its normal.
+/// Barycentric coordinates of a point of the triangle, from areas projected along the dominant axis of its normal.
 pub(crate) fn weights(corners: &[DVec3; 3], normal: DVec3, point: DVec3) -> [f64; 3] {
     let steep = normal.abs();
     let flatten = |v: DVec3| {
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn normals_not_on_one_side_are_warned_of() {
-        // POV-Ray 3.7 leaves out a triangle with a normal in its plane, too.
+        // POV-Ray 3.7 also drops a triangle with a normal in its plane.
         for third in ["<0,1,1>", "<0,1,0>"] {
             let text = format!("<-1,-1,0>, <-1,0,-2>, <1,-1,0>, <1,0,-2>, <0,1,0>, {third}");
             let mut args = TextArgs::new(&text);
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scale_that_brings_a_normal_to_the_other_side_leaves_nothing() {
+    fn a_scale_that_moves_a_normal_to_the_other_side_empties_the_triangle() {
         // Measured with POV-Ray 3.7.
         let text =
             "<-1,-0.5,0>, <-0.3,0.5,-1>, <1,-0.3,0.3>, <0.3,0.5,-1>, <0.1,0.9,-0.2>, <0,1,-0.5>";
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_changes_the_shares_of_the_normals_and_a_scale_does_not() {
+    fn a_matrix_changes_the_weights_of_the_normals_and_a_scale_does_not() {
         use crate::base::math::Transform;
         use std::sync::Arc;
         // With `trace` in POV-Ray: `scale <1, 2, 1>`, and the same as a `matrix`.

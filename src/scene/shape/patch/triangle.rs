@@ -1,8 +1,8 @@
-//! `triangle { <corner>, <corner>, <corner> }`: a patch without a volume, edges included, the same from both sides.
+//! `triangle { <corner>, <corner>, <corner> }`: a patch without volume, edges included, two-sided.
 //!
 //! Neighbours that share an edge leave no gap (see [`RayFrame`]). Error bound: roots lie within 2 roundings of the
-//! problem's size from the plane of the corners (`shape/roundings.rs`). Every transform moves the corners themselves, so
-//! triangles that share corners in a scene still share them to the bit in the world.
+//! problem's size from the plane of the corners (`shape/roundings.rs`). Every transform moves the corners themselves,
+//! so triangles that share corners in a scene still share them bit for bit in the world.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
@@ -44,16 +44,16 @@ impl Triangle {
         Ok(triangle.collapsed())
     }
 
-    /// Whether the corners lie on one line, as far as their digits tell.
+    /// True if the corners are collinear to within rounding.
     pub(crate) fn is_flat_line(&self) -> bool {
         let [a, b, c] = self.corners;
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
         let (ab, ac) = ((b - a) / size, (c - a) / size);
-        // The cross product of parallel edges is nothing but the rounding of its terms.
+        // The cross product of parallel edges is only the rounding error of its terms.
         ab.cross(ac).length() <= 4.0 * f64::EPSILON * ab.length() * ac.length()
     }
 
-    /// The triangle that is never hit.
+    /// A triangle that is never hit.
     pub(crate) fn collapsed(&self) -> Self {
         Triangle {
             corners: [self.corners[0]; 3],
@@ -87,7 +87,7 @@ impl Geometry for Triangle {
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {
         let [a, b, c] = self.corners;
         let size = power_of_two((b - a).abs().max((c - a).abs()).max_element());
-        // This way round `interior_texture` shows on the side where POV-Ray shows it.
+        // With this winding `interior_texture` shows on the side where POV-Ray shows it.
         ((c - a) / size).cross((b - a) / size)
     }
 

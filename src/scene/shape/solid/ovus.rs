@@ -1,9 +1,9 @@
-//! `ovus { bottom radius, top radius }`: an egg, of a ball about the origin, a ball about `<0, bottom radius, 0>`, and
-//! between them the arc of a larger circle that touches both, turned about the y axis.
+//! `ovus { bottom radius, top radius }`: an egg, made of a sphere about the origin, a sphere about
+//! `<0, bottom radius, 0>`, and between them the arc of a larger circle tangent to both, turned about the y axis.
 //!
-//! The egg is convex, and outside of it the distance from it is a convex function of the way along a ray: Newton's
-//! iteration from where the ray enters a ball around the egg finds the near root or turns away, and the far one from
-//! the other end. Which of the three pieces is nearest is told by the directions from the middle of the arc.
+//! The egg is convex, and outside of it the distance to it is a convex function of `t` along a ray: Newton's iteration
+//! from where the ray enters a bounding sphere finds the near root or turns away, and the far one from the other end.
+//! The directions from the centre of the arc tell which of the three pieces is nearest.
 //!
 //! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 
@@ -17,7 +17,7 @@ use crate::scene::shape::{Geometry, Root, Start, first_visible, push_span, read,
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// The ball around the egg is this much larger than need be, so that rays enter it outside the egg.
+/// The bounding sphere is enlarged by this factor, so that rays enter it outside the egg.
 const CLIP: f64 = 1.001;
 
 /// An egg. It is one piece, face 0.
@@ -25,27 +25,27 @@ const CLIP: f64 = 1.001;
 pub struct Ovus {
     bottom: f64,
     top: f64,
-    /// The middle of the arc, beyond the axis, in the half-plane of distance from the axis and height.
-    middle: DVec2,
-    /// The radius of the arc.
-    bow: f64,
+    /// Centre of the arc, beyond the axis, in the half-plane of distance from the axis and height.
+    arc_centre: DVec2,
+    /// Radius of the arc.
+    arc_radius: f64,
 }
 
 impl Ovus {
-    /// An egg of two positive radii. With a top at least twice as wide as the bottom it is the ball of the top.
+    /// An egg with two positive radii. If the top is at least twice as wide as the bottom, it is the sphere of the top.
     #[must_use]
     pub fn new(bottom: f64, top: f64) -> Self {
         if top >= 2.0 * bottom {
-            // All of the arc and the bottom lie within the ball.
+            // The arc and the bottom lie within the sphere.
             return Ovus {
                 bottom: 0.0,
                 top,
-                middle: DVec2::new(0.0, bottom),
-                bow: top,
+                arc_centre: DVec2::new(0.0, bottom),
+                arc_radius: top,
             };
         }
         // In units of the larger radius.
-        let (height, width, bow) = if bottom > top {
+        let (height, width, arc_radius) = if bottom > top {
             let share = top / bottom;
             let height = 2.0 * share - 1.0 - 0.5 * share * share;
             let width = ((1.0 - height) * (1.0 + height)).max(0.0).sqrt();
@@ -59,8 +59,8 @@ impl Ovus {
         Ovus {
             bottom,
             top,
-            middle: DVec2::new(-width, height),
-            bow,
+            arc_centre: DVec2::new(-width, height),
+            arc_radius,
         }
     }
 
@@ -87,60 +87,63 @@ impl Ovus {
         Ok(ovus)
     }
 
-    /// The height of the middle of the top.
+    /// Height of the centre of the top.
     fn top_height(&self) -> f64 {
         if self.bottom == 0.0 {
-            self.middle.y
+            self.arc_centre.y
         } else {
             self.bottom
         }
     }
 
-    fn is_ball(&self) -> bool {
+    fn is_sphere(&self) -> bool {
         self.bottom == 0.0
     }
 
-    /// The middle and the radius of the circle whose piece is nearest to a point of the half-plane.
-    fn circle(&self, place: DVec2) -> (DVec2, f64) {
+    /// Centre and radius of the circle whose piece is nearest to a point of the half-plane.
+    fn circle(&self, point: DVec2) -> (DVec2, f64) {
         let top = DVec2::new(0.0, self.top_height());
-        if self.is_ball() {
+        if self.is_sphere() {
             return (top, self.top);
         }
-        let way = place - self.middle;
-        if (-self.middle).perp_dot(way) < 0.0 {
+        let offset = point - self.arc_centre;
+        if (-self.arc_centre).perp_dot(offset) < 0.0 {
             (DVec2::ZERO, self.bottom)
-        } else if (top - self.middle).perp_dot(way) > 0.0 {
+        } else if (top - self.arc_centre).perp_dot(offset) > 0.0 {
             (top, self.top)
         } else {
-            (self.middle, self.bow)
+            (self.arc_centre, self.arc_radius)
         }
     }
 
-    /// The distance from the surface and the unit normal there; right outside.
+    /// Distance from the surface and the unit normal; exact outside the egg.
     fn distance(&self, point: DVec3) -> (f64, DVec3) {
         let from_axis = point.x.hypot(point.z);
-        let place = DVec2::new(from_axis, point.y);
-        let (middle, radius) = self.circle(place);
-        let way = place - middle;
-        let length = way.length();
+        let flat = DVec2::new(from_axis, point.y);
+        let (middle, radius) = self.circle(flat);
+        let offset = flat - middle;
+        let length = offset.length();
         let outward = if from_axis > 0.0 {
-            way.x / from_axis
+            offset.x / from_axis
         } else {
             0.0
         };
-        let normal = DVec3::new(point.x * outward, way.y, point.z * outward) / length;
+        let normal = DVec3::new(point.x * outward, offset.y, point.z * outward) / length;
         (length - radius, normal)
     }
 
-    /// The lowest and highest point, and the largest distance from the axis.
+    /// Lowest and highest point, and the largest distance from the axis.
     fn extent(&self) -> (f64, f64, f64) {
         let top = self.top_height();
-        if self.is_ball() {
+        if self.is_sphere() {
             return (top - self.top, top + self.top, self.top);
         }
-        let is_widest_on_arc = self.circle(DVec2::new(self.bow, self.middle.y)).1 == self.bow;
+        let is_widest_on_arc = self
+            .circle(DVec2::new(self.arc_radius, self.arc_centre.y))
+            .1
+            == self.arc_radius;
         let width = if is_widest_on_arc {
-            self.bow + self.middle.x
+            self.arc_radius + self.arc_centre.x
         } else {
             self.bottom.max(self.top)
         };
@@ -156,21 +159,23 @@ impl Ovus {
             let (enter, leave) = self.chord(&about, centre, size)?;
             return span((enter, 0), (leave, 0));
         }
-        let eased = RescaledRay::new(&about, size)?;
+        let rescaled = RescaledRay::new(&about, size)?;
         let small = Ovus {
-            bottom: self.bottom / eased.size,
-            top: self.top / eased.size,
-            middle: self.middle / eased.size,
-            bow: self.bow / eased.size,
+            bottom: self.bottom / rescaled.size,
+            top: self.top / rescaled.size,
+            arc_centre: self.arc_centre / rescaled.size,
+            arc_radius: self.arc_radius / rescaled.size,
         };
-        let (enter, leave) = small.chord(&eased.ray, centre / eased.size, size / eased.size)?;
-        span((eased.t(enter), 0), (eased.t(leave), 0))
+        let (enter, leave) =
+            small.chord(&rescaled.ray, centre / rescaled.size, size / rescaled.size)?;
+        span((rescaled.t(enter), 0), (rescaled.t(leave), 0))
     }
 
-    /// Where a ray about the centre of a ball around the egg is in the egg.
+    /// Interval of a ray inside the egg; `about` is the ray relative to the centre of a bounding sphere of radius
+    /// `size`.
     fn chord(&self, about: &Ray, centre: DVec3, size: f64) -> Option<(f64, f64)> {
         let (from, to) = ball_chord(about.origin, about.dir, CLIP * size)?;
-        // From the middle of that chord, so that its length loses no digits to a far origin.
+        // Relative to the middle of that chord, so that its length loses no digits to a far origin.
         let middle = 0.5 * (from + to);
         let near = Ray::new(about.at(middle) + centre, about.dir);
         let half = 0.5 * (to - from);
@@ -242,17 +247,17 @@ mod tests {
     }
 
     #[test]
-    fn the_pieces_meet() {
+    fn the_pieces_are_tangent() {
         for (bottom, top) in [(1.0, 0.5), (0.7, 1.0), (1.0, 1.0)] {
             let egg = Ovus::new(bottom, top);
-            assert!((egg.bow - bottom - egg.middle.length()).abs() < 1e-14);
-            let to_top = DVec2::new(0.0, bottom) - egg.middle;
-            assert!((egg.bow - top - to_top.length()).abs() < 1e-14);
+            assert!((egg.arc_radius - bottom - egg.arc_centre.length()).abs() < 1e-14);
+            let to_top = DVec2::new(0.0, bottom) - egg.arc_centre;
+            assert!((egg.arc_radius - top - to_top.length()).abs() < 1e-14);
         }
     }
 
     #[test]
-    fn the_ends_are_those_of_the_balls() {
+    fn the_ends_are_those_of_the_spheres() {
         let ray = Ray::new(DVec3::new(0.0, 9.0, 0.0), DVec3::NEG_Y);
         let [enter, leave] = Ovus::new(1.0, 0.5).span(&ray).unwrap();
         assert!((enter.t - 7.5).abs() < 2e-15 && (leave.t - 10.0).abs() < 2e-15);
@@ -261,11 +266,11 @@ mod tests {
     #[test]
     fn a_wide_top_is_a_sphere_and_negative_radii_are_errors() {
         let mut args = TextArgs::new("0.5, 1.2");
-        let ball = Ovus::read(&mut args).unwrap();
+        let sphere = Ovus::read(&mut args).unwrap();
         assert_eq!(args.warnings().len(), 1);
-        check::solid(&ball);
+        check::solid(&sphere);
         let ray = Ray::new(DVec3::new(-5.0, 0.5, 0.0), DVec3::X);
-        assert!((ball.span(&ray).unwrap()[0].t - 3.8).abs() < 2e-15);
+        assert!((sphere.span(&ray).unwrap()[0].t - 3.8).abs() < 2e-15);
         let error = Ovus::read(&mut TextArgs::new("-0.5, 1")).unwrap_err();
         assert_eq!(error.message, "both ovus radii must be positive");
         assert!(Ovus::new(0.0, 0.0).bounds().is_empty());

@@ -1,7 +1,7 @@
 //! `plane { <normal>, distance }`: a half-space, solid behind the normal.
 //!
-//! The normal is made a unit vector, as POV-Ray does, so `distance` is in scene units along it. Error bound: 2 roundings of
-//! the problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
+//! The normal is normalised, as in POV-Ray, so `distance` is in scene units along it. Error bound: 2 roundings of the
+//! problem's size (`shape/roundings.rs`), from the normal, the difference and the quotient.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{power_of_two, unit};
@@ -38,7 +38,7 @@ impl Plane {
         Ok(Plane { normal, distance })
     }
 
-    /// The crossing of the whole line and the side it comes from. A crossing too far for a number is none.
+    /// The crossing of the whole line and the side it starts on. A crossing too far for a finite number is dropped.
     #[inline]
     pub(crate) fn cross(&self, ray: &Ray) -> (Start, Option<Root>) {
         let slope = self.normal.dot(ray.dir);
@@ -66,9 +66,9 @@ impl Plane {
         (start, Some(root))
     }
 
-    /// Where four lines are inside. Those along the plane are unknown.
+    /// Inside intervals of a ray packet. Lanes parallel to the plane are unknown.
     #[inline(always)]
-    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+    pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let normal = splat(self.normal);
         let slope = dot(normal, rays.dir);
         let height = F::splat(self.distance) - dot(normal, rays.origin);
@@ -83,15 +83,15 @@ impl Plane {
         }
     }
 
-    /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
+    /// Packet version of [`Geometry::is_exiting`].
     #[inline(always)]
-    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
+    pub(crate) fn is_exiting_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         F::splat(0.0).lt(dot(splat(self.normal), rays.dir))
     }
 
-    /// The crossings of four lines.
+    /// Crossings of a ray packet.
     #[inline(always)]
-    pub(crate) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
+    pub(crate) fn root_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
         let normal = splat(self.normal);
         let slope = dot(normal, rays.dir);
         let height = F::splat(self.distance) - dot(normal, rays.origin);
@@ -100,12 +100,12 @@ impl Plane {
         let is_finite = t.abs().lt(F::splat(f64::INFINITY));
         let mut roots = RootPacket::none(0);
         (roots.t[0], roots.t[1]) = (t, t);
-        roots.met[0] = F::bitmask(slope.lt(nothing) & is_finite);
-        roots.met[1] = F::bitmask(nothing.lt(slope) & is_finite);
+        roots.hit_masks[0] = F::bitmask(slope.lt(nothing) & is_finite);
+        roots.hit_masks[1] = F::bitmask(nothing.lt(slope) & is_finite);
         roots
     }
 
-    /// The plane with the normal replaced by one of any length, and `distance` in units of that length.
+    /// Replaces the normal by one of any length, with `distance` in units of that length.
     fn set(&mut self, normal: DVec3, distance: f64) -> bool {
         let length = normal.length();
         if length.is_normal() {
@@ -113,7 +113,7 @@ impl Plane {
             self.distance = distance / length;
             return true;
         }
-        // A square that cannot be held says nothing about a length.
+        // If the square overflows or underflows, rescale before taking the length.
         let size = power_of_two(normal.abs().max_element());
         let Some(direction) = unit(normal) else {
             return false;
@@ -135,9 +135,9 @@ impl Geometry for Plane {
         first_visible(self.cross(ray).1.as_slice(), from, to)
     }
 
-    /// A line that goes out of a half-space never enters it.
+    /// A line that leaves a half-space never enters it.
     fn is_exiting(&self, ray: &Ray) -> bool {
-        self.four_left_behind(&RayPacket::<f64>::of(ray))
+        self.is_exiting_packet(&RayPacket::<f64>::of(ray))
     }
 
     fn normal(&self, _: DVec3, _: u32) -> DVec3 {

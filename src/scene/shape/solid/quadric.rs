@@ -1,15 +1,15 @@
-//! `quadric { <A, B, C>, <D, E, F>, <G, H, I>, J }`: where `A·x² + B·y² + C·z² + D·xy + E·xz + F·yz + G·x + H·y + I·z + J`
-//! is zero; solid where it is not positive.
+//! `quadric { <A, B, C>, <D, E, F>, <G, H, I>, J }`: the zero set of
+//! `A·x² + B·y² + C·z² + D·xy + E·xz + F·yz + G·x + H·y + I·z + J`; solid where the value is not positive.
 //!
 //! Transforms stay in the matrix of the object and are never multiplied into the coefficients, which would cost twice
-//! the digits of a translation. A ray is first moved to where it comes closest to the middle of the quadric; there its
-//! quadratic has coefficients of the quadric's own size, and the discriminant is taken to the last digit (Kahan 2004,
-//! "On the cost of floating-point computation without extra-precise arithmetic"). Each root is then refined on the quadric
-//! in space, which a flat one needs: seen from its side, 10⁶ times as wide as high, it lost five digits.
+//! the digits of a translation. A ray is first moved to where it comes closest to the centre of the quadric; there its
+//! quadratic has coefficients of the quadric's own size, and the discriminant is computed to the last digit (Kahan
+//! 2004, "On the cost of floating-point computation without extra-precise arithmetic"). Each root is then refined on
+//! the quadric in space, which flat quadrics need: seen from the side, one 10⁶ times as wide as high lost five digits.
 //!
-//! Error bound: the value of the quadric at a root is within 8 roundings of the terms that meet there (the coordinates of
-//! the ray times the slopes, and the terms of the quadric), and no pair of roots deeper than 64 such roundings is lost:
-//! 22 families of rays in `tests/stability`, from 4 to 10⁸ times the size.
+//! Error bound: the value of the quadric at a root is within 8 roundings of its terms (the coordinates of the ray times
+//! the slopes, and the terms of the quadric), and no pair of roots deeper than 64 such roundings is lost: 22 families
+//! of rays in `tests/stability`, from 4 to 10⁸ times the size.
 
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::power_of_two;
@@ -17,21 +17,21 @@ use crate::base::math::{Bounds, Ray, Step};
 use crate::scene::shape::{Geometry, Root, Start, alternate_into, read};
 use glam::{DMat3, DVec3};
 
-/// An ellipsoid that is longer than wide by more than this has no bounds: they would have no digits left.
-const LONGEST: f64 = 1e5;
+/// An ellipsoid with a larger ratio of diagonal entries than this has no bounds: they would have no digits left.
+const MAX_RATIO: f64 = 1e5;
 
-/// Squares of directions that need no scaling, which would change no digits.
-pub(crate) const EVEN_SQUARES: std::ops::Range<f64> =
+/// Squared lengths of directions that need no rescaling, which would change no digits.
+pub(crate) const UNSCALED_SQUARES: std::ops::Range<f64> =
     f64::from_bits((1023 - 60) << 52)..f64::from_bits((1023 + 60) << 52);
 
-/// Roots are close to each other if the discriminant is less than this share of the square it comes from.
+/// Roots count as close to each other if the discriminant is less than this share of the square it comes from.
 pub(crate) const CLOSE: f64 = 1.0 / 1024.0;
 
-/// A root needs no better place where the value is within so many roundings of its terms: no more than it is known to.
+/// Refinement stops where the value is within this many roundings of its terms: it is not known any better.
 pub(crate) const NEAR_ENOUGH: f64 = 2.0;
 
-/// Least depth of roots close to each other, in roundings of the terms of the value. A plane counted twice has no depth:
-/// its discriminant is zero but for roundings, which differ with the start of the ray.
+/// Least depth of a close pair of roots, in roundings of the terms of the value. A double plane has no depth: its
+/// discriminant is zero but for roundings, which differ with the start of the ray.
 const SHALLOW: f64 = 8.0;
 
 /// A surface of second order. It is one smooth piece, face 0.
@@ -39,15 +39,15 @@ const SHALLOW: f64 = 8.0;
 pub struct Quadric {
     /// Half of the matrix of second derivatives.
     pub(crate) matrix: Box<DMat3>,
-    /// The factors of x, y and z.
+    /// Coefficients of x, y and z.
     pub(crate) linear: DVec3,
     pub(crate) constant: f64,
-    /// Where the gradient is zero, if there is such a place; rays are moved near to it.
-    pub(crate) middle: DVec3,
+    /// Centre, where the gradient is zero, if it exists; rays are moved near to it.
+    pub(crate) centre: DVec3,
 }
 
 impl Quadric {
-    /// The quadric with the factors of `x², y², z²`, of `xy, xz, yz`, of `x, y, z`, and the constant.
+    /// The quadric with the coefficients of `x², y², z²`, of `xy, xz, yz`, of `x, y, z`, and the constant.
     #[must_use]
     pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
         let DVec3 { x: d, y: e, z: f } = 0.5 * mixed;
@@ -56,13 +56,13 @@ impl Quadric {
             DVec3::new(d, squares.y, f),
             DVec3::new(e, f, squares.z),
         );
-        let middle = matrix.inverse() * (-0.5 * linear);
+        let centre = matrix.inverse() * (-0.5 * linear);
         Quadric {
             matrix: Box::new(matrix),
             linear,
             constant,
-            middle: if middle.is_finite() {
-                middle
+            centre: if centre.is_finite() {
+                centre
             } else {
                 DVec3::ZERO
             },
@@ -81,8 +81,7 @@ impl Quadric {
         Ok(Quadric::new(squares, mixed, linear, constant))
     }
 
-    /// The part of a box in which something lies inside, or outside where `is_inverse`, as far as that can be told axis by
-    /// axis.
+    /// The part of a box that may lie inside, or outside where `is_inverse`, as far as it can be bounded axis by axis.
     #[must_use]
     pub(crate) fn limited(&self, around: &Bounds, is_inverse: bool) -> Bounds {
         let sign = if is_inverse { -1.0 } else { 1.0 };
@@ -107,9 +106,9 @@ impl Quadric {
         limited
     }
 
-    /// The part of a box in which POV-Ray looks for the surface (measured): ellipsoids, elliptic cylinders and cones have
-    /// their own limits; hyperboloids of one sheet, those that they had if their waist were 1 wide; a paraboloid, those of its
-    /// image with the other sign of the constant. Of others it knows no more than the box.
+    /// The part of a box in which POV-Ray searches for the surface (measured): ellipsoids, elliptic cylinders and cones
+    /// have their own limits; hyperboloids of one sheet have those of the hyperboloid with a waist 1 wide; a paraboloid
+    /// has those of its image with the opposite sign of the constant. Other quadrics have no limits but the box.
     #[must_use]
     pub(crate) fn known_limits(&self, around: &Bounds) -> Bounds {
         let squares = DVec3::from_array([0, 1, 2].map(|axis| self.matrix.col(axis)[axis]));
@@ -159,7 +158,7 @@ impl Quadric {
         )
     }
 
-    /// Sum of the sizes of the terms of the value at a point.
+    /// Sum of the magnitudes of the terms of the value at a point.
     fn size_of_terms(&self, p: DVec3) -> f64 {
         let p = p.abs();
         p.dot(self.matrix.abs() * p) + p.dot(self.linear.abs()) + self.constant.abs()
@@ -167,14 +166,14 @@ impl Quadric {
 
     #[inline]
     fn crossings(&self, ray: &Ray, put: impl FnMut(Root)) -> Start {
-        // Powers of two change no digits: they are only there against numbers that are too large or too small.
-        let dir_size = if EVEN_SQUARES.contains(&ray.dir.dot(ray.dir)) {
+        // Scaling by powers of two changes no digits: it only prevents overflow and underflow.
+        let dir_size = if UNSCALED_SQUARES.contains(&ray.dir.dot(ray.dir)) {
             1.0
         } else {
             power_of_two(ray.dir.abs().max_element())
         };
         let dir = ray.dir * (1.0 / dir_size);
-        let ahead = (self.middle - ray.origin).dot(dir) / dir.dot(dir);
+        let ahead = (self.centre - ray.origin).dot(dir) / dir.dot(dir);
         let near = ray.origin + ahead * dir;
         let (ahead, near) = if near.is_finite() {
             (ahead, near)
@@ -191,36 +190,36 @@ impl Quadric {
         let is_close = (b * b - a * c).abs() < CLOSE * b * b;
         let mut least = 0.0;
         if is_close && turn.is_finite() {
-            // Whether there are roots at all is seen best between them.
+            // Between the roots the discriminant is most accurate.
             ahead = turn;
             let between = ray.origin + ahead * dir;
             (b, c) = along(between);
             least = SHALLOW * f64::EPSILON * self.size_of_terms(between) * a.abs();
         }
-        let (start, mut places, count) = sign_changes((a, b, c), least);
+        let (start, mut params, count) = sign_changes(a, b, c, least);
         if count > 0 {
-            places = places.map(|t| t + ahead);
-            let refined = self.refined(&Ray::new(ray.origin, dir), places);
+            params = params.map(|t| t + ahead);
+            let refined = self.refined(&Ray::new(ray.origin, dir), params);
             if count < 2 || refined[0] <= refined[1] {
-                places = refined;
+                params = refined;
             }
         }
         alternate_into(
             start,
-            places.iter().take(count).map(|t| t * (1.0 / dir_size)),
+            params.iter().take(count).map(|t| t * (1.0 / dir_size)),
             put,
         )
     }
 }
 
-/// What one coordinate adds to the value: `square · t² + linear · t`.
+/// Contribution of one coordinate to the value: `square · t² + linear · t`.
 struct Part {
     square: f64,
     linear: f64,
 }
 
 impl Part {
-    /// The least value between two places, which may be endless.
+    /// Minimum over an interval, which may be infinite.
     fn least(&self, low: f64, high: f64) -> f64 {
         let at = |t: f64| {
             let times = |factor: f64| if factor == 0.0 { 0.0 } else { factor * t };
@@ -238,7 +237,7 @@ impl Part {
         }
     }
 
-    /// Between which places the value can be no larger than this.
+    /// Interval outside of which the value is above `most`.
     fn not_above(&self, most: f64) -> (f64, f64) {
         let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
         if most.is_nan() {
@@ -261,9 +260,9 @@ impl Part {
     }
 }
 
-/// The roots of `a·t² + 2b·t + c` in order, and whether it is negative far back. A place too far for a number is
-/// infinite. Double roots are those with a discriminant of up to `least`; they are left out.
-fn sign_changes((a, b, c): (f64, f64, f64), least: f64) -> (Start, [f64; 2], usize) {
+/// The roots of `a·t² + 2b·t + c` in order, their count, and the sign at negative infinity. A root too far for a finite
+/// number is infinite. Pairs with a discriminant of up to `least` count as double roots and are left out.
+fn sign_changes(a: f64, b: f64, c: f64, least: f64) -> (Start, [f64; 2], usize) {
     let is_inside = if a != 0.0 {
         a < 0.0
     } else if b != 0.0 {
@@ -288,11 +287,11 @@ fn sign_changes((a, b, c): (f64, f64, f64), least: f64) -> (Start, [f64; 2], usi
     }
 }
 
-/// `a·b − c·d` to within two roundings.
+/// Computes `a·b − c·d` to within two roundings.
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (left, right) = (a * b, c * d);
     if (left - right).abs() >= 0.5 * left.abs().max(right.abs()) {
-        // Little cancels.
+        // Little cancellation.
         return left - right;
     }
     let rest = a.mul_add(b, -left) - c.mul_add(d, -right);
@@ -316,7 +315,7 @@ impl Geometry for Quadric {
 
     fn normal(&self, point: DVec3, _: u32) -> DVec3 {
         let normal = self.half_gradient(point);
-        // Only where sheets meet, as in the apex of a cone.
+        // Zero only where sheets cross, as in the apex of a cone.
         if normal == DVec3::ZERO {
             DVec3::X
         } else {
@@ -328,7 +327,7 @@ impl Geometry for Quadric {
         self.value(point) <= 0.0
     }
 
-    /// Finite for ellipsoids.
+    /// Finite for ellipsoids only.
     fn bounds(&self) -> Bounds {
         let inverse = self.matrix.inverse();
         let [a, b, c] = inverse.to_cols_array_2d();
@@ -336,10 +335,11 @@ impl Geometry for Quadric {
         let minor = self.matrix.x_axis.x * self.matrix.y_axis.y - self.matrix.x_axis.y.powi(2);
         let determinant = self.matrix.determinant();
         let is_definite = minor > 0.0 && determinant * self.matrix.x_axis.x > 0.0;
-        let depth = -(self.constant + 0.5 * self.linear.dot(self.middle));
+        let depth = -(self.constant + 0.5 * self.linear.dot(self.centre));
         let reach_sq = depth * diagonal;
-        let is_even = diagonal.abs().max_element() < LONGEST * diagonal.abs().min_element();
-        if !(is_definite && is_even && reach_sq.is_finite()) {
+        let is_well_conditioned =
+            diagonal.abs().max_element() < MAX_RATIO * diagonal.abs().min_element();
+        if !(is_definite && is_well_conditioned && reach_sq.is_finite()) {
             return Bounds::EVERYTHING;
         }
         if reach_sq.min_element() < 0.0 {
@@ -349,10 +349,10 @@ impl Geometry for Quadric {
                 Bounds::EVERYTHING
             };
         }
-        // The inverse of so even a matrix has ten digits.
-        let slack = 1e-8 * (self.middle.abs().max_element() + reach_sq.max_element().sqrt());
+        // The inverse of a matrix as well conditioned as this has ten digits.
+        let slack = 1e-8 * (self.centre.abs().max_element() + reach_sq.max_element().sqrt());
         let reach = reach_sq.map(f64::sqrt) + slack;
-        Bounds::new(self.middle - reach, self.middle + reach)
+        Bounds::new(self.centre - reach, self.centre + reach)
     }
 
     fn solid_bounds(&self) -> Bounds {

@@ -1,8 +1,8 @@
 //! `sphere { <centre>, radius }`.
 //!
 //! The quadratic is solved about the point of closest approach ([`ball_chord`]): a sphere of radius 1 keeps its outline
-//! from 10⁸ away, and a floor of radius 10¹² is as flat as its numbers allow. A negative radius works like its absolute
-//! value, as in POV-Ray.
+//! from 10⁸ away, and a floor of radius 10¹² is as flat as double precision allows. A negative radius acts like its
+//! absolute value, as in POV-Ray.
 //!
 //! Error bound: roots lie within a rounding of the problem's size (`|O| + |t·D|`, by coordinates, and the radius) from the
 //! surface: 0.90 in 60,000 rays from 5 to 10⁸ radii and grazing ones (`tools/stability`).
@@ -23,8 +23,8 @@ use crate::scene::shape::{
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// What is entered after so many times the distance up to which nothing counts is not what the ray starts on.
-const SURELY_AFTER: f64 = 17.0;
+/// A root this many times farther than the nearest distance that counts is not the one that the ray starts on.
+const CLEAR_START_FACTOR: f64 = 17.0;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,12 +58,16 @@ impl Sphere {
 
     #[cold]
     fn far_chord(&self, p: DVec3, dir: DVec3) -> Option<(f64, f64)> {
-        let eased = RescaledRay::new(&Ray::new(p, dir), self.radius)?;
-        let (enter, leave) = ball_chord(eased.ray.origin, eased.ray.dir, self.radius / eased.size)?;
-        Some((eased.t(enter), eased.t(leave)))
+        let rescaled = RescaledRay::new(&Ray::new(p, dir), self.radius)?;
+        let (enter, leave) = ball_chord(
+            rescaled.ray.origin,
+            rescaled.ray.dir,
+            self.radius / rescaled.size,
+        )?;
+        Some((rescaled.t(enter), rescaled.t(leave)))
     }
 
-    /// Whether a ray lies well inside from its start to `to`: no rounding brings the surface there.
+    /// True if a ray lies well inside from its start to `to`: no rounding can bring the surface there.
     #[inline]
     pub(crate) fn holds(&self, ray: &Ray, to: f64) -> bool {
         let inner_sq = WELL_INSIDE * self.radius * self.radius;
@@ -71,16 +75,16 @@ impl Sphere {
         is_comfortable_size(self.radius) && start.dot(start) < inner_sq && end.dot(end) < inner_sq
     }
 
-    /// The spans of four rays.
+    /// Spans of a ray packet.
     #[inline(always)]
-    pub(crate) fn four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
+    pub(crate) fn span_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> SpanPacket<F> {
         let p = sub(rays.origin, splat(self.centre));
-        let (enter, leave, is_met) = chords(p, rays.dir, self.radius);
+        let (enter, leave, is_hit) = chords(p, rays.dir, self.radius);
         let is_known = are_comfortable(dot(rays.dir, rays.dir), dot(p, p));
-        SpanPacket::new((enter, leave), is_met, is_known)
+        SpanPacket::new((enter, leave), is_hit, is_known)
     }
 
-    /// The first surfaces on four rays with `from < t <= far`.
+    /// Nearest roots of a ray packet with `from < t <= far`.
     #[inline(always)]
     pub(crate) fn nearest_of_four<F: F64Lanes>(
         &self,
@@ -88,17 +92,18 @@ impl Sphere {
         from: F,
         far: F,
     ) -> NearestPacket<F> {
-        self.four(rays).nearest(from, far)
+        self.span_packet(rays).nearest(from, far)
     }
 
-    /// The same; instead of a surface some place in the ball before that where it is left will do. What is no near thing
-    /// is told without a root.
+    /// Any-hit variant: `t` may be any point inside the sphere before its exit. Clear hits and misses need no square
+    /// root.
     #[inline(always)]
-    pub(crate) fn any_of_four<F: F64Lanes>(
+    pub(crate) fn any_hit_packet<F: F64Lanes>(
         &self,
         rays: &RayPacket<F>,
-        (from, far): (F, F),
-        there: u32,
+        from: F,
+        far: F,
+        active: u32,
     ) -> NearestPacket<F> {
         let p = sub(rays.origin, splat(self.centre));
         let (a, b, from_centre_sq) = (dot(rays.dir, rays.dir), dot(p, rays.dir), dot(p, p));
@@ -107,27 +112,28 @@ impl Sphere {
         let slack = size * F::splat(MARGIN);
         let (off, limit) = (size - b * b, r_sq * a);
         let is_missed = limit.lt(off - slack);
-        // What starts outside and goes on to the middle of its chord enters before that, and no sooner than at c / 2|b|.
+        // A ray that starts outside and reaches the middle of its chord enters before it, and no sooner than at c /
+        // 2|b|.
         let ahead = -b;
         let middle = ahead / a;
-        let soon = from * ahead * F::splat(2.0 * SURELY_AFTER);
-        let is_outside = (soon + from_centre_sq * F::splat(MARGIN)).lt(from_centre_sq - r_sq);
-        let is_on_its_way = F::splat(0.0).lt(ahead) & middle.lt(far);
+        let earliest = from * ahead * F::splat(2.0 * CLEAR_START_FACTOR);
+        let is_outside = (earliest + from_centre_sq * F::splat(MARGIN)).lt(from_centre_sq - r_sq);
+        let reaches_middle = F::splat(0.0).lt(ahead) & middle.lt(far);
         let is_entered = (off + slack).lt(limit) & is_outside;
-        let is_met = is_entered & is_on_its_way;
-        let is_clear = (is_missed | is_met) & are_comfortable(a, from_centre_sq);
-        if there & !F::bitmask(is_clear) != 0 {
+        let is_hit = is_entered & reaches_middle;
+        let is_clear = (is_missed | is_hit) & are_comfortable(a, from_centre_sq);
+        if active & !F::bitmask(is_clear) != 0 {
             return self.nearest_of_four(rays, from, far);
         }
         NearestPacket {
             t: middle,
             leaves: 0,
-            met: F::bitmask(is_met),
+            met: F::bitmask(is_hit),
             unknown: 0,
         }
     }
 
-    /// Which of four rays leave behind all that they enter, as [`Geometry::is_exiting`] tells of each.
+    /// Packet version of [`Geometry::is_exiting`].
     #[inline(always)]
     pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = sub(rays.origin, splat(self.centre));
@@ -135,15 +141,15 @@ impl Sphere {
         is_known & F::splat(0.0).lt(dot(p, rays.dir))
     }
 
-    /// The root of a ray that starts on the surface and goes outward or inward besides the one it starts on.
+    /// The other root of a ray that starts on the surface and goes outward or inward.
     #[inline]
     pub(crate) fn other_root(&self, ray: &Ray, goes_out: bool) -> Option<Root> {
         let [enter, leave] = self.span(ray)?;
         Some(if goes_out { enter } else { leave })
     }
 
-    /// The root that a ray, whose direction has length 1, is known to have at `t`, if it lies surely on one side of the
-    /// middle of the chord.
+    /// The root of a ray with a unit direction that is known to lie at `t`, if it lies surely on one side of the middle
+    /// of the chord.
     #[inline]
     pub(crate) fn root_at(&self, ray: &Ray, t: f64) -> Option<Root> {
         let from_middle = (ray.origin - self.centre).dot(ray.dir) + t;
@@ -159,7 +165,7 @@ impl Sphere {
         })
     }
 
-    /// Whether the ray begins outside and goes away: what it would meet lies behind.
+    /// True if the ray starts outside and moves away, so that both roots lie behind it.
     #[inline(always)]
     fn is_behind(&self, ray: &Ray) -> bool {
         let p = ray.origin - self.centre;
@@ -231,7 +237,7 @@ impl Geometry for Sphere {
         true
     }
 
-    /// Longitude from +x towards +z and latitude from the south pole, each as a share of the whole.
+    /// Longitude from +x towards +z and latitude from the south pole, each normalised to 0..1.
     fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = (point - self.centre) / self.radius;
         let longitude = p.z.atan2(p.x);
@@ -273,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn a_root_is_known_by_its_place() {
+    fn a_root_is_known_by_its_t() {
         let mut rng = Random::new(11);
         let mut known = 0;
         for exponent in 0..20_000 {
@@ -286,9 +292,12 @@ mod tests {
             let aim = sphere.centre + rng.vector(1.0);
             let ray = Ray::new(origin, (aim - origin).normalize_or(DVec3::X));
             for root in sphere.span(&ray).into_iter().flatten() {
-                let found = sphere.root_at(&ray, root.t);
-                assert!(found.is_none_or(|found| found == root), "{ray:?} {root:?}");
-                known += usize::from(found.is_some());
+                let known_root = sphere.root_at(&ray, root.t);
+                assert!(
+                    known_root.is_none_or(|known_root| known_root == root),
+                    "{ray:?} {root:?}"
+                );
+                known += usize::from(known_root.is_some());
             }
         }
         assert!(known > 20_000, "{known}");

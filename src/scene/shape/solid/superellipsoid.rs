@@ -1,19 +1,20 @@
 //! `superellipsoid { <e, n> }`: where `(|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1`.
 //!
-//! The same surface is where the size `N = ((|x|^p + |y|^p)^(q/p) + |z|^q)^(1/q)`, with `p = 2/e` and `q = 2/n`, is 1.
-//! `N` grows in proportion with the point, so it neither overflows nor flattens out, however large the powers are; a
-//! power of zero for `e` or `n` makes edges (`N` is then the larger of both), as in POV-Ray.
+//! The surface is also the level set 1 of the norm `N = ((|x|^p + |y|^p)^(q/p) + |z|^q)^(1/q)`, with `p = 2/e` and
+//! `q = 2/n`. `N` is homogeneous of degree one, so it neither overflows nor flattens out, however large the powers are;
+//! a zero `e` or `n` makes edges (`N` is then the maximum of both terms), as in POV-Ray.
 //!
 //! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`).
 //!
-//! Up to `e = n = 2` the size is convex along a ray, and Newton's iteration from where the ray enters the box around it
-//! finds the near root or turns away; the far one from the other end. Beyond, the surface has hollow sides: the ray is
-//! cut where a coordinate is zero. Most pieces, and most rays that leave the surface, keep outside by lower bounds of the
-//! size that are concave along them (`floors`); on the others values and slopes of `N` are bounded by those of the ends.
+//! Up to `e = n = 2` the norm is convex along a ray, and Newton's iteration from where the ray enters the bounding box
+//! finds the near root or turns away; likewise the far one from the other end. Beyond, the surface has hollow sides:
+//! the ray is split where a coordinate is zero. Most pieces, and most rays that leave the surface, are shown to stay
+//! outside by lower bounds of the norm that are concave along the ray (`floors`); on the others values and slopes of
+//! `N` are bounded from those at the ends.
 //!
-//! Both ways are first gone in numbers of ten digits, which cost a fraction of exact powers (`rough`), the convex one for
-//! four rays at once (`four`); a root takes its last digits from the exact size, and what is too close to call is asked
-//! anew in exact numbers.
+//! Both searches first run in ten-digit arithmetic, at a fraction of the cost of exact powers (`rough`), the convex one
+//! also on ray packets (`four`); a root takes its last digits from the exact norm, and close calls are decided in full
+//! precision.
 
 mod exact;
 mod floors;
@@ -21,7 +22,7 @@ mod four;
 mod norms;
 mod rough;
 
-use self::exact::{Along, norm, norm_and_shares, share};
+use self::exact::{Along, derivative, norm, norm_and_derivatives};
 use self::rough::{Estimate, Pieces, Rough};
 use crate::base::args::{Args, Parse};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable};
@@ -44,56 +45,59 @@ pub struct Superellipsoid {
 
 type Crossings = SmallVec<[Root; 4]>;
 
-/// Which roots of a ray are asked for.
+/// Range of roots that a query needs.
 #[derive(Clone, Copy)]
-struct Sought {
-    /// None before this place.
+struct RootRange {
+    /// Roots before this `t` are not needed.
     from: f64,
-    /// And none behind one that lies between these.
-    enough: (f64, f64),
-    /// Where the ray is from which the places of `enough` are counted, less where that is from which others are.
+    /// Roots beyond one that lies between `enough_after` and `enough_before` are not needed.
+    enough_after: f64,
+    enough_before: f64,
+    /// Added to a parameter before the comparison with these two.
     start: f64,
 }
 
-/// How far the box of the shape goes: `max_extent` tells it, as in POV-Ray.
+/// Half the width of the bounding box, as `max_extent` reports it in POV-Ray.
 const REACH: f64 = 1.0001;
 
-/// A ray that enters at a steeper slope does not touch: where it leaves need not be known.
+/// A ray that enters at a steeper slope does not graze: its exit need not be known.
 const STEEP: f64 = 1e-3;
 
-impl Sought {
-    const ALL: Sought = Sought {
+impl RootRange {
+    const ALL: RootRange = RootRange {
         from: f64::NEG_INFINITY,
-        enough: (f64::INFINITY, f64::INFINITY),
+        enough_after: f64::INFINITY,
+        enough_before: f64::INFINITY,
         start: 0.0,
     };
 
-    fn new(from: f64, enough: (f64, f64)) -> Self {
-        Sought {
+    fn new(from: f64, enough_after: f64, enough_before: f64) -> Self {
+        RootRange {
             from,
-            enough,
+            enough_after,
+            enough_before,
             start: 0.0,
         }
     }
 
-    /// The same for places counted from `start`.
-    fn about(self, start: f64) -> Sought {
+    /// The same range for parameters counted from `start`.
+    fn about(self, start: f64) -> RootRange {
         let rounding = 8.0 * f64::EPSILON * (self.from.abs() + start.abs());
-        Sought {
+        RootRange {
             from: self.from - start - rounding,
             start,
             ..self
         }
     }
 
-    /// Whether all that lies before a place lies before what is asked for.
+    /// True if no root up to `t` is needed.
     fn is_before(&self, t: f64) -> bool {
         t <= self.from
     }
 
     fn is_enough(&self, t: f64) -> bool {
         let t = t + self.start;
-        self.enough.0 < t && t < self.enough.1
+        self.enough_after < t && t < self.enough_before
     }
 }
 
@@ -136,24 +140,24 @@ impl Superellipsoid {
         norm(norm(p.x, p.y, self.across), p.z, self.along)
     }
 
-    /// `N` and its derivatives by each coordinate, for a point without negative ones.
+    /// `N` and its gradient, for a point without negative coordinates.
     fn size_and_gradient(&self, p: DVec3) -> (f64, DVec3) {
         let ring = norm(p.x, p.y, self.across);
         let size = norm(ring, p.z, self.along);
-        let by_ring = share(ring, size, self.along);
+        let by_ring = derivative(ring, size, self.along);
         let gradient = DVec3::new(
-            by_ring * share(p.x, ring, self.across),
-            by_ring * share(p.y, ring, self.across),
-            share(p.z, size, self.along),
+            by_ring * derivative(p.x, ring, self.across),
+            by_ring * derivative(p.y, ring, self.across),
+            derivative(p.z, size, self.along),
         );
         (size, gradient)
     }
 
-    /// The same, with derivatives that are worked out along with the size; where two of its parts are equally large and the
-    /// power is endless, each has half the slope.
+    /// As [`Self::size_and_gradient`], with the derivatives computed along with the norm; where two terms are equal and
+    /// the power is infinite, each has half the slope.
     fn size_and_slopes(&self, p: DVec3) -> (f64, DVec3) {
-        let (ring, [of_x, of_y]) = norm_and_shares(p.x, p.y, self.across);
-        let (size, [of_ring, of_z]) = norm_and_shares(ring, p.z, self.along);
+        let (ring, [of_x, of_y]) = norm_and_derivatives(p.x, p.y, self.across);
+        let (size, [of_ring, of_z]) = norm_and_derivatives(ring, p.z, self.along);
         (size, DVec3::new(of_ring * of_x, of_ring * of_y, of_z))
     }
 
@@ -161,33 +165,33 @@ impl Superellipsoid {
         self.size_and_gradient(p).1
     }
 
-    fn crossings(&self, ray: &Ray, sought: Sought) -> Crossings {
+    fn crossings(&self, ray: &Ray, range: RootRange) -> Crossings {
         if is_comfortable(1.0, ray.dir.dot(ray.dir), ray.origin.dot(ray.origin)) {
-            return self.comfortable_crossings(ray, sought);
+            return self.comfortable_crossings(ray, range);
         }
-        let Some(eased) = RescaledRay::new(ray, 1.0) else {
+        let Some(rescaled) = RescaledRay::new(ray, 1.0) else {
             return Crossings::new();
         };
-        let mut roots = self.comfortable_crossings(&eased.ray, Sought::ALL);
+        let mut roots = self.comfortable_crossings(&rescaled.ray, RootRange::ALL);
         for root in &mut roots {
-            root.t = eased.t(root.t);
+            root.t = rescaled.t(root.t);
         }
         roots
     }
 
-    fn comfortable_crossings(&self, ray: &Ray, sought: Sought) -> Crossings {
+    fn comfortable_crossings(&self, ray: &Ray, range: RootRange) -> Crossings {
         let Some((from, to)) = clip(ray) else {
             return Crossings::new();
         };
-        // About the middle of the clipped stretch, so that its ends lose no digits to a far origin.
+        // Relative to the middle of the clipped interval, so that its ends lose no digits to a far origin.
         let middle = 0.5 * (from + to);
         let ray = Ray::new(ray.at(middle), ray.dir);
         let (from, to) = (from - middle, to - middle);
-        let sought = sought.about(middle);
+        let range = range.about(middle);
         let mut roots = if self.is_convex() {
-            self.convex_crossings(&ray, (from, to), sought)
+            self.convex_crossings(&ray, from, to, range)
         } else {
-            self.hollow_crossings(&ray, (from, to), sought)
+            self.hollow_crossings(&ray, from, to, range)
         };
         for root in &mut roots {
             root.t += middle;
@@ -195,12 +199,12 @@ impl Superellipsoid {
         roots
     }
 
-    fn convex_crossings(&self, ray: &Ray, (from, to): (f64, f64), sought: Sought) -> Crossings {
+    fn convex_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
         let mut roots = Crossings::new();
         let Some((enter, slope)) = self.first_inside(ray, from, to) else {
             return roots;
         };
-        if sought.is_enough(enter) && slope < -STEEP * ray.dir.length() {
+        if range.is_enough(enter) && slope < -STEEP * ray.dir.length() {
             roots.push(root(enter, false));
         } else if let Some((leave, _)) = self.first_inside(ray, to, from)
             && enter < leave
@@ -210,7 +214,7 @@ impl Superellipsoid {
         roots
     }
 
-    /// Where a convex size falls below 1 on the way from one end to the other, and its slope there.
+    /// First point from one end to the other where a convex norm falls below 1, and its slope there.
     fn first_inside(&self, ray: &Ray, from: f64, to: f64) -> Option<(f64, f64)> {
         if let Some(rough) = Rough::new(self, ray) {
             match rough.first_inside(from, to) {
@@ -232,7 +236,7 @@ impl Superellipsoid {
         Some((t, excess(t).1))
     }
 
-    fn hollow_crossings(&self, ray: &Ray, (from, to): (f64, f64), sought: Sought) -> Crossings {
+    fn hollow_crossings(&self, ray: &Ray, from: f64, to: f64, range: RootRange) -> Crossings {
         let mut stops: SmallVec<[f64; 5]> = SmallVec::new();
         stops.push(from);
         for axis in 0..3 {
@@ -249,25 +253,25 @@ impl Superellipsoid {
         };
         let mut roots = Crossings::new();
         if let Some(rough) = Rough::new(self, ray) {
-            Pieces::new(rough, &along, sought).all_roots(&stops, &mut roots);
+            Pieces::new(rough, &along, range).all_roots(&stops, &mut roots);
             return roots;
         }
-        let mut places = Roots::new();
+        let mut params = Roots::new();
         let mut start = (from, false);
         for &stop in &stops[1..] {
             let end = (stop, stop < to && along.value(stop) < 0.0);
-            sign_changes(&along, start, end, &mut places);
+            sign_changes(&along, start, end, &mut params);
             start = end;
         }
-        roots.extend(alternating(&places, false));
+        roots.extend(alternating(&params, false));
         roots
     }
 }
 
-/// The roots at places, which enter and leave in turn.
-fn alternating(places: &[f64], starts_inside: bool) -> impl Iterator<Item = Root> {
+/// The roots at these parameters, which enter and leave in turn.
+fn alternating(params: &[f64], starts_inside: bool) -> impl Iterator<Item = Root> {
     let sides = [starts_inside, !starts_inside].into_iter().cycle();
-    places.iter().zip(sides).map(|(&t, leaves)| root(t, leaves))
+    params.iter().zip(sides).map(|(&t, leaves)| root(t, leaves))
 }
 
 fn root(t: f64, leaves: bool) -> Root {
@@ -283,7 +287,7 @@ fn root(t: f64, leaves: bool) -> Root {
     }
 }
 
-/// The stretch of a line in the box from -1 to 1; NaN, of a line in a face, excludes nothing.
+/// Interval of a line in the box from -1 to 1; NaN, from a line in a face, excludes nothing.
 fn clip(ray: &Ray) -> Option<(f64, f64)> {
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
@@ -302,22 +306,22 @@ fn clip(ray: &Ray) -> Option<(f64, f64)> {
 
 impl Geometry for Superellipsoid {
     fn roots(&self, ray: &Ray, roots: &mut Vec<Root>) -> Start {
-        roots.extend_from_slice(&self.crossings(ray, Sought::ALL));
+        roots.extend_from_slice(&self.crossings(ray, RootRange::ALL));
         Start::Outside
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        let sought = Sought::new(from, (from, to));
-        first_visible(&self.crossings(ray, sought), from, to)
+        let range = RootRange::new(from, from, to);
+        first_visible(&self.crossings(ray, range), from, to)
     }
 
     fn roots_from(&self, ray: &Ray, from: f64, enough: f64, roots: &mut Vec<Root>) -> bool {
-        let sought = Sought::new(from, (enough, f64::INFINITY));
-        roots.extend_from_slice(&self.crossings(ray, sought));
+        let range = RootRange::new(from, enough, f64::INFINITY);
+        roots.extend_from_slice(&self.crossings(ray, range));
         false
     }
 
-    /// A size that is convex and grows where the ray starts does not fall again.
+    /// A convex norm that grows at the start of the ray does not fall again.
     fn is_exiting(&self, ray: &Ray) -> bool {
         if ray.origin.abs().max_element() > REACH {
             return false;

@@ -4,22 +4,22 @@
 //! `k = (ρ + R)² + y² − r²`. Written with `a = ρ² − R²` and `b = y² − r²`, both small near the tube, that product is
 //! `(a + b)² + 4R²·b`: nothing large cancels, however thin the torus is.
 //!
-//! The ray is clipped to the slab and the annulus around the tube, which leaves one or two short stretches; on each the
+//! The ray is clipped to the slab and the annulus around the tube, which leaves one or two short segments; on each the
 //! quartic is centred and scaled to -1..1, rejected by its Bernstein coefficients or searched for sign changes
-//! ([`sign_changes`]), and every root is refined on the distance from the tube itself.
+//! ([`quartic_sign_changes`]), and every root is refined on the distance from the tube itself.
 //!
-//! Error bound: the place of every root lies within 16 roundings of the problem's size (`|O| + |t·D| + R + r`, by
-//! coordinates) of the surface, and no root deeper than that is lost (`shape/oracle.rs` tests it against whole numbers).
-//! By this way 999 in a thousand of 360,000 rays in 36 families (`tools/stability`) have 0.44 roundings at most, and the
-//! worst, which leaves the surface at a grazing angle, 12.1; the quicker one was not measured on those.
+//! Error bound: every root lies within 16 roundings of the problem's size (`|O| + |t·D| + R + r`, by coordinates) of
+//! the surface, and no root deeper than that is lost (`shape/oracle.rs` tests it in exact integer arithmetic). On this
+//! path 999 in a thousand of 360,000 rays in 36 families (`tools/stability`) have 0.44 roundings at most, and the
+//! worst, which leaves the surface at a grazing angle, 12.1; the fast path was not measured on those.
 //!
-//! That is the careful way. Most rays are answered by a quicker one to the same roots, which four can go at once
+//! That is the robust path. Most rays take a fast path to the same roots, which also runs on ray packets
 //! ([`super::torus_packet`]).
 //!
-//! A spindle torus (`r > R`) is solid where `g <= 0`. Its inner lemon, `k = 0`, lies in the solid and can be seen, as
-//! in POV-Ray: a crossing that leaves the inside as it is. `sturm` is accepted and changes nothing; there is one solver.
-//! A torus with a negative radius is never hit; POV-Ray draws nothing of one with a negative minor radius alone, and what
-//! its boxes leave of the others.
+//! A spindle torus (`r > R`) is solid where `g <= 0`. Its inner lemon, `k = 0`, lies in the solid and is visible, as in
+//! POV-Ray: a crossing that does not change the inside. `sturm` is accepted and ignored; there is one solver. A torus
+//! with a negative radius is never hit; POV-Ray draws nothing of one with a negative minor radius alone, and of the
+//! others what its bounding boxes leave.
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::conditioning::{RescaledRay, is_comfortable, is_comfortable_size};
@@ -33,14 +33,14 @@ use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
-/// The tube is clipped a little wide, so that the ends of a stretch lie well outside and rounding cannot hide a root.
+/// The tube is clipped a little wide, so that the ends of a segment lie well outside and rounding cannot hide a root.
 pub(crate) const CLIP: f64 = 1.001;
 
-/// With a major radius below this share of the minor one, apple and lemon are closer than the quartic can tell; they
+/// With a major radius below this share of the minor one, apple and lemon are closer than the quartic can resolve; they
 /// are then drawn as the sphere between them.
-pub(crate) const SPHERE: f64 = 1e-7;
+pub(crate) const SPHERE_RATIO: f64 = 1e-7;
 
-/// Refinement moves a root by less than this share of its stretch, or leaves it.
+/// A refinement step larger than this share of the segment is rejected.
 pub(crate) const REFINEMENT: f64 = 1e-6;
 
 const TUBE: u32 = 0;
@@ -51,17 +51,17 @@ const LEMON: u32 = 1;
 pub struct Torus {
     /// The centre.
     pub centre: DVec3,
-    /// From the centre to the middle of the tube.
+    /// Distance from the centre to the middle of the tube.
     pub major: f64,
-    /// From the middle of the tube to the surface.
+    /// Distance from the middle of the tube to the surface.
     pub minor: f64,
 }
 
 /// The roots on one ray.
 pub(crate) type Crossings = SmallVec<[Root; 4]>;
 
-/// A stretch of a ray about the origin, in units of the minor radius: `middle + x · half` for `-1 <= x <= 1`.
-struct Stretch {
+/// A segment of a ray about the origin, in units of the minor radius: `middle + x · half` for `-1 <= x <= 1`.
+struct Segment {
     middle: DVec3,
     half: DVec3,
     /// The major radius in units of the minor one.
@@ -86,13 +86,12 @@ impl Torus {
         })
     }
 
-    /// From the centre to the outermost points.
+    /// Distance from the centre to the outermost points.
     pub(crate) fn rim(&self) -> f64 {
         self.major + self.minor
     }
 
-    /// How far it reaches from its centre along each axis where a matrix has turned it; `None` if squares are too large or
-    /// too small to tell.
+    /// Extent from its centre along each axis after a rotation or scaling; `None` if squares overflow or underflow.
     pub(crate) fn reach_under(&self, turn: &DMat3) -> Option<DVec3> {
         let rows = turn.transpose();
         let mut reach = [0.0; 3];
@@ -118,30 +117,30 @@ impl Torus {
         if self.is_empty() {
             return Crossings::new();
         }
-        if self.has_four()
-            && let Some(roots) = self.quick_crossings(ray)
+        if self.supports_packets()
+            && let Some(roots) = self.fast_crossings(ray)
         {
             return roots;
         }
-        self.careful_crossings(ray)
+        self.robust_crossings(ray)
     }
 
-    /// The roots by the way of four rays at once, if it knows them.
+    /// The roots by the fast path, or `None` if it is inconclusive.
     #[inline]
-    pub(crate) fn quick_crossings(&self, ray: &Ray) -> Option<Crossings> {
-        let found = self.roots_of_four(&RayPacket::<f64>::of(ray));
+    pub(crate) fn fast_crossings(&self, ray: &Ray) -> Option<Crossings> {
+        let packet = self.root_packet(&RayPacket::<f64>::of(ray));
         let mut roots = Crossings::new();
-        for (place, &t) in found.t.iter().enumerate() {
-            if found.met[place] != 0 {
-                let crossing = [Crossing::Enter, Crossing::Leave][place % 2];
+        for (slot, &t) in packet.t.iter().enumerate() {
+            if packet.hit_masks[slot] != 0 {
+                let crossing = [Crossing::Enter, Crossing::Leave][slot % 2];
                 roots.push(root(t, crossing, TUBE));
             }
         }
-        (found.unknown == 0).then_some(roots)
+        (packet.unknown == 0).then_some(roots)
     }
 
     #[inline(never)]
-    pub(crate) fn careful_crossings(&self, ray: &Ray) -> Crossings {
+    pub(crate) fn robust_crossings(&self, ray: &Ray) -> Crossings {
         let about = Ray::new(ray.origin - self.centre, ray.dir);
         let size = self.major + self.minor;
         if is_comfortable(size, ray.dir.dot(ray.dir), about.origin.dot(about.origin)) {
@@ -152,17 +151,17 @@ impl Torus {
 
     #[cold]
     fn far_crossings(&self, about: &Ray, size: f64) -> Crossings {
-        let Some(eased) = RescaledRay::new(about, size) else {
+        let Some(rescaled) = RescaledRay::new(about, size) else {
             return Crossings::new();
         };
         let small = Torus {
             centre: DVec3::ZERO,
-            major: self.major / eased.size,
-            minor: self.minor / eased.size,
+            major: self.major / rescaled.size,
+            minor: self.minor / rescaled.size,
         };
-        let mut roots = small.comfortable_crossings(&eased.ray);
+        let mut roots = small.comfortable_crossings(&rescaled.ray);
         for root in &mut roots {
-            root.t = eased.t(root.t);
+            root.t = rescaled.t(root.t);
         }
         if roots.iter().all(|root| root.t.is_finite()) {
             roots
@@ -173,7 +172,7 @@ impl Torus {
 
     fn comfortable_crossings(&self, ray: &Ray) -> Crossings {
         let mut roots = Crossings::new();
-        if self.major < SPHERE * self.minor {
+        if self.major < SPHERE_RATIO * self.minor {
             if let Some((enter, leave)) = ball_chord(ray.origin, ray.dir, self.minor) {
                 roots.push(root(enter, Crossing::Enter, TUBE));
                 roots.push(root(leave, Crossing::Leave, TUBE));
@@ -193,7 +192,7 @@ impl Torus {
         roots
     }
 
-    /// The stretch between the planes and within the cylinder around the tube.
+    /// The interval between the planes and within the cylinder around the tube.
     fn clip(&self, ray: &Ray) -> Option<(f64, f64)> {
         let height = self.minor * CLIP;
         let (mut from, mut to) = if ray.dir.y == 0.0 {
@@ -217,7 +216,7 @@ impl Torus {
         (from < to && to - from < f64::INFINITY).then_some((from, to))
     }
 
-    /// The part of a stretch in the hole of the ring; not in order, and so of no effect, where it lies outside.
+    /// The part of an interval in the hole of the ring; out of order, and so without effect, where it lies outside.
     fn hole(&self, ray: &Ray, from: f64, to: f64) -> Option<(f64, f64)> {
         let radius = self.major - self.minor * CLIP;
         if radius <= 0.0 {
@@ -231,25 +230,25 @@ impl Torus {
         Some((enter.min(to), leave.max(from)))
     }
 
-    /// Appends the roots on one stretch, whose ends lie outside the torus.
+    /// Appends the roots on one segment, whose ends lie outside the torus.
     fn solve(&self, ray: &Ray, from: f64, to: f64, roots: &mut Crossings) {
         if to <= from {
             return;
         }
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let stretch = Stretch {
+        let segment = Segment {
             middle: ray.at(middle) / self.minor,
             half: ray.dir * half / self.minor,
             major: self.major / self.minor,
         };
-        let quartic = stretch.quartic();
+        let quartic = segment.quartic();
         if is_quartic_positive(&quartic) {
             return;
         }
-        let places = stretch.refined(outside_at_ends(&quartic, quartic_sign_changes(&quartic)));
-        let t = |i: usize| middle + half * places[i];
-        let count = places.len();
-        let has_lemon = count == 4 && stretch.is_in_lemon(0.5 * (places[1] + places[2]));
+        let params = segment.refined(outside_at_ends(&quartic, quartic_sign_changes(&quartic)));
+        let t = |i: usize| middle + half * params[i];
+        let count = params.len();
+        let has_lemon = count == 4 && segment.is_in_lemon(0.5 * (params[1] + params[2]));
         for i in 0..count {
             let (crossing, face) = match i {
                 1 | 2 if has_lemon => (Crossing::Touch, LEMON),
@@ -261,21 +260,21 @@ impl Torus {
     }
 }
 
-/// With an end inside, which takes rays from so far away that the clipping has no digits left, the stretch itself ends
-/// what the roots leave open.
-fn outside_at_ends(quartic: &[f64; 5], mut places: Roots) -> Roots {
-    if places.len() % 2 == 1 {
+/// For rays from so far away that clipping has no digits left an end may lie inside; then the end of the segment closes
+/// the span.
+fn outside_at_ends(quartic: &[f64; 5], mut params: Roots) -> Roots {
+    if params.len() % 2 == 1 {
         let [c0, c1, c2, c3, c4] = *quartic;
         if c0 - c1 + c2 - c3 + c4 < 0.0 {
-            places.insert(0, -1.0);
+            params.insert(0, -1.0);
         } else {
-            places.push(1.0);
+            params.push(1.0);
         }
     }
-    places
+    params
 }
 
-impl Stretch {
+impl Segment {
     /// The coefficients of `((a + b) / 2R)² + b` by rising power, with r = 1.
     fn quartic(&self) -> [f64; 5] {
         let (p, v) = (self.middle, self.half);
@@ -301,14 +300,14 @@ impl Stretch {
         (flat(p).length() + self.major).hypot(p.y) < 1.0
     }
 
-    /// The places after two Newton steps on the distance from the surface; as they were if that breaks their order.
-    fn refined(&self, places: Roots) -> Roots {
-        let mut near = Roots::new();
-        for x in &places {
-            near.push(self.refine(self.refine(*x)));
+    /// The roots after two Newton steps on the distance from the surface; unchanged if that breaks their order.
+    fn refined(&self, params: Roots) -> Roots {
+        let mut moved = Roots::new();
+        for x in &params {
+            moved.push(self.refine(self.refine(*x)));
         }
-        let is_in_order = near.windows(2).all(|pair| pair[0] < pair[1]);
-        if is_in_order { near } else { places }
+        let is_in_order = moved.windows(2).all(|pair| pair[0] < pair[1]);
+        if is_in_order { moved } else { params }
     }
 
     /// One Newton step on the distance from the nearer of tube and lemon.
@@ -333,7 +332,7 @@ impl Stretch {
     }
 }
 
-/// The part across the axis.
+/// Component perpendicular to the axis.
 fn flat(v: DVec3) -> DVec3 {
     DVec3::new(v.x, 0.0, v.z)
 }
@@ -354,22 +353,22 @@ impl Geometry for Torus {
     }
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
-        if self.has_four() {
+        if self.supports_packets() {
             let rays = RayPacket::<f64>::of(ray);
-            let nearest = self.nearest_of_four::<f64, false>(&rays, (from, to), [0, 0], 0b1111);
+            let nearest = self.nearest_packet::<f64, false>(&rays, from, to, [0, 0], 0b1111);
             if nearest.unknown == 0 {
                 let crossing = [Crossing::Enter, Crossing::Leave][usize::from(nearest.leaves != 0)];
-                let is_met = nearest.met != 0 && nearest.t < to;
-                return is_met.then(|| root(nearest.t, crossing, TUBE));
+                let is_hit = nearest.met != 0 && nearest.t < to;
+                return is_hit.then(|| root(nearest.t, crossing, TUBE));
             }
-            return first_visible(&self.careful_crossings(ray), from, to);
+            return first_visible(&self.robust_crossings(ray), from, to);
         }
         first_visible(&self.crossings(ray), from, to)
     }
 
-    /// From the outer half of a ring, which is a part of its hull.
+    /// Only from the outer half of a ring, which is a part of its convex hull.
     fn is_exiting(&self, ray: &Ray) -> bool {
-        self.four_left_behind(&RayPacket::<f64>::of(ray))
+        self.is_exiting_packet(&RayPacket::<f64>::of(ray))
     }
 
     fn normal(&self, point: DVec3, face: u32) -> DVec3 {
@@ -381,7 +380,7 @@ impl Geometry for Torus {
             self.major
         };
         let normal = p - major * outward;
-        // Only where all of a horn torus meets in one point.
+        // Zero only in the point where a horn torus touches itself.
         if normal == DVec3::ZERO {
             DVec3::Y
         } else {
@@ -423,7 +422,7 @@ impl Geometry for Torus {
         true
     }
 
-    /// Around the axis from -x over +z to +x, and around the tube from its inside over the bottom.
+    /// `u` goes around the axis from -x over +z to +x, `v` around the tube from its inside over the bottom.
     fn uv(&self, point: DVec3, _face: u32) -> Option<[f64; 2]> {
         let p = point - self.centre;
         let around_tube = p.y.atan2(p.x.hypot(p.z) - self.major);
@@ -469,7 +468,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_through_the_ring_has_four_roots() {
+    fn a_ray_through_the_ring_enters_and_leaves_twice() {
         let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
         let roots = torus(1.0, 0.25).crossings(&ray);
         let depths: Vec<f64> = roots.iter().map(|root| root.t).collect();
@@ -480,9 +479,9 @@ mod tests {
     fn the_lemon_of_a_spindle_is_seen_inside_the_solid() {
         let ray = Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
         let roots = torus(0.5, 1.0).crossings(&ray);
-        let found: Vec<_> = roots.iter().map(|r| (r.t, r.crossing, r.face)).collect();
+        let hits: Vec<_> = roots.iter().map(|r| (r.t, r.crossing, r.face)).collect();
         assert_eq!(
-            found,
+            hits,
             [
                 (3.5, Crossing::Enter, TUBE),
                 (4.5, Crossing::Touch, LEMON),
@@ -495,7 +494,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_along_the_axis_meets_the_tips_or_nothing() {
+    fn a_ray_along_the_axis_hits_the_tips_or_nothing() {
         for zero in [0.0, -0.0] {
             let ray = Ray::new(DVec3::new(0.0, 5.0, 0.0), DVec3::new(zero, -1.0, zero));
             assert!(torus(1.0, 0.3).crossings(&ray).is_empty());

@@ -1,10 +1,10 @@
-//! Rays and a torus, four at once or one: written once, so that all find the same to the bit. Rays that take one of the
-//! rarer turns, and spindles, are left to the careful way of [`super::torus`].
+//! Fast path for rays and a torus, generic over the number of lanes so that packets and single rays give the same bits.
+//! Rays that take a rare branch, and spindles, are left to the robust path of [`super::torus`].
 //!
-//! A line is clipped to the slab and the annulus around the tube. On each stretch that is left the quartic is parted
-//! where it begins to bend the other way; a polynomial that bends one way is met by Newton's iteration from the side on
-//! which it bends away without ever passing a root, so nothing need be bracketed. Of a quartic that bends up all along
-//! the parting is near the lowest point: where that lies above zero, and so does its tangent, nothing is met.
+//! A line is clipped to the slab and the annulus around the tube. On each remaining segment the quartic is split at its
+//! inflections; on a piece of one curvature Newton's iteration from the concave side converges without ever passing a
+//! root, so nothing needs to be bracketed. A quartic that is convex on all of the segment is split near its minimum: if
+//! the value there is positive, and so is its tangent, there is no root.
 
 use super::torus::{CLIP, REFINEMENT, Torus};
 use crate::base::math::conditioning::is_comfortable_size;
@@ -14,43 +14,43 @@ use crate::scene::shape::packet::{
 };
 use crate::scene::shape::packet::{scale, splat};
 
-/// Rays from farther away, in minor radii, are left to the careful way: what is rounded there is less than what
-/// [`CLIP`] allows for.
-const FARTHEST: f64 = (1u64 << 36) as f64;
-/// Tori with a major radius beyond so many minor ones are left to it as well.
-const THINNEST: f64 = (1u64 << 24) as f64;
-/// Rays that go across the axis by less than this share, squared, are left to it.
+/// Rays from farther away, in minor radii, are left to the robust path: up to there the rounding error is less than
+/// what [`CLIP`] allows for.
+const MAX_DISTANCE: f64 = (1u64 << 36) as f64;
+/// Tori with a larger ratio of major to minor radius are left to it as well.
+const MAX_RATIO: f64 = (1u64 << 24) as f64;
+/// Rays whose squared component perpendicular to the axis is below this share are left to it.
 const STEEPEST_SQUARE: f64 = 1.0 / (1u64 << 20) as f64;
-/// A Newton step below this ends the iteration: the step after it would be below the last digit.
+/// A Newton step below this ends the iteration: the next step would be below the last digit.
 const LAST_STEP: f64 = 1e-9;
-/// Roots so close to each other that this is not enough are left to the careful way.
+/// Pairs of roots too close for this many steps are left to the robust path.
 const MAX_STEPS: u32 = 32;
 
-/// What lies so many times as far as nothing counts is met for certain.
-const ROOM: f64 = 32.0;
+/// A segment that starts beyond this multiple of the nearest distance that counts is hit for certain.
+const CLEARANCE: f64 = 32.0;
 
-/// Where four lines may meet the tube: on two stretches at most.
+/// Intervals on which four lines may hit the tube: at most two per line.
 struct Clipped<F> {
     start: [F; 2],
     end: [F; 2],
-    /// Which lines have each stretch, one bit each.
-    asked: [u32; 2],
+    /// Per interval, the bit mask of the lanes that have it.
+    active: [u32; 2],
     unknown: u32,
 }
 
-/// Stretches of four lines: `middle + x · half` for `-1 <= x <= 1`, about the centre and in units of the minor radius.
+/// Segments of four lines: `middle + x · half` for `-1 <= x <= 1`, about the centre and in units of the minor radius.
 #[derive(Clone, Copy)]
-struct Stretches<F> {
-    /// Parameters of the lines.
+struct Segments<F> {
+    /// Midpoint and half length as parameters of the lines.
     middle: F,
     half: F,
-    place: Vec3Lanes<F>,
-    way: Vec3Lanes<F>,
+    point: Vec3Lanes<F>,
+    half_dir: Vec3Lanes<F>,
     /// The major radius.
     major: F,
 }
 
-/// A polynomial's value and slope.
+/// Value and slope of polynomials at a point, with masks of their signs.
 #[derive(Clone, Copy)]
 struct Level<F: F64Lanes> {
     is_negative: u32,
@@ -60,95 +60,96 @@ struct Level<F: F64Lanes> {
     slope: F,
 }
 
-/// Four quartics by rising power, on stretches the ends of which lie outside.
+/// Four quartics by rising power, on segments whose ends lie outside.
 struct Quartics<F: F64Lanes> {
     c: [F; 5],
-    /// They bend up as far as `low`, down from there to `high`, and up behind it.
+    /// They are convex up to `low`, concave from there to `high`, and convex beyond it.
     low: F,
     high: F,
     at_low: Level<F>,
     at_high: Level<F>,
-    /// Those that may have roots.
-    asked: u32,
+    /// Bit mask of the lanes that may have roots.
+    active: u32,
     unknown: u32,
 }
 
-/// Roots of four quartics, one at most each.
-struct Places<F> {
+/// At most one root of each of four quartics.
+struct QuarticRoots<F> {
     x: F,
-    found: u32,
+    hit_mask: u32,
     unknown: u32,
 }
 
-/// A search for one root of each quartic.
-struct Quest<F> {
+/// Newton iteration for one root of each quartic.
+struct NewtonSearch<F> {
     start: F,
     limit: F,
-    /// One to the right, less one to the left.
+    /// 1 to the right, -1 to the left.
     heading: F,
-    asked: u32,
+    active: u32,
 }
 
 impl Torus {
-    /// Whether [`Torus::roots_of_four`] knows anything.
-    pub(crate) fn has_four(&self) -> bool {
+    /// True if the fast path supports the radii of the torus.
+    pub(crate) fn supports_packets(&self) -> bool {
         0.0 < self.minor
             && self.minor <= self.major
-            && self.major < THINNEST * self.minor
+            && self.major < MAX_RATIO * self.minor
             && is_comfortable_size(self.major + self.minor)
     }
 
-    /// Which of four rays that go out from the surface have left the torus for good: there it lies on one side of the
-    /// tangent plane.
+    /// Packet version of [`crate::scene::shape::Geometry::is_exiting`]: on the outer half the torus lies on one side of the tangent
+    /// plane.
     #[inline(always)]
-    pub(crate) fn four_left_behind<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
+    pub(crate) fn is_exiting_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> F::Mask {
         let p = sub(rays.origin, splat(self.centre));
         let is_known = is_comfortable(dot(rays.dir, rays.dir), dot(p, p));
         let across_sq = p[0] * p[0] + p[2] * p[2];
         let is_outer = F::splat(self.major * self.major).le(across_sq);
         let is_known = is_known & is_outer;
-        if self.has_four() {
+        if self.supports_packets() {
             is_known
         } else {
             F::mask_from_bits(0)
         }
     }
 
-    /// The roots of four rays.
+    /// Roots of a ray packet.
     #[inline(always)]
-    pub(crate) fn roots_of_four<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
+    pub(crate) fn root_packet<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RootPacket<F> {
         let rays = self.about(rays);
-        let clipped = self.clip_four(&rays, 0b1111);
+        let clipped = self.clip_packet(&rays, 0b1111);
         self.all_roots(&rays, &clipped)
     }
 
-    /// The first roots of those of four rays that are `there`; as [`RootPacket::nearest`], but if `any` will do the
-    /// distance is that of some place within the solid.
+    /// Nearest roots of the active lanes, as [`RootPacket::nearest`]; with `ANY` the distance may be that of any point
+    /// within the solid.
     #[inline(always)]
-    pub(crate) fn nearest_of_four<F: F64Lanes, const ANY: bool>(
+    pub(crate) fn nearest_packet<F: F64Lanes, const ANY: bool>(
         &self,
         rays: &RayPacket<F>,
-        (from, far): (F, F),
+        from: F,
+        far: F,
         left: [u32; 2],
-        there: u32,
+        active: u32,
     ) -> NearestPacket<F> {
         let rays = self.about(rays);
-        let mut clipped = self.clip_four(&rays, there);
-        let mut begun = left[0] | left[1];
+        let mut clipped = self.clip_packet(&rays, active);
+        let mut straddling = left[0] | left[1];
         for part in 0..2 {
-            let asked = clipped.asked[part];
-            if asked == 0 {
+            let active = clipped.active[part];
+            if active == 0 {
                 continue;
             }
             let is_ahead = F::bitmask(from.le(clipped.start[part]));
-            let is_over = F::bitmask(clipped.end[part].le(from));
-            begun |= asked & !is_ahead & !is_over;
+            let is_behind = F::bitmask(clipped.end[part].le(from));
+            straddling |= active & !is_ahead & !is_behind;
             if left == [0, 0] {
                 let is_within = F::bitmask(clipped.start[part].le(far));
-                clipped.asked[part] = asked & is_within & !is_over;
+                clipped.active[part] = active & is_within & !is_behind;
             }
         }
-        if begun & (clipped.asked[0] | clipped.asked[1]) != 0 {
+        if straddling & (clipped.active[0] | clipped.active[1]) != 0 {
             return self.all_roots(&rays, &clipped).nearest(from, far, left);
         }
         let mut nearest = NearestPacket {
@@ -158,39 +159,39 @@ impl Torus {
             unknown: clipped.unknown,
         };
         for part in 0..2 {
-            let asked = clipped.asked[part] & !nearest.met & !nearest.unknown;
-            if asked == 0 {
+            let active = clipped.active[part] & !nearest.met & !nearest.unknown;
+            if active == 0 {
                 continue;
             }
             let (start, end) = (clipped.start[part], clipped.end[part]);
-            let stretches = self.stretches(&rays, start, end);
-            let quartics = stretches.quartics(asked);
+            let segments = self.segments(&rays, start, end);
+            let quartics = segments.quartics(active);
             nearest.unknown |= quartics.unknown;
-            let mut asked = quartics.asked;
+            let mut active = quartics.active;
             if ANY {
-                // Somewhere inside, with room to both ends.
-                let is_clear = (from * F::splat(ROOM)).lt(start) & end.lt(far);
-                let inside = quartics.inside() & asked & F::bitmask(is_clear);
-                nearest.t = F::select(F::mask_from_bits(inside), stretches.middle, nearest.t);
+                // Inside at some point, with clearance at both ends.
+                let is_clear = (from * F::splat(CLEARANCE)).lt(start) & end.lt(far);
+                let inside = quartics.inside() & active & F::bitmask(is_clear);
+                nearest.t = F::select(F::mask_from_bits(inside), segments.middle, nearest.t);
                 nearest.met |= inside;
-                asked &= !inside;
+                active &= !inside;
             }
-            if asked == 0 {
+            if active == 0 {
                 continue;
             }
-            let first = quartics.first(asked);
-            let (x, refined) = stretches.refined(first.x);
-            let t = stretches.middle + stretches.half * x;
-            nearest.unknown |= first.unknown | first.found & !refined;
+            let first = quartics.first(active);
+            let (x, refined) = segments.refined(first.x);
+            let t = segments.middle + segments.half * x;
+            nearest.unknown |= first.unknown | first.hit_mask & !refined;
             let is_within = from.lt(t) & t.le(far);
-            let met = first.found & refined & F::bitmask(is_within);
-            nearest.t = F::select(F::mask_from_bits(met), t, nearest.t);
-            nearest.met |= met;
+            let hits = first.hit_mask & refined & F::bitmask(is_within);
+            nearest.t = F::select(F::mask_from_bits(hits), t, nearest.t);
+            nearest.met |= hits;
         }
         nearest
     }
 
-    /// The rays about the centre.
+    /// The packet relative to the centre.
     #[inline(always)]
     fn about<F: F64Lanes>(&self, rays: &RayPacket<F>) -> RayPacket<F> {
         RayPacket {
@@ -199,30 +200,30 @@ impl Torus {
         }
     }
 
-    /// Where lines run between the planes and the cylinders around the tube.
+    /// Intervals of the lines between the planes and the cylinders around the tube.
     #[inline(always)]
-    fn clip_four<F: F64Lanes>(&self, rays: &RayPacket<F>, there: u32) -> Clipped<F> {
+    fn clip_packet<F: F64Lanes>(&self, rays: &RayPacket<F>, active: u32) -> Clipped<F> {
         let (origin, dir) = (rays.origin, rays.dir);
         let none = F::splat(0.0);
         let (dir_sq, origin_sq) = (dot(dir, dir), dot(origin, origin));
         let mut clipped = Clipped {
             start: [none; 2],
             end: [none; 2],
-            asked: [0; 2],
+            active: [0; 2],
             unknown: 0,
         };
         let height = self.minor * CLIP;
         let rim = self.major + height;
         let across_sq = dir[0] * dir[0] + dir[2] * dir[2];
-        let farthest = FARTHEST * self.minor;
+        let farthest = MAX_DISTANCE * self.minor;
         let is_known =
             is_comfortable(dir_sq, origin_sq) & origin_sq.lt(F::splat(farthest * farthest));
-        clipped.unknown = there & !F::bitmask(is_known);
-        // From the point nearest to the centre on.
+        clipped.unknown = active & !F::bitmask(is_known);
+        // Relative to the point nearest to the centre.
         let nearest = -dot(origin, dir) / dir_sq;
         let p = add(origin, scale(dir, nearest));
         let is_near = dot(p, p).lt(F::splat(rim * rim + height * height));
-        if F::bitmask(is_near) & there & !clipped.unknown == 0 {
+        if F::bitmask(is_near) & active & !clipped.unknown == 0 {
             return clipped;
         }
         let is_flat = (dir_sq * F::splat(STEEPEST_SQUARE)).lt(across_sq);
@@ -239,10 +240,10 @@ impl Torus {
         let is_slanted = down.eq(down) & up.eq(up);
         let first = down.lane_min(up).lane_max(axis - reach);
         let last = down.lane_max(up).lane_min(axis + reach);
-        let is_met = none.lt(in_rim) & first.lt(last);
-        clipped.unknown |= there & F::bitmask(is_near) & !F::bitmask(is_flat & is_slanted);
-        let asked = there & F::bitmask(is_near & is_met) & !clipped.unknown;
-        // The hole parts the stretch in two.
+        let is_hit = none.lt(in_rim) & first.lt(last);
+        clipped.unknown |= active & F::bitmask(is_near) & !F::bitmask(is_flat & is_slanted);
+        let active = active & F::bitmask(is_near & is_hit) & !clipped.unknown;
+        // The hole splits the interval in two.
         let (mut part_end, mut part_start) = (last, last);
         let hole = self.major - height;
         if hole > 0.0 {
@@ -252,71 +253,71 @@ impl Torus {
             part_end = F::select(is_in_hole, (axis - reach).lane_min(last), last);
             part_start = F::select(is_in_hole, (axis + reach).lane_max(first), last);
         }
-        clipped.asked = [
-            asked & F::bitmask(first.lt(part_end)),
-            asked & F::bitmask(part_start.lt(last)),
+        clipped.active = [
+            active & F::bitmask(first.lt(part_end)),
+            active & F::bitmask(part_start.lt(last)),
         ];
         clipped.start = [nearest + first, nearest + part_start];
         clipped.end = [nearest + part_end, nearest + last];
         clipped
     }
 
-    /// All roots on the stretches.
+    /// All roots on the segments.
     #[inline(always)]
     fn all_roots<F: F64Lanes>(&self, rays: &RayPacket<F>, clipped: &Clipped<F>) -> RootPacket<F> {
         let mut roots = RootPacket::none(clipped.unknown);
         for part in 0..2 {
-            let asked = clipped.asked[part] & !roots.unknown;
-            if asked == 0 {
+            let active = clipped.active[part] & !roots.unknown;
+            if active == 0 {
                 continue;
             }
-            let stretches = self.stretches(rays, clipped.start[part], clipped.end[part]);
-            let quartics = stretches.quartics(asked);
+            let segments = self.segments(rays, clipped.start[part], clipped.end[part]);
+            let quartics = segments.quartics(active);
             roots.unknown |= quartics.unknown;
-            if quartics.asked == 0 {
+            if quartics.active == 0 {
                 continue;
             }
-            let places = quartics.all();
+            let candidates = quartics.all();
             let mut last = F::splat(-1.0);
-            for (place, places) in places.into_iter().enumerate() {
-                roots.unknown |= places.unknown;
-                if places.found == 0 {
+            for (slot, candidates) in candidates.into_iter().enumerate() {
+                roots.unknown |= candidates.unknown;
+                if candidates.hit_mask == 0 {
                     continue;
                 }
-                let (x, refined) = stretches.refined(places.x);
-                roots.unknown |= places.found & !refined;
-                // Of a pair that is closer than can be told the second is drawn to the first.
+                let (x, refined) = segments.refined(candidates.x);
+                roots.unknown |= candidates.hit_mask & !refined;
+                // In a pair closer than rounding the second root is clamped to the first.
                 let x = x.lane_max(last);
-                last = F::select(F::mask_from_bits(places.found), x, last);
-                let at = 4 * part + place;
-                roots.t[at] = stretches.middle + stretches.half * x;
-                roots.met[at] = places.found;
+                last = F::select(F::mask_from_bits(candidates.hit_mask), x, last);
+                let index = 4 * part + slot;
+                roots.t[index] = segments.middle + segments.half * x;
+                roots.hit_masks[index] = candidates.hit_mask;
             }
         }
         roots
     }
 
     #[inline(always)]
-    fn stretches<F: F64Lanes>(&self, rays: &RayPacket<F>, from: F, to: F) -> Stretches<F> {
+    fn segments<F: F64Lanes>(&self, rays: &RayPacket<F>, from: F, to: F) -> Segments<F> {
         let middle = F::splat(0.5) * (from + to);
         let half = F::splat(0.5) * (to - from);
         let unit = 1.0 / self.minor;
-        let place = add(rays.origin, scale(rays.dir, middle));
-        Stretches {
+        let point = add(rays.origin, scale(rays.dir, middle));
+        Segments {
             middle,
             half,
-            place: scale(place, F::splat(unit)),
-            way: scale(rays.dir, half * F::splat(unit)),
+            point: scale(point, F::splat(unit)),
+            half_dir: scale(rays.dir, half * F::splat(unit)),
             major: F::splat(self.major / self.minor),
         }
     }
 }
 
-impl<F: F64Lanes> Stretches<F> {
-    /// The quartics `((a + b) / 2R)² + b` (see [`super::torus`]), and what is known of their roots.
+impl<F: F64Lanes> Segments<F> {
+    /// The quartics `((a + b) / 2R)² + b` (see [`super::torus`]), with the bounds of their roots.
     #[inline(always)]
-    fn quartics(&self, asked: u32) -> Quartics<F> {
-        let (p, v) = (self.place, self.way);
+    fn quartics(&self, active: u32) -> Quartics<F> {
+        let (p, v) = (self.point, self.half_dir);
         let (one, two) = (F::splat(1.0), F::splat(2.0));
         let inverse = one / self.major;
         let half_inverse = F::splat(0.5) * inverse;
@@ -334,10 +335,11 @@ impl<F: F64Lanes> Stretches<F> {
             two * s[1] * s[2],
             s[2] * s[2],
         ];
-        Quartics::new(c, asked)
+        Quartics::new(c, active)
     }
 
-    /// One Newton step on the distance from the tube, and which of them are small enough to be trusted.
+    /// Two Newton steps on the distance from the tube, and the mask of the lanes whose steps are small enough to be
+    /// trusted.
     #[inline(always)]
     fn refined(&self, x: F) -> (F, u32) {
         let (x, is_small) = self.refine(x);
@@ -347,12 +349,12 @@ impl<F: F64Lanes> Stretches<F> {
 
     #[inline(always)]
     fn refine(&self, x: F) -> (F, u32) {
-        let p = add(self.place, scale(self.way, x));
+        let p = add(self.point, scale(self.half_dir, x));
         let axis_distance = (p[0] * p[0] + p[2] * p[2]).sqrt();
         let across = axis_distance - self.major;
-        let outward = p[0] * self.way[0] + p[2] * self.way[2];
+        let outward = p[0] * self.half_dir[0] + p[2] * self.half_dir[2];
         let outward = across * outward / axis_distance;
-        let slope = outward + p[1] * self.way[1];
+        let slope = outward + p[1] * self.half_dir[1];
         let from_middle = (across * across + p[1] * p[1]).sqrt();
         let distance = from_middle - F::splat(1.0);
         let step = distance * from_middle / slope;
@@ -363,7 +365,7 @@ impl<F: F64Lanes> Stretches<F> {
 
 impl<F: F64Lanes> Quartics<F> {
     #[inline(always)]
-    fn new(c: [F; 5], asked: u32) -> Self {
+    fn new(c: [F; 5], active: u32) -> Self {
         let (none, one) = (F::splat(0.0), F::splat(1.0));
         // As [`crate::base::math::roots::polynomial::is_quartic_positive`].
         let (even, odd) = (c[0] + c[2] + c[4], c[1] + c[3]);
@@ -372,18 +374,18 @@ impl<F: F64Lanes> Quartics<F> {
         let middle = c[0] - c[2] * F::splat(1.0 / 3.0) + c[4];
         let ends = odd.abs().lt(even);
         let inner = inner_odd.abs().lt(inner_even) & none.lt(middle);
-        let unknown = asked & !F::bitmask(ends);
-        let asked = asked & F::bitmask(ends) & !F::bitmask(inner);
+        let unknown = active & !F::bitmask(ends);
+        let active = active & F::bitmask(ends) & !F::bitmask(inner);
         let mut quartics = Quartics {
             c,
             low: one,
             high: one,
             at_low: Level::none(),
             at_high: Level::none(),
-            asked,
+            active,
             unknown,
         };
-        if asked == 0 {
+        if active == 0 {
             return quartics;
         }
         // Half the second derivative.
@@ -391,10 +393,10 @@ impl<F: F64Lanes> Quartics<F> {
         let six_c4 = F::splat(6.0) * c[4];
         let mut bends = three_c3.abs().lt(c[2] + six_c4) & six_c4.lt(c[2]);
         let lowest = c[1] / c[2] * F::splat(-0.5);
-        let lowest = on_stretch(lowest);
+        let lowest = clamp_to_segment(lowest);
         (quartics.low, quartics.high) = (lowest, lowest);
-        if asked & !F::bitmask(bends) != 0 {
-            // Where half the second derivative is zero.
+        if active & !F::bitmask(bends) != 0 {
+            // Zeros of half the second derivative.
             let discriminant = three_c3 * three_c3 - F::splat(24.0) * c[2] * c[4];
             bends = bends | discriminant.le(none);
             let root = discriminant.sqrt();
@@ -402,7 +404,10 @@ impl<F: F64Lanes> Quartics<F> {
             let sum = F::select(is_right, three_c3 - root, three_c3 + root);
             let sum = sum * F::splat(-0.5);
             let (x, other) = (sum / six_c4, c[2] / sum);
-            let (low, high) = (on_stretch(x.lane_min(other)), on_stretch(x.lane_max(other)));
+            let (low, high) = (
+                clamp_to_segment(x.lane_min(other)),
+                clamp_to_segment(x.lane_max(other)),
+            );
             quartics.low = F::select(bends, lowest, low);
             quartics.high = F::select(bends, lowest, high);
             quartics.at_high = quartics.level(quartics.high);
@@ -411,11 +416,11 @@ impl<F: F64Lanes> Quartics<F> {
             quartics.at_low = quartics.level(lowest);
             quartics.at_high = quartics.at_low;
         }
-        // Above their tangents all along.
+        // Convex quartics lie above their tangents.
         let at = &quartics.at_low;
         let drop = at.slope.abs() * (one + lowest.abs());
         let is_above = bends & drop.lt(at.value);
-        quartics.asked &= !F::bitmask(is_above);
+        quartics.active &= !F::bitmask(is_above);
         quartics
     }
 
@@ -441,152 +446,155 @@ impl<F: F64Lanes> Quartics<F> {
         }
     }
 
-    /// Those that are known to be below zero somewhere.
+    /// Bit mask of the quartics known to be negative somewhere.
     #[inline(always)]
     fn inside(&self) -> u32 {
         self.at_low.is_negative | self.at_high.is_negative
     }
 
-    /// The first roots of some of them.
+    /// The first roots of the active quartics.
     #[inline(always)]
-    fn first(&self, asked: u32) -> Places<F> {
+    fn first(&self, active: u32) -> QuarticRoots<F> {
         let (low, high) = (&self.at_low, &self.at_high);
         let tried = low.is_negative | low.rises;
-        let mut places = self.enter_first(asked & tried);
-        let behind = asked & !low.is_negative & !places.found & (high.is_negative | high.falls);
+        let mut candidates = self.enter_first(active & tried);
+        let behind =
+            active & !low.is_negative & !candidates.hit_mask & (high.is_negative | high.falls);
         if behind != 0 {
             let later = self.enter_last(behind);
-            places.x = F::select(F::mask_from_bits(behind), later.x, places.x);
-            places.found |= later.found;
-            places.unknown |= later.unknown;
+            candidates.x = F::select(F::mask_from_bits(behind), later.x, candidates.x);
+            candidates.hit_mask |= later.hit_mask;
+            candidates.unknown |= later.unknown;
         }
-        let sure = asked & (low.is_negative | high.is_negative);
-        places.unknown |= sure & !places.found;
-        places
+        let sure = active & (low.is_negative | high.is_negative);
+        candidates.unknown |= sure & !candidates.hit_mask;
+        candidates
     }
 
-    /// All roots: in turn those that enter and those that leave.
+    /// All roots: entering and leaving ones in turn.
     #[inline(always)]
-    fn all(&self) -> [Places<F>; 4] {
-        let asked = self.asked;
+    fn all(&self) -> [QuarticRoots<F>; 4] {
+        let active = self.active;
         let (low, high) = (&self.at_low, &self.at_high);
         let one = F::splat(1.0);
-        let mut first = self.enter_first(asked & (low.is_negative | low.rises));
-        let mut last = self.walk::<false>(&Quest {
+        let mut first = self.enter_first(active & (low.is_negative | low.rises));
+        let mut last = self.newton::<false>(&NewtonSearch {
             start: one,
             limit: self.high,
             heading: -one,
-            asked: asked & (high.is_negative | high.falls),
+            active: active & (high.is_negative | high.falls),
         });
-        // Between the two turns, if it is below zero at both, it may rise above.
+        // Between the two inflections a quartic that is negative at both may rise above zero.
         let both = low.is_negative & high.is_negative & low.rises & high.falls;
-        let from_low = asked & low.is_negative & (both | !high.is_negative);
-        let from_above = first.found & !low.is_negative;
+        let from_low = active & low.is_negative & (both | !high.is_negative);
+        let from_above = first.hit_mask & !low.is_negative;
         let heading = F::select(F::mask_from_bits(from_low), one, -one);
-        let mut second = self.walk::<false>(&Quest {
+        let mut second = self.newton::<false>(&NewtonSearch {
             start: self.low,
             limit: F::select(F::mask_from_bits(from_low), self.high, -one),
             heading,
-            asked: from_low | from_above,
+            active: from_low | from_above,
         });
-        let third_asked =
-            high.is_negative & (!low.is_negative | second.found) | high.falls & !high.is_negative;
-        let mut third = self.enter_last(asked & third_asked);
-        // Each of a pair is there, or neither.
-        first.unknown |= asked & low.is_negative & !first.found;
-        last.unknown |= asked & high.is_negative & !last.found;
+        let third_active = high.is_negative & (!low.is_negative | second.hit_mask)
+            | high.falls & !high.is_negative;
+        let mut third = self.enter_last(active & third_active);
+        // Roots come in pairs.
+        first.unknown |= active & low.is_negative & !first.hit_mask;
+        last.unknown |= active & high.is_negative & !last.hit_mask;
         second.unknown |=
-            (first.found ^ second.found) & asked & !(low.is_negative & high.is_negative);
-        third.unknown |= (last.found ^ third.found) & asked & !(low.is_negative & high.is_negative);
-        third.unknown |= (second.found ^ third.found) & asked & low.is_negative & high.is_negative;
+            (first.hit_mask ^ second.hit_mask) & active & !(low.is_negative & high.is_negative);
+        third.unknown |=
+            (last.hit_mask ^ third.hit_mask) & active & !(low.is_negative & high.is_negative);
+        third.unknown |=
+            (second.hit_mask ^ third.hit_mask) & active & low.is_negative & high.is_negative;
         [first, second, third, last]
     }
 
-    /// The roots that enter where the quartics bend up first.
+    /// The entering roots on the first convex piece.
     #[inline(always)]
-    fn enter_first(&self, asked: u32) -> Places<F> {
+    fn enter_first(&self, active: u32) -> QuarticRoots<F> {
         let one = F::splat(1.0);
-        self.walk::<true>(&Quest {
+        self.newton::<true>(&NewtonSearch {
             start: -one,
             limit: self.low,
             heading: one,
-            asked,
+            active,
         })
     }
 
-    /// The roots that enter where they bend down, or behind that where they bend up again.
+    /// The entering roots on the concave piece, or after it on the second convex piece.
     #[inline(always)]
-    fn enter_last(&self, asked: u32) -> Places<F> {
+    fn enter_last(&self, active: u32) -> QuarticRoots<F> {
         let one = F::splat(1.0);
         let bends_down = F::mask_from_bits(self.at_high.is_negative);
-        self.walk::<true>(&Quest {
+        self.newton::<true>(&NewtonSearch {
             start: self.high,
             limit: F::select(bends_down, self.low, one),
             heading: F::select(bends_down, -one, one),
-            asked,
+            active,
         })
     }
 
-    /// Newton's iterations towards roots that enter or leave, from sides on which they cannot pass them.
+    /// Newton iterations towards entering or leaving roots, from sides on which they cannot pass them.
     #[inline(always)]
-    fn walk<const ENTERS: bool>(&self, quest: &Quest<F>) -> Places<F> {
-        let mut x = quest.start;
+    fn newton<const ENTERS: bool>(&self, search: &NewtonSearch<F>) -> QuarticRoots<F> {
+        let mut x = search.start;
         let none = F::splat(0.0);
-        let mut found = F::mask_from_bits(0);
-        let mut walking = F::mask_from_bits(quest.asked);
-        let mut left = quest.asked;
+        let mut arrived = F::mask_from_bits(0);
+        let mut walking = F::mask_from_bits(search.active);
+        let mut left = search.active;
         for _ in 0..MAX_STEPS {
             if left == 0 {
                 break;
             }
             let (value, slope) = self.value_and_slope(x);
             let (slope, side) = if ENTERS {
-                (slope, quest.heading)
+                (slope, search.heading)
             } else {
-                (slope, -quest.heading)
+                (slope, -search.heading)
             };
             let height = value * side;
-            let is_on_its_way = if ENTERS {
+            let is_descending = if ENTERS {
                 slope.lt(none)
             } else {
                 none.lt(slope)
             };
             let next = x - value / slope;
-            let is_within = ((next - quest.limit) * quest.heading).le(none);
-            let moves = (none.lt(height) & is_on_its_way) & is_within;
+            let is_within = ((next - search.limit) * search.heading).le(none);
+            let moves = (none.lt(height) & is_descending) & is_within;
             let moves = walking & moves;
             let step = (next - x).abs();
             let is_last = moves & step.lt(F::splat(LAST_STEP));
             let has_arrived = walking & height.le(none);
-            found = found | (has_arrived | is_last);
+            arrived = arrived | (has_arrived | is_last);
             x = F::select(moves, next, x);
             walking = moves & F::splat(LAST_STEP).le(step);
             left = F::bitmask(walking);
         }
-        Places {
+        QuarticRoots {
             x,
-            found: F::bitmask(found),
+            hit_mask: F::bitmask(arrived),
             unknown: left,
         }
     }
 }
 
-/// The difference of the squares of a radius and of distances.
+/// `radius² − distance²`.
 #[inline(always)]
 fn within<F: F64Lanes>(radius: f64, distance: F) -> F {
     let radius = F::splat(radius);
     (radius - distance) * (radius + distance)
 }
 
-/// The nearest place of a stretch.
+/// Clamps a parameter to the segment.
 #[inline(always)]
-fn on_stretch<F: F64Lanes>(x: F) -> F {
+fn clamp_to_segment<F: F64Lanes>(x: F) -> F {
     let one = F::splat(1.0);
     x.lane_max(-one).lane_min(one)
 }
 
 impl<F: F64Lanes> Level<F> {
-    /// Of nobody.
+    /// The empty value, without lanes.
     #[inline(always)]
     fn none() -> Self {
         Level {
@@ -607,7 +615,7 @@ mod tests {
     use crate::scene::shape::Geometry;
     use glam::DVec3;
 
-    /// Rays at a torus: through its tube for the most part, from near and far.
+    /// Rays at a torus: mostly through its tube, from near and far.
     fn rays(torus: &Torus, rng: &mut Random) -> Vec<Ray> {
         let size = torus.major + torus.minor;
         let ray = |number: usize| {
@@ -625,7 +633,7 @@ mod tests {
     }
 
     #[test]
-    fn the_quick_way_finds_what_the_careful_way_finds() {
+    fn the_fast_path_finds_the_roots_of_the_robust_path() {
         let mut rng = Random::new(41);
         for (major, minor) in [(1.0, 0.3), (1.0, 1.0), (2.0, 0.01), (1.0, 1e-5)] {
             let torus = Torus {
@@ -635,23 +643,23 @@ mod tests {
             };
             let (mut unknown, mut crossed, mut twice) = (0, 0, 0);
             for ray in rays(&torus, &mut rng) {
-                let careful = torus.careful_crossings(&ray);
-                let Some(quick) = torus.quick_crossings(&ray) else {
+                let robust = torus.robust_crossings(&ray);
+                let Some(fast) = torus.fast_crossings(&ray) else {
                     unknown += 1;
                     continue;
                 };
-                assert_eq!(quick.len(), careful.len(), "{torus:?} {ray:?}");
-                for (quick, careful) in quick.iter().zip(&careful) {
-                    assert_eq!(quick.crossing, careful.crossing);
-                    // Grazing rays: where the surface is nearly along them little is known of the place.
-                    let off = (quick.t - careful.t).abs();
-                    assert!(off < 1e-6 * (1.0 + careful.t.abs()), "{ray:?} {off:e}");
+                assert_eq!(fast.len(), robust.len(), "{torus:?} {ray:?}");
+                for (fast, robust) in fast.iter().zip(&robust) {
+                    assert_eq!(fast.crossing, robust.crossing);
+                    // Grazing rays: `t` is ill-conditioned where the surface is nearly parallel to the ray.
+                    let off = (fast.t - robust.t).abs();
+                    assert!(off < 1e-6 * (1.0 + robust.t.abs()), "{ray:?} {off:e}");
                 }
                 let nearest = torus.nearest(&ray, 0.0, f64::INFINITY);
-                let first = quick.iter().find(|root| root.t > 0.0).copied();
+                let first = fast.iter().find(|root| root.t > 0.0).copied();
                 assert_eq!(nearest, first, "{torus:?} {ray:?}");
-                crossed += usize::from(!quick.is_empty());
-                twice += usize::from(quick.len() == 4);
+                crossed += usize::from(!fast.is_empty());
+                twice += usize::from(fast.len() == 4);
             }
             assert!(unknown < 20 && crossed > 4000, "{unknown} {crossed}");
             assert!(twice > 20 || minor < 0.01, "{twice}");
@@ -659,14 +667,14 @@ mod tests {
     }
 
     #[test]
-    fn from_the_outer_half_outward_nothing_is_met() {
+    fn rays_leaving_the_outer_half_hit_nothing() {
         let torus = Torus {
             centre: DVec3::new(0.5, -1.0, 2.0),
             major: 1.0,
             minor: 0.4,
         };
         let mut rng = Random::new(42);
-        let (mut left, mut met) = (0, 0);
+        let (mut left, mut hits) = (0, 0);
         for _ in 0..20_000 {
             let outward = rng.vector(1.0).normalize();
             let around = rng.vector(1.0);
@@ -682,9 +690,9 @@ mod tests {
                 left += 1;
                 assert!(nearest.is_none_or(|root| root.t < 1e-6), "{ray:?}");
             } else {
-                met += usize::from(nearest.is_some());
+                hits += usize::from(nearest.is_some());
             }
         }
-        assert!(left > 8000 && met > 1000, "{left} {met}");
+        assert!(left > 8000 && hits > 1000, "{left} {hits}");
     }
 }

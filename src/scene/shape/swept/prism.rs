@@ -1,13 +1,14 @@
 //! `prism { [spline] [sweep] height 1, height 2, number of points, <x, z>, ... [open] }`: an outline in the xz plane,
-//! moved along y (`linear_sweep`) or scaled with y (`conic_sweep`).
+//! translated along y (`linear_sweep`) or scaled in proportion to y (`conic_sweep`).
 //!
-//! Inside is what the outline winds around an odd number of times, between the heights. A ray that is not upright is a
-//! line in the plane of the outline; of a conic sweep it is the line `(origin × dir) · (X, 1, Z) = 0` in the plane
-//! `y = 1`. Its crossings with the outline, in order along the ray, make stretches inside, which the slab between the
-//! heights clips: enter and leave alternate by construction. Error bound: roots lie within 2 roundings of the problem's size
-//! from the surface (`shape/roundings.rs`); no line slips through a corner (`spline`).
+//! A point between the heights is inside if the outline winds around it an odd number of times. A ray that is not
+//! parallel to y projects to a line in the plane of the outline; for a conic sweep to the line
+//! `(origin × dir) · (X, 1, Z) = 0` in the plane `y = 1`. Its crossings with the outline, in order along the ray, bound
+//! intervals inside, which are clipped to the slab between the heights: enter and leave alternate by construction.
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`); no line
+//! slips through a corner (`spline`).
 
-use super::spline::{self, Chain, Kind, Segment};
+use super::spline::{self, Chain, Kind, Line, Segment};
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray, Step};
@@ -18,7 +19,7 @@ use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A swept outline. Face 0 is the side, 1 the cap at the lower height, 2 that at the upper one.
+/// A swept outline. Face 0 is the side, 1 the cap at the lower height, 2 the cap at the upper one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prism {
     outline: Arc<Chain>,
@@ -63,10 +64,10 @@ impl Prism {
             Box::new(Diagnostic::error(
                 at,
                 match fault {
-                    Fault::TooFew(least) => {
+                    Fault::MissingPoints(least) => {
                         format!("prism with {name} splines must have at least {least} points")
                     }
-                    Fault::NotByFour => {
+                    Fault::IncompleteSegment => {
                         "prism with bezier splines must have four points for each segment".into()
                     }
                     Fault::NotClosed => format!("prism with {name} splines is not closed"),
@@ -93,18 +94,18 @@ impl Prism {
         })
     }
 
-    /// Visits the spans of the line of a ray inside, in order, until `visit` says to stop.
+    /// Visits the inside spans of the line of a ray in order, until `visit` returns true.
     #[inline(always)]
     fn spans(&self, lanes: SimdLevel, ray: &Ray, mut visit: impl FnMut([Root; 2]) -> bool) {
         let Some(slab) = Slab::between(ray, self.low, self.high) else {
             return;
         };
-        let mut places = match self.sweep {
-            Sweep::Linear => self.linear_places(lanes, ray),
-            Sweep::Conic => self.conic_places(lanes, ray),
+        let mut crossings = match self.sweep {
+            Sweep::Linear => self.linear_crossings(lanes, ray),
+            Sweep::Conic => self.conic_crossings(lanes, ray),
         };
-        places.sort_unstable_by(f64::total_cmp);
-        for side in places.chunks_exact(2) {
+        crossings.sort_unstable_by(f64::total_cmp);
+        for side in crossings.chunks_exact(2) {
             let span = slab.clip((side[0], side[1]), self.is_open);
             if span.is_some_and(&mut visit) {
                 return;
@@ -112,39 +113,43 @@ impl Prism {
         }
     }
 
-    /// Where the line passes through the side of an endless prism.
+    /// Crossings of the line with the side of an infinite prism.
     #[inline(always)]
-    fn linear_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
+    fn linear_crossings(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
         let (origin, dir) = (flat(ray.origin), flat(ray.dir));
-        let mut places = SmallVec::new();
+        let mut crossings = SmallVec::new();
         let speed_sq = dir.dot(dir);
         if speed_sq == 0.0 {
-            return always(self.outline.contains(origin));
+            return constant_crossings(self.outline.contains(origin));
         }
-        // From the place nearest to the axis, so that a far origin costs no digits.
+        // Relative to the point nearest to the axis, so that a far origin costs no digits.
         let ahead = -origin.dot(dir) / speed_sq;
         let near = origin + ahead * dir;
-        let line = (dir.perp(), near, 0.0);
+        let line = Line::through(near, dir.perp());
         self.outline.line_crossings(lanes, line, |number, x| {
             let point = self.outline[number].at(x);
-            places.push(ahead + (point - near).dot(dir) / speed_sq);
+            crossings.push(ahead + (point - near).dot(dir) / speed_sq);
         });
-        places
+        crossings
     }
 
-    /// The same for an endless double cone.
+    /// Crossings of the line with the side of an infinite double cone.
     #[inline(always)]
-    fn conic_places(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
-        let mut places = SmallVec::new();
+    fn conic_crossings(&self, lanes: SimdLevel, ray: &Ray) -> SmallVec<[f64; 8]> {
+        let mut crossings = SmallVec::new();
         let dir = ray.dir;
         let ahead = -ray.origin.dot(dir) / dir.dot(dir);
         let near = ray.origin + ahead * dir;
         let plane = near.cross(dir);
         if plane == DVec3::ZERO {
             // Through the apex.
-            return always(self.outline.contains(flat(dir) / dir.y));
+            return constant_crossings(self.outline.contains(flat(dir) / dir.y));
         }
-        let line = (flat(plane), DVec2::ZERO, plane.y);
+        let line = Line {
+            normal: flat(plane),
+            from: DVec2::ZERO,
+            offset: plane.y,
+        };
         self.outline.line_crossings(lanes, line, |number, x| {
             let point = self.outline[number].at(x);
             let rate = flat(dir) - dir.y * point;
@@ -152,26 +157,26 @@ impl Prism {
             let axis = usize::from(rate.y.abs() > rate.x.abs());
             let t = gap[axis] / rate[axis];
             if t.is_finite() {
-                places.push(ahead + t);
+                crossings.push(ahead + t);
             }
         });
-        // Where it passes the height of the apex the line is outside: the outline has shrunk to a point there.
+        // At the height of the apex the line is outside: the outline has shrunk to a point there.
         let apex = if dir.y == 0.0 {
             f64::INFINITY
         } else {
             -ray.origin.y / dir.y
         };
-        let before = places.iter().filter(|t| **t < apex).count();
-        if (places.len() - before) % 2 == 1 {
-            places.push(f64::INFINITY);
+        let before = crossings.iter().filter(|t| **t < apex).count();
+        if (crossings.len() - before) % 2 == 1 {
+            crossings.push(f64::INFINITY);
         }
         if before % 2 == 1 {
-            places.push(f64::NEG_INFINITY);
+            crossings.push(f64::NEG_INFINITY);
         }
-        places
+        crossings
     }
 
-    /// Whether a point is within the endless sweep.
+    /// True if a point is within the infinite sweep.
     fn is_in_sweep(&self, point: DVec3) -> bool {
         let across = match self.sweep {
             Sweep::Linear => flat(point),
@@ -199,23 +204,23 @@ impl Prism {
     }
 }
 
-/// The places of a line that is inside all along, or nowhere.
-fn always(is_inside: bool) -> SmallVec<[f64; 8]> {
-    let mut places = SmallVec::new();
+/// Crossings of a line that is inside everywhere, or nowhere.
+fn constant_crossings(is_inside: bool) -> SmallVec<[f64; 8]> {
+    let mut crossings = SmallVec::new();
     if is_inside {
-        places.extend([f64::NEG_INFINITY, f64::INFINITY]);
+        crossings.extend([f64::NEG_INFINITY, f64::INFINITY]);
     }
-    places
+    crossings
 }
 
-/// The part of a point or direction in the plane of the outline.
+/// Projects a point or direction to the plane of the outline.
 fn flat(v: DVec3) -> DVec2 {
     DVec2::new(v.x, v.z)
 }
 
 enum Fault {
-    TooFew(usize),
-    NotByFour,
+    MissingPoints(usize),
+    IncompleteSegment,
     NotClosed,
 }
 
@@ -231,8 +236,8 @@ struct Outline {
     repair: Repair,
 }
 
-/// The closed parts of an outline: each begins anew where the one before has come back to its first point. Points left
-/// over that make no part are passed over, as in POV-Ray.
+/// Splits an outline into closed parts: each begins where the one before has returned to its first point. Leftover
+/// points that make no part are ignored, as in POV-Ray.
 fn outline(kind: Kind, points: &[DVec2]) -> Result<Outline, Fault> {
     let least = match kind {
         Kind::Linear => 3,
@@ -241,7 +246,7 @@ fn outline(kind: Kind, points: &[DVec2]) -> Result<Outline, Fault> {
         Kind::Bezier => 0,
     };
     if points.len() < least {
-        return Err(Fault::TooFew(least));
+        return Err(Fault::MissingPoints(least));
     }
     if kind == Kind::Bezier {
         return bezier_outline(points);
@@ -285,7 +290,7 @@ fn is_back(point: DVec2, first: DVec2) -> bool {
 
 fn bezier_outline(points: &[DVec2]) -> Result<Outline, Fault> {
     if !points.len().is_multiple_of(4) {
-        return Err(Fault::NotByFour);
+        return Err(Fault::IncompleteSegment);
     }
     let mut outline = Outline {
         segments: Kind::Bezier.segments(points),
@@ -332,12 +337,12 @@ impl Geometry for Prism {
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         let mut first = None;
-        let is_asked = |root: &Root| root.is_visible && from < root.t && root.t < to;
+        let is_in_range = |root: &Root| root.is_visible && from < root.t && root.t < to;
         with_widest(
             #[inline(always)]
             |lanes| {
                 self.spans(lanes, ray, |span| {
-                    first = span.into_iter().find(is_asked);
+                    first = span.into_iter().find(is_in_range);
                     first.is_some()
                 });
             },

@@ -1,11 +1,12 @@
 //! `sor { number of points, <r, y>, ... [open] }`: a surface of revolution about the y axis whose squared radius is a
-//! cubic of the height.
+//! piecewise cubic of the height.
 //!
 //! Between the second point and the last but one, `r²` takes the value and the slope `2·r·dr/dy` at each point, with
-//! `dr/dy` from both neighbours. Along a ray `r²(y) − x² − z²` is a cubic on each stretch between two points, clipped
-//! to the widest radius, centred and scaled to -1..1. Neighbouring stretches share the sign at the height between
-//! them. Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`), since the
-//! ray is first moved to where it is nearest. The solid ends at the first and the last height with caps, which `open` takes out of sight.
+//! `dr/dy` from both neighbours. Along a ray `r²(y) − x² − z²` is a cubic on each interval between two points, clipped
+//! to the largest radius, centred and scaled to -1..1. Neighbouring intervals share the sign at the height between
+//! them. Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`), since
+//! the ray is first moved to the point nearest to the surface's centre. Caps close the solid at the first and the last
+//! height; `open` makes them invisible.
 
 use super::spline;
 use crate::base::args::{Args, Parse, Word};
@@ -20,10 +21,10 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A ray is clipped a little wide, so that the ends of a stretch lie outside whatever rounding does.
+/// A ray is clipped a little wide, so that the ends of an interval lie outside whatever the roundings.
 const CLIP: f64 = 1.001;
 
-/// A surface of revolution. Face 0 is the side, 1 the cap at the lower end, 2 that at the upper one.
+/// A surface of revolution. Face 0 is the side, 1 the cap at the lower end, 2 the cap at the upper one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sor {
     profile: Arc<Profile>,
@@ -37,11 +38,11 @@ struct Profile {
     rim: f64,
     low: f64,
     high: f64,
-    /// The squares of the radii of the caps.
+    /// Squared radii of the caps.
     ends_sq: [f64; 2],
 }
 
-/// Between two points: `r²` by rising power of `x`, with `-1 <= x <= 1` from the lower to the upper height.
+/// The curve between two points: `r²` by rising power of `x`, with `-1 <= x <= 1` from the lower to the upper height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ring {
     low: f64,
@@ -89,10 +90,10 @@ impl Sor {
 }
 
 impl Profile {
-    /// Of at least four points of rising height.
+    /// Builds the profile from at least four points of rising height.
     fn new(points: &[DVec2]) -> Self {
         let rings: Vec<Ring> = points.windows(4).map(Ring::new).collect();
-        let rim_sq = rings.iter().map(Ring::most).fold(0.0, f64::max);
+        let rim_sq = rings.iter().map(Ring::max_radius_sq).fold(0.0, f64::max);
         let (first, last) = (points[1], points[points.len() - 2]);
         Profile {
             rings,
@@ -105,7 +106,7 @@ impl Profile {
 
     fn crossings(&self, ray: &Ray, is_open: bool) -> Crossings {
         let mut roots = Crossings::new();
-        // With a direction that can be squared, from the place nearest to the middle.
+        // Rescale the direction so that it can be squared, and start from the point nearest to the centre.
         let dir_size = power_of_two(ray.dir.abs().max_element());
         let dir = ray.dir / dir_size;
         let middle = DVec3::new(0.0, 0.5 * (self.low + self.high), 0.0);
@@ -117,7 +118,7 @@ impl Profile {
         let Some(reach) = self.reach(&near) else {
             return roots;
         };
-        self.walk(&near, &slab, reach, &mut roots);
+        self.walk(&near, &slab, reach.0, reach.1, &mut roots);
         for root in &mut roots {
             root.t = (start + root.t) / dir_size;
             root.is_visible = !is_open || root.face == SIDE;
@@ -128,7 +129,7 @@ impl Profile {
         roots
     }
 
-    /// Where a line is within the widest radius.
+    /// Interval of a line within the largest radius.
     fn reach(&self, ray: &Ray) -> Option<(f64, f64)> {
         let (origin, dir) = (across(ray.origin), across(ray.dir));
         let rim = self.rim * CLIP;
@@ -138,29 +139,29 @@ impl Profile {
         ball_chord(origin, dir, rim)
     }
 
-    /// Appends the roots of all rings in the order in which a line passes them.
-    fn walk(&self, ray: &Ray, slab: &Slab, reach: (f64, f64), roots: &mut Crossings) {
+    /// Appends the roots of all rings in the order in which the line passes them.
+    fn walk(&self, ray: &Ray, slab: &Slab, near: f64, far: f64, roots: &mut Crossings) {
         let count = self.rings.len();
         let rises = ray.dir.y >= 0.0;
         let mut is_inside = false;
-        if slab.enter.0 > reach.0 {
+        if slab.enter.0 > near {
             let cap = usize::from(slab.enter.1 == APEX);
             is_inside = self.is_within(self.ends_sq[cap], ray, slab.enter.0);
             if is_inside {
-                roots.push(root(slab.enter, Crossing::Enter));
+                roots.push(root(slab.enter.0, slab.enter.1, Crossing::Enter));
             }
         }
         for step in 0..count {
             let number = if rises { step } else { count - 1 - step };
             let ring = &self.rings[number];
-            let Some((from, to)) = ring.stretch(ray) else {
+            let Some((from, to)) = ring.interval(ray) else {
                 continue;
             };
-            let is_last = to >= reach.1;
-            if to <= reach.0 {
+            let is_last = to >= far;
+            if to <= near {
                 continue;
             }
-            if from >= reach.1 {
+            if from >= far {
                 break;
             }
             let end_sq = match (step + 1 == count, rises) {
@@ -170,12 +171,12 @@ impl Profile {
                 (false, false) => ring.value(-1.0),
             };
             let ends_inside = !is_last && self.is_within(end_sq, ray, to);
-            let (from, to) = (from.max(reach.0), to.min(reach.1));
-            ring.solve(ray, (from, to), (is_inside, ends_inside), roots);
+            let (from, to) = (from.max(near), to.min(far));
+            ring.solve(ray, from, to, is_inside, ends_inside, roots);
             is_inside = ends_inside;
         }
         if is_inside {
-            roots.push(root(slab.leave, Crossing::Leave));
+            roots.push(root(slab.leave.0, slab.leave.1, Crossing::Leave));
         }
     }
 
@@ -184,7 +185,7 @@ impl Profile {
         p.dot(p) < radius_sq
     }
 
-    /// The ring at a height, the first or the last beyond them.
+    /// Index of the ring at a height, clamped to the first and the last.
     fn ring_at(&self, height: f64) -> usize {
         let above = self.rings.partition_point(|ring| ring.high < height);
         above.min(self.rings.len() - 1)
@@ -192,7 +193,7 @@ impl Profile {
 }
 
 impl Ring {
-    /// Between the second and the third of four points.
+    /// The ring between the second and the third of four points.
     fn new(p: &[DVec2]) -> Self {
         let (start, end) = (p[1], p[2]);
         let slope = |before: DVec2, here: DVec2, after: DVec2| {
@@ -204,7 +205,7 @@ impl Ring {
             half * slope(start, end, p[3]),
         ];
         let values = [start.x * start.x, end.x * end.x];
-        // Hermite's interpolation on -1..1.
+        // Hermite interpolation on -1..1.
         let (sum, difference) = (values[0] + values[1], values[1] - values[0]);
         let c = [
             0.5 * sum + 0.25 * (slopes[0] - slopes[1]),
@@ -229,66 +230,68 @@ impl Ring {
         b + x * (2.0 * c + x * 3.0 * d)
     }
 
-    /// The place of a height.
-    fn place(&self, height: f64) -> f64 {
+    /// Curve parameter at a height.
+    fn param(&self, height: f64) -> f64 {
         ((height - self.low) - (self.high - height)) / (self.high - self.low)
     }
 
-    /// The largest square of a radius.
-    fn most(&self) -> f64 {
+    /// Largest squared radius.
+    fn max_radius_sq(&self) -> f64 {
         let [_, b, c, d] = self.c;
         let turns = sign_changes(&[b, 2.0 * c, 3.0 * d]);
-        let places = turns.iter().copied().chain([-1.0, 1.0]);
-        places.map(|x| self.value(x)).fold(0.0, f64::max)
+        let params = turns.iter().copied().chain([-1.0, 1.0]);
+        params.map(|x| self.value(x)).fold(0.0, f64::max)
     }
 
-    /// Where a line is between both heights.
-    fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
+    /// Interval of a line between both heights.
+    fn interval(&self, ray: &Ray) -> Option<(f64, f64)> {
         let slab = Slab::between(ray, self.low, self.high)?;
-        // A level ray at a height between two rings is in the upper one.
+        // A horizontal ray at the height between two rings belongs to the upper one.
         (ray.dir.y != 0.0 || ray.origin.y < self.high).then_some((slab.enter.0, slab.leave.0))
     }
 
-    /// Appends the roots on a stretch of finite length, given whether its ends lie inside.
+    /// Appends the roots on a finite interval, given on which side its ends lie.
     fn solve(
         &self,
         ray: &Ray,
-        (from, to): (f64, f64),
-        (starts_inside, ends_inside): (bool, bool),
+        from: f64,
+        to: f64,
+        starts_inside: bool,
+        ends_inside: bool,
         roots: &mut Crossings,
     ) {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let point = ray.at(middle);
-        let way = ray.dir * half;
-        let x = self.place(point.y);
-        let dx = 2.0 * way.y / (self.high - self.low);
+        let step = ray.dir * half;
+        let x = self.param(point.y);
+        let dx = 2.0 * step.y / (self.high - self.low);
         let [_, _, c, d] = self.c;
-        let (p, v) = (across(point), across(way));
-        // How much is missing to the radius.
-        let missing = [
+        let (p, v) = (across(point), across(step));
+        // Squared distance from the axis less the squared radius.
+        let excess = [
             p.dot(p) - self.value(x),
             2.0 * p.dot(v) - dx * self.slope(x),
             v.dot(v) - dx * dx * (c + 3.0 * d * x),
             -dx * dx * dx * d,
         ];
-        let reach = missing[1].abs() + missing[2].abs() + missing[3].abs();
-        if starts_inside == ends_inside && missing[0].abs() > reach {
+        let reach = excess[1].abs() + excess[2].abs() + excess[3].abs();
+        if starts_inside == ends_inside && excess[0].abs() > reach {
             return;
         }
         let mut is_inside = starts_inside;
-        for place in sign_changes_between(&missing, starts_inside, ends_inside) {
+        for param in sign_changes_between(&excess, starts_inside, ends_inside) {
             let crossing = if is_inside {
                 Crossing::Leave
             } else {
                 Crossing::Enter
             };
-            roots.push(root((middle + half * place, SIDE), crossing));
+            roots.push(root(middle + half * param, SIDE, crossing));
             is_inside = !is_inside;
         }
     }
 }
 
-fn root((t, face): (f64, u32), crossing: Crossing) -> Root {
+fn root(t: f64, face: u32, crossing: Crossing) -> Root {
     Root {
         t,
         crossing,
@@ -297,7 +300,7 @@ fn root((t, face): (f64, u32), crossing: Crossing) -> Root {
     }
 }
 
-/// The part across the axis.
+/// Component perpendicular to the axis.
 fn across(v: DVec3) -> DVec3 {
     DVec3::new(v.x, 0.0, v.z)
 }
@@ -318,9 +321,9 @@ impl Geometry for Sor {
             APEX => DVec3::Y,
             _ => {
                 let ring = &self.profile.rings[self.profile.ring_at(point.y)];
-                let rate = ring.slope(ring.place(point.y)) / (ring.high - ring.low);
+                let rate = ring.slope(ring.param(point.y)) / (ring.high - ring.low);
                 let normal = DVec3::new(point.x, -rate, point.z);
-                // Where the curve reaches the axis in a point.
+                // Zero where the curve reaches the axis in a point.
                 if normal == DVec3::ZERO {
                     DVec3::Y
                 } else {
@@ -337,7 +340,7 @@ impl Geometry for Sor {
         }
         let ring = &profile.rings[profile.ring_at(point.y)];
         let p = across(point);
-        p.dot(p) <= ring.value(ring.place(point.y))
+        p.dot(p) <= ring.value(ring.param(point.y))
     }
 
     fn bounds(&self) -> Bounds {
@@ -354,8 +357,8 @@ impl Geometry for Sor {
         false
     }
 
-    /// Around the axis from +x towards +z, and up the curve by the number of the ring; the caps go on from -1 at the
-    /// middle of the lower one to 0 at its rim, and from 1 to 2 in the upper one.
+    /// `u` goes around the axis from +x towards +z, and `v` up the curve by the index of the ring; over the caps it
+    /// runs from -1 at the centre of the lower one to 0 at its rim, and from 1 to 2 on the upper one.
     fn uv(&self, point: DVec3, face: u32) -> Option<[f64; 2]> {
         let profile = &self.profile;
         let around = point.z.atan2(point.x) / TAU;
@@ -371,7 +374,7 @@ impl Geometry for Sor {
             _ => {}
         }
         let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
-        let share = (0.5 * (ring.place(point.y) + 1.0)).clamp(0.0, 1.0);
+        let share = (0.5 * (ring.param(point.y) + 1.0)).clamp(0.0, 1.0);
         Some([around, (count(number) + share) / count(profile.rings.len())])
     }
 }

@@ -1,17 +1,18 @@
-//! `sphere_sweep { linear_spline | b_spline | cubic_spline  n, <centre>, radius, ... [tolerance x] }`: the space that a
-//! sphere sweeps whose centre and radius follow a curve.
+//! `sphere_sweep { linear_spline | b_spline | cubic_spline  n, <centre>, radius, ... [tolerance x] }`: the volume swept
+//! by a sphere whose centre and radius follow a curve.
 //!
-//! At the parameter `x` of the curve a ray is in the sphere from `s₋(x)` to `s₊(x) = −b ± √d`, with `b(x)` the way of the
-//! ray to the point nearest to the centre and `d(x)` the square of half the chord. Where `d ≥ 0` without a gap the ray is
-//! in the sweep from the least `s₋` to the largest `s₊`, so enter and leave alternate by construction. The extremes lie
-//! at the ends of the curve or where `d'² = 4·b'²·d`, of degree ten. POV-Ray solves the same equation.
+//! At the curve parameter `x` a ray is inside the sphere from `s₋(x)` to `s₊(x) = −b ± √d`, with `−b(x)` the distance
+//! along the ray to the point nearest to the centre and `d(x)` the square of half the chord. Over an interval of `x`
+//! with `d ≥ 0` the ray is in the sweep from the least `s₋` to the largest `s₊`, so enter and leave alternate by
+//! construction. The extremes lie at the ends of the interval or where `d'² = 4·b'²·d`, of degree ten. POV-Ray solves
+//! the same equation.
 //!
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`, and `tests/stability`,
-//! item 51, for cubic curves).
+//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`shape/roundings.rs`, and
+//! `tests/stability`, item 51, for cubic curves).
 //!
-//! In a difference POV-Ray 3.7 shows walls inside the sweep where two pieces of a curve meet; here there are none.
+//! In a difference POV-Ray 3.7 shows walls inside the sweep where two segments of the curve join; here there are none.
 //!
-//! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and not needed.
+//! `tolerance`, by which POV-Ray drops hits near the start of a ray, is read and ignored.
 
 mod part;
 mod way;
@@ -26,37 +27,37 @@ use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Spheres of one sweep.
-const MOST_SPHERES: f64 = 1e7;
-/// Enter and leave of parts of the sweep on a ray, each with the number of the part.
+/// Maximum number of spheres of a sweep.
+const MAX_SPHERES: f64 = 1e7;
+/// Spans of a ray inside parts of the sweep, each end with the index of its part.
 type Spans = SmallVec<[[(f64, u32); 2]; 4]>;
 
-/// A sweep. Copies share its parts.
+/// A sphere sweep. Copies share its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SphereSweep(Arc<Sweep>);
 
 #[derive(Clone, Debug)]
 struct Sweep {
     parts: Vec<Part>,
-    /// Over the boxes of the parts.
+    /// BVH over the boxes of the parts.
     tree: Bvh,
     bounds: Bounds,
 }
 
 impl PartialEq for Sweep {
-    /// The tree follows from the parts.
+    /// The BVH follows from the parts.
     fn eq(&self, other: &Self) -> bool {
         self.parts == other.parts && self.bounds == other.bounds
     }
 }
 
-/// How the curve follows the spheres.
+/// Interpolation of the curve between the spheres.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Linear,
-    /// Near the spheres, smooth in its bends.
+    /// Approximates the spheres with continuous curvature.
     B,
-    /// Through all but the first and the last, which only bend it.
+    /// Interpolates all but the first and the last sphere, which only shape the ends.
     Cubic,
 }
 
@@ -71,20 +72,20 @@ impl SphereSweep {
             (Word::BSpline, Kind::B, 4),
             (Word::CubicSpline, Kind::Cubic, 4),
         ];
-        let mut found = None;
+        let mut matched = None;
         for (word, kind, least) in kinds {
             if args.accept(word)? {
-                found = Some((word, kind, least));
+                matched = Some((word, kind, least));
             }
         }
-        let Some((word, kind, least)) = found else {
+        let Some((word, kind, least)) = matched else {
             let what = "`linear_spline`, `b_spline` or `cubic_spline` in `sphere_sweep`";
             return Err(args.expected(what));
         };
         args.comma()?;
         let at = args.span();
         let count = read::number(args, "the number of spheres")?.trunc();
-        if count < f64::from(least) || count > MOST_SPHERES {
+        if count < f64::from(least) || count > MAX_SPHERES {
             let message = format!("a `{word}` needs at least {least} spheres, found {count}");
             return Err(Box::new(Diagnostic::error(
                 at.to(args.last_span()),
@@ -104,7 +105,7 @@ impl SphereSweep {
         Ok(SphereSweep(Arc::new(Sweep::new(kind, &spheres))))
     }
 
-    /// The parts of a ray that are in the sweep, in order and apart from each other.
+    /// Disjoint spans of a ray inside the sweep, in order.
     fn spans(&self, ray: &Ray) -> Spans {
         let mut all = Spans::new();
         let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -113,18 +114,18 @@ impl SphereSweep {
             false
         });
         all.sort_unstable_by(|a, b| a[0].0.total_cmp(&b[0].0).then(a[0].1.cmp(&b[0].1)));
-        let mut apart = Spans::new();
+        let mut disjoint = Spans::new();
         for [enter, leave] in all {
-            match apart.last_mut() {
+            match disjoint.last_mut() {
                 Some([_, last]) if enter.0 <= last.0 => {
                     if leave.0 > last.0 {
                         *last = leave;
                     }
                 }
-                _ => apart.push([enter, leave]),
+                _ => disjoint.push([enter, leave]),
             }
         }
-        apart
+        disjoint
     }
 }
 
@@ -137,15 +138,15 @@ impl Sweep {
                 .collect(),
             Kind::B => spheres
                 .windows(4)
-                .map(|four| Part::of(&B_SPLINE, four))
+                .map(|quad| Part::of(&B_SPLINE, quad))
                 .collect(),
             Kind::Cubic => spheres
                 .windows(4)
-                .map(|four| Part::of(&CATMULL_ROM, four))
+                .map(|quad| Part::of(&CATMULL_ROM, quad))
                 .collect(),
         };
         let boxes: Vec<Bounds> = parts.iter().map(Part::bounds).collect();
-        // POV-Ray's box, as far as it goes.
+        // Includes POV-Ray's box.
         let factor = if kind == Kind::Cubic { 2.0 } else { 1.0 };
         let of_spheres = spheres.iter().map(|sphere| {
             let radius = DVec3::splat(factor * sphere.w.abs());
@@ -174,10 +175,10 @@ impl Geometry for SphereSweep {
 
     fn nearest(&self, ray: &Ray, from: f64, to: f64) -> Option<Root> {
         let spans = self.spans(ray);
-        let found = spans
+        let roots = spans
             .iter()
             .filter_map(|[enter, leave]| span(*enter, *leave));
-        found
+        roots
             .into_iter()
             .find_map(|span| first_visible(&span, from, to))
     }

@@ -1,12 +1,12 @@
-//! Curves in a plane, of which prisms and lathes are made: straight, quadratic, cubic (Catmull and Rom) and Bézier
-//! segments through or near the same list of points.
+//! Plane curves of prisms and lathes: straight, quadratic, cubic (Catmull-Rom) and Bézier segments through or near a
+//! list of points.
 //!
-//! A segment is a cubic in `-1 <= x <= 1`. Where a line crosses a chain of segments is found by the side of the line on
-//! which the points between them lie, each asked once for both of its segments, so that no line slips through a joint.
+//! A segment is a cubic in `-1 <= x <= 1`. Crossings of a line with a chain of segments follow from the side of the
+//! line on which the joints lie, computed once for both segments of a joint, so that no line slips through.
 
 mod chain;
 
-pub(in crate::scene::shape) use chain::Chain;
+pub(in crate::scene::shape) use chain::{Chain, Line};
 
 use crate::base::args::{Args, Parse, Word};
 use crate::base::math::roots::polynomial::sign_changes;
@@ -14,25 +14,26 @@ use crate::base::source::Diagnostic;
 use crate::scene::shape::read;
 use glam::DVec2;
 
-/// Points nearer than this are one: POV-Ray's distance, by which it decides whether an outline is closed.
+/// Points nearer than this coincide: POV-Ray's distance for closed outlines.
 const SAME_POINT: f64 = 1e-10;
 
-/// More roundings, of the size of a segment, than a point of it is off.
+/// Upper bound of the error of a point of a segment, in roundings of the segment's size.
 const ROUNDINGS: f64 = 16.0;
 
-/// More roundings, of the size of a segment, than the side of a line is off on which one of its points lies.
+/// Upper bound of the error of the signed distance of a point of a segment from a line, in roundings of the segment's
+/// size.
 const HULL_ROUNDINGS: f64 = 64.0;
 
-/// How a curve follows its points.
+/// Interpolation of a curve between its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Straight from point to point.
     Linear,
-    /// The first point only bends the first segment.
+    /// The first point only shapes the first segment.
     Quadratic,
-    /// The first and the last point only bend their neighbours.
+    /// The first and the last point only shape their neighbours.
     Cubic,
-    /// Four points for each segment.
+    /// Four points per segment.
     Bezier,
 }
 
@@ -44,13 +45,13 @@ pub(in crate::scene::shape) struct Segment {
     degree: usize,
     pub(crate) start: DVec2,
     pub(crate) end: DVec2,
-    /// The corners of the box around it.
+    /// The corners of the bounding box.
     pub(crate) low: DVec2,
     pub(crate) high: DVec2,
 }
 
 impl Kind {
-    /// Takes a word for a kind of curve, if one is next.
+    /// Reads the keyword of a kind of curve, if one is next.
     pub(crate) fn accept(args: &mut dyn Args) -> Parse<Option<Kind>> {
         for (word, kind) in [
             (Word::LinearSpline, Kind::Linear),
@@ -65,7 +66,7 @@ impl Kind {
         Ok(None)
     }
 
-    /// The name in messages.
+    /// Name in messages.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Kind::Linear => "linear",
@@ -75,7 +76,7 @@ impl Kind {
         }
     }
 
-    /// How many points before the first on the curve only bend it, and how many behind the last.
+    /// Numbers of control points before the first and after the last point on the curve.
     pub(crate) fn extra(self) -> (usize, usize) {
         match self {
             Kind::Linear | Kind::Bezier => (0, 0),
@@ -84,7 +85,7 @@ impl Kind {
         }
     }
 
-    /// The segments of a curve along all points; incomplete ones at the end are left out.
+    /// Segments of a curve along all points; an incomplete one at the end is dropped.
     pub(crate) fn segments(self, points: &[DVec2]) -> Vec<Segment> {
         match self {
             Kind::Linear => points
@@ -98,7 +99,7 @@ impl Kind {
     }
 }
 
-/// Reads how many points there are, and the points. `of` names the shape: "lathe".
+/// Reads the number of points and the points. `of` names the shape: "lathe".
 pub(crate) fn read_points(args: &mut dyn Args, of: &str) -> Parse<Vec<DVec2>> {
     let count = read::number(args, &format!("the number of points of the {of}"))?;
     let mut points = Vec::new();
@@ -123,13 +124,13 @@ pub(crate) fn read_points(args: &mut dyn Args, of: &str) -> Parse<Vec<DVec2>> {
     Ok(points)
 }
 
-/// Whether two points count as one.
+/// True if two points count as one.
 pub(crate) fn is_same(a: DVec2, b: DVec2) -> bool {
     (a - b).abs().max_element() < SAME_POINT
 }
 
 impl Segment {
-    /// A straight one.
+    /// A straight segment.
     pub(crate) fn line(start: DVec2, end: DVec2) -> Self {
         Segment::new(
             [start, end - start, DVec2::ZERO, DVec2::ZERO],
@@ -160,7 +161,7 @@ impl Segment {
         Segment::new([p[0], linear, square, cube], 3, [p[0], p[3]])
     }
 
-    /// From the powers of a parameter between 0 and 1.
+    /// Converts from powers of a parameter between 0 and 1.
     fn new(a: [DVec2; 4], degree: usize, [start, end]: [DVec2; 2]) -> Self {
         let c = [
             0.5 * (start + end) - 0.25 * a[2] - 0.375 * a[3],
@@ -186,7 +187,7 @@ impl Segment {
         segment
     }
 
-    /// The same with its last point moved by a rounding to where the next begins.
+    /// The segment with its last point moved by a rounding to where the next begins.
     pub(crate) fn ending_at(self, end: DVec2) -> Self {
         Segment {
             end,
@@ -196,7 +197,7 @@ impl Segment {
         }
     }
 
-    /// Where one coordinate has no slope.
+    /// Parameters at which one coordinate has zero slope.
     pub(crate) fn turns(&self, axis: usize) -> crate::base::math::roots::polynomial::Roots {
         sign_changes(&[
             self.c[1][axis],
@@ -205,18 +206,18 @@ impl Segment {
         ])
     }
 
-    /// Where the slope of one coordinate turns.
+    /// Inflection of one coordinate.
     pub(crate) fn bend(&self, axis: usize) -> Option<f64> {
         let x = -self.c[2][axis] / (3.0 * self.c[3][axis]);
         (-1.0 < x && x < 1.0).then_some(x)
     }
 
-    /// Where one coordinate is zero.
+    /// Zeros of one coordinate.
     pub(crate) fn zeros(&self, axis: usize) -> crate::base::math::roots::polynomial::Roots {
         sign_changes(&self.c.map(|c| c[axis])[..=self.degree])
     }
 
-    /// The point at `x`; the ends are those given.
+    /// The point at `x`; the end points are exact.
     #[inline]
     pub(crate) fn at(&self, x: f64) -> DVec2 {
         if x == -1.0 {
@@ -233,7 +234,7 @@ impl Segment {
         self.c[0] + x * (self.c[1] + x * (self.c[2] + x * self.c[3]))
     }
 
-    /// The corners of a box around all points as [`Segment::at`] gives them, roundings included, of a part on which both
+    /// Bounding box of all points as [`Segment::at`] computes them, roundings included, on an interval on which both
     /// coordinates are monotone.
     pub(crate) fn box_of_part(&self, from: f64, to: f64) -> [DVec2; 2] {
         let [a, b] = [from, to].map(|x| [self.at(x), self.on_polynomial(x)]);
@@ -245,28 +246,28 @@ impl Segment {
         ]
     }
 
-    /// Four points the hull of which holds the segment: the coefficients in the Bernstein basis, but for the ends.
+    /// Four points whose hull contains the segment: the Bernstein coefficients, except for the ends.
     fn hull(&self) -> [DVec2; 4] {
         let [c0, c1, c2, c3] = self.c;
         let (even, odd) = (c0 - c2 / 3.0, c1 / 3.0 - c3);
         [self.start, even - odd, even + odd, self.end]
     }
 
-    /// How far the segment, as it is rounded, may reach out of that hull, and by how much a product with one of its
-    /// coordinates may be off.
+    /// Bound of how far the rounded segment may leave that hull, and of the error of a product with one of its
+    /// coordinates.
     fn hull_slack(&self) -> DVec2 {
         let size: DVec2 = self.c.iter().map(|c| c.abs()).sum();
         let gap = |end: DVec2, x: f64| (end - self.on_polynomial(x)).abs();
         HULL_ROUNDINGS * f64::EPSILON * size + gap(self.start, -1.0) + gap(self.end, 1.0)
     }
 
-    /// The derivative by `x`.
+    /// Derivative by `x`.
     #[inline]
     pub(crate) fn slope(&self, x: f64) -> DVec2 {
         self.c[1] + x * (2.0 * self.c[2] + x * (3.0 * self.c[3]))
     }
 
-    /// The tangent at `x`, or what is left of it where the curve stops for a moment.
+    /// Tangent at `x`; where the derivative vanishes, its value nearby.
     pub(crate) fn tangent(&self, x: f64) -> DVec2 {
         let slope = self.slope(x);
         if slope == DVec2::ZERO {
@@ -276,13 +277,13 @@ impl Segment {
         }
     }
 
-    /// The squared distance of a point from the box.
+    /// Squared distance of a point from the bounding box.
     fn box_distance_sq(&self, point: DVec2) -> f64 {
         let outside = (self.low - point).max(point - self.high);
         outside.max(DVec2::ZERO).length_squared()
     }
 
-    /// The place nearest to a point, and its squared distance.
+    /// Parameter of the point nearest to a given one, and its squared distance.
     fn nearest(&self, point: DVec2) -> (f64, f64) {
         let away = |x: f64| (x, (self.at(x) - point).length_squared());
         let [c0, c1, c2, c3] = self.c;
@@ -305,9 +306,10 @@ impl Segment {
     }
 }
 
-/// The segment nearest to a point and the place on it, the first of those equally near; `None` for an empty chain.
+/// Index of the segment nearest to a point and the parameter on it, the first of equally near ones; `None` for an empty
+/// chain.
 pub(crate) fn nearest(segments: &[Segment], point: DVec2) -> Option<(usize, f64)> {
-    // The segment whose box is nearest tells which others need not be solved.
+    // The distance of the segment with the nearest box bounds which others need to be solved.
     let boxes = segments
         .iter()
         .map(|segment| segment.box_distance_sq(point))
@@ -371,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn the_box_holds_the_curve_and_the_nearest_place_is_found() {
+    fn the_box_contains_the_curve_and_the_nearest_point_is_exact() {
         let bezier = Segment::bezier(&POINTS);
         for i in 0..=20 {
             let x = f64::from(i) / 10.0 - 1.0;
@@ -396,7 +398,7 @@ mod tests {
         for angle in 0..100 {
             let (sin, cos) = f64::from(angle).sin_cos();
             let mut count = 0;
-            let line = (DVec2::new(sin, cos), corners[2], 0.0);
+            let line = Line::through(corners[2], DVec2::new(sin, cos));
             square.line_crossings(SimdLevel::widest(), line, |_, _| count += 1);
             assert_eq!(count % 2, 0);
         }

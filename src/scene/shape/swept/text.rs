@@ -1,11 +1,11 @@
-//! `text { ttf "font.ttf" "string" thickness, offset }`: letters of a TrueType font as solids between two planes.
+//! `text { ttf "font.ttf" "string" thickness, offset }`: extruded glyphs of a TrueType font.
 //!
-//! The letters stand on y = 0, from z = 0 to the thickness, one em high. Their sides are the quadratic curves of the
-//! font. As POV-Ray does, the whole is turned by a thousandth of a degree about each axis, which shows in its extents.
-//! Error bound: roots lie within 2 roundings of the problem's size from the surface (`tests/stability`, item 51).
-//! `internal` fonts are those that come with POV-Ray and are searched like any other.
+//! The letters stand on y = 0, extend from z = 0 to the thickness, and are one em high. Their sides are the quadratic
+//! curves of the font. As in POV-Ray, the whole is rotated by a thousandth of a degree about each axis, which shows in
+//! its extents. Error bound: roots lie within 2 roundings of the problem's size from the surface (`tests/stability`,
+//! item 51). `internal` fonts are those that come with POV-Ray and are searched for like any other.
 //!
-//! Missing: `charset utf8` looks for letters in another order of tables; fonts of other kinds than TrueType.
+//! Missing: `charset utf8`, which looks up characters in another order of tables; fonts of other kinds than TrueType.
 
 mod font;
 mod outline;
@@ -21,42 +21,42 @@ use glam::{DMat3, DVec3};
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// POV-Ray turns every text by so many degrees about each axis.
+/// POV-Ray rotates every text by this angle about each axis.
 const TURN_DEG: f64 = 0.001;
-/// POV-Ray's boxes of letters are so much deeper than the letters, in both directions.
+/// POV-Ray's boxes of letters are deeper than the letters by this, in both directions.
 const BOX_SLACK: f64 = 1e-6;
-/// The fonts that are called by a number.
+/// The fonts selected by number.
 const INTERNAL: [&str; 3] = ["timrom.ttf", "cyrvetic.ttf", "crystal.ttf"];
 /// The font of all other numbers.
 const INTERNAL_OTHER: &str = "povlogo.ttf";
-/// Letters of one text; each of them may have hundreds of faces, which are counted in 32 bits.
-const MOST_LETTERS: usize = 100_000;
+/// Maximum number of letters of a text; each may have hundreds of faces, which have 32-bit numbers.
+const MAX_LETTERS: usize = 100_000;
 
-/// The faces of a letter before its sides: the one at z = 0 and the one opposite.
+/// Face numbers of a letter: the cap at z = 0, the opposite cap, then the sides.
 const FRONT: u32 = 0;
 const BACK: u32 = 1;
 const CAPS: u32 = 2;
 
-/// Letters. Copies share them.
+/// A text. Copies share its letters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text(Arc<Line>);
 
-/// A line of letters, before it is turned.
+/// A line of letters, before the rotation.
 #[derive(Clone, Debug)]
 struct Line {
     letters: Vec<Letter>,
-    /// For each letter the number of its first face.
+    /// Per letter, the number of its first face.
     first_faces: Vec<u32>,
     /// The near and the far plane.
     depth: [f64; 2],
-    /// Over the boxes of the letters.
+    /// BVH over the boxes of the letters.
     tree: Bvh,
     bounds: Bounds,
-    /// Whether the boxes of two letters overlap.
+    /// True if the boxes of two letters overlap.
     overlaps: bool,
-    /// Whether it is one letter, which lies in its box as that stands in the font.
-    is_alone: bool,
-    /// From the object to the line.
+    /// True for a single letter whose outline lies within its box from the font.
+    is_single: bool,
+    /// From object space to the space of the line.
     turn: DMat3,
 }
 
@@ -67,7 +67,7 @@ impl PartialEq for Line {
     }
 }
 
-/// Enter and leave of letters on a ray.
+/// Spans of a ray inside letters.
 type Spans = SmallVec<[[Root; 2]; 8]>;
 
 impl Text {
@@ -80,8 +80,8 @@ impl Text {
         let bytes = args.file_named("the font", &name, &[".ttf", ".TTF"])?;
         args.comma()?;
         let text = args.string()?;
-        if text.chars().count() > MOST_LETTERS {
-            let message = format!("a text has at most {MOST_LETTERS} letters");
+        if text.chars().count() > MAX_LETTERS {
+            let message = format!("a text has at most {MAX_LETTERS} letters");
             return Err(Box::new(Diagnostic::error(args.last_span(), message)));
         }
         let thickness = read::number(args, "the thickness of the text")?;
@@ -93,7 +93,7 @@ impl Text {
         Ok(Text(Arc::new(Line::new(letters, thickness))))
     }
 
-    /// The ray in the space of the line.
+    /// Transforms a ray to the space of the line.
     fn to_line(&self, ray: &Ray) -> Ray {
         Ray::new(self.0.turn * ray.origin, self.0.turn * ray.dir)
     }
@@ -147,7 +147,7 @@ impl Line {
         let overlaps = by_start
             .windows(2)
             .any(|pair| pair[1].min.x <= pair[0].max.x);
-        let is_alone = match &letters[..] {
+        let is_single = match &letters[..] {
             [letter] => {
                 let (low, high) = letter.outline.bounds();
                 letter.low.cmple(low).all() && letter.high.cmpge(high).all()
@@ -155,7 +155,7 @@ impl Line {
             _ => false,
         };
         Line {
-            is_alone,
+            is_single,
             tree: Bvh::build(&boxes),
             letters,
             first_faces,
@@ -166,34 +166,35 @@ impl Line {
         }
     }
 
-    /// The letter of a face, and which face of the letter it is.
+    /// The letter of a face, and the face number within the letter.
     fn letter(&self, face: u32) -> (&Letter, u32) {
         let number = self.first_faces.partition_point(|first| *first <= face) - 1;
         (&self.letters[number], face - self.first_faces[number])
     }
 
-    /// Visits the letters that a ray may meet beyond `from`, with how far the ray is followed, until nothing is left of
-    /// it. `visit` says how far that is from then on.
+    /// Visits the letters that a ray may hit beyond `from`, with the current end of the ray; `visit` returns the new
+    /// end.
     #[inline(always)]
     fn each(
         &self,
         lanes: SimdLevel,
         ray: &Ray,
-        (from, to): (f64, f64),
+        from: f64,
+        to: f64,
         mut visit: impl FnMut(u32, f64) -> f64,
     ) {
-        if self.is_alone {
-            // The box around the text, in which the ray is, is hardly larger than that of its letter.
+        if self.is_single {
+            // The box of the text, which the ray has hit, is hardly larger than that of its letter.
             visit(0, to);
         } else {
             self.tree.nearest_in(lanes, ray, (from, to), visit);
         }
     }
 
-    /// Where a ray is in a letter between `from` and `to`. An end that lies beyond them stands at `from` or `to`, or
+    /// Spans of a ray inside a letter between `from` and `to`. An end beyond these is reported at `from` or `to`, or
     /// farther off.
     #[inline(always)]
-    fn spans(&self, lanes: SimdLevel, number: u32, ray: &Ray, (from, to): (f64, f64)) -> Spans {
+    fn spans(&self, lanes: SimdLevel, number: u32, ray: &Ray, from: f64, to: f64) -> Spans {
         let letter = &self.letters[number as usize];
         let origin = ray.origin - letter.at;
         let [low, high] = self.depth.map(|depth| depth - origin.z);
@@ -207,8 +208,8 @@ impl Line {
             return Spans::new();
         };
         let mut spans = Spans::new();
-        let stretch = [near.0.max(from), far.0.min(to)];
-        let is_there = near.0 < far.0 && stretch[0] < stretch[1];
+        let interval = [near.0.max(from), far.0.min(to)];
+        let is_there = near.0 < far.0 && interval[0] < interval[1];
         if !is_there {
             return spans;
         }
@@ -231,17 +232,17 @@ impl Line {
             }
             return spans;
         }
-        let found = letter.outline.crossings(lanes, line, stretch);
-        let mut entered = found.starts_inside.then_some((stretch[0], near.1));
-        for (t, side) in found.places {
-            let place = (t, CAPS + side);
+        let hits = letter.outline.crossings(lanes, line, interval);
+        let mut entered = hits.starts_inside.then_some((interval[0], near.1));
+        for (t, side) in hits.list {
+            let end = (t, CAPS + side);
             match entered.take() {
-                Some(enter) => push(enter, place),
-                None => entered = Some(place),
+                Some(enter) => push(enter, end),
+                None => entered = Some(end),
             }
         }
         if let Some(enter) = entered {
-            push(enter, (stretch[1], far.1));
+            push(enter, (interval[1], far.1));
         }
         spans
     }
@@ -254,8 +255,8 @@ impl Line {
         with_widest(
             #[inline(always)]
             |lanes| {
-                self.each(lanes, ray, (from, to), |letter, _| {
-                    all.extend(self.spans(lanes, letter, ray, (from, to)));
+                self.each(lanes, ray, from, to, |letter, _| {
+                    all.extend(self.spans(lanes, letter, ray, from, to));
                     to
                 });
             },
@@ -275,25 +276,25 @@ impl Line {
     }
 }
 
-/// Appends the spans of overlapping letters as one solid: what lies within another letter only touches.
+/// Appends the union of the spans of overlapping letters: roots within another letter become `Touch`.
 fn push_union(spans: &mut [[Root; 2]], roots: &mut Vec<Root>) {
     let first = roots.len();
     roots.extend(spans.iter().flatten());
-    let found = &mut roots[first..];
-    // Where one ends and another begins it goes on.
+    let own = &mut roots[first..];
+    // Where one letter ends and another begins, the union continues.
     let order = |root: &Root| root.crossing == Crossing::Leave;
-    found.sort_by(|a, b| {
+    own.sort_by(|a, b| {
         let by_t = a.t.total_cmp(&b.t);
         by_t.then(order(a).cmp(&order(b))).then(a.face.cmp(&b.face))
     });
-    let mut around = 0;
-    for root in found {
+    let mut depth = 0;
+    for root in own {
         let is_enter = root.crossing == Crossing::Enter;
-        let is_inner = if is_enter { around > 0 } else { around > 1 };
+        let is_inner = if is_enter { depth > 0 } else { depth > 1 };
         if is_inner {
             root.crossing = Crossing::Touch;
         }
-        around = if is_enter { around + 1 } else { around - 1 };
+        depth = if is_enter { depth + 1 } else { depth - 1 };
     }
 }
 
@@ -320,8 +321,8 @@ impl Geometry for Text {
         with_widest(
             #[inline(always)]
             |lanes| {
-                self.0.each(lanes, &ray, (from, to), |letter, end| {
-                    let spans = self.0.spans(lanes, letter, &ray, (from, end));
+                self.0.each(lanes, &ray, from, to, |letter, end| {
+                    let spans = self.0.spans(lanes, letter, &ray, from, end);
                     let Some(root) = first_visible(spans.as_flattened(), from, end) else {
                         return end;
                     };

@@ -1,8 +1,9 @@
-//! Sphere and torus against exact integers: every double is a whole number times a power of two, so the polynomial of a
-//! ray has exact coefficients, Sturm's chain counts its roots, and the sign at a reported root is certain.
+//! Sphere and torus against exact integer arithmetic: every double is an integer times a power of two, so the
+//! polynomial of a ray has exact coefficients, a Sturm chain counts its roots, and the sign at a reported root is
+//! certain.
 //!
-//! A reported root must lie between the surfaces with the minor radius shrunk and grown by 8 roundings of the
-//! problem's size, and the number of roots must be one that such a change can bring about.
+//! A reported root must lie between the surfaces whose minor radius is shrunk and grown by 8 roundings of the problem's
+//! size, and the number of roots must be one that such a change can cause.
 
 use crate::base::math::Ray;
 use crate::base::math::exact::{Exact, shift, whole};
@@ -12,13 +13,13 @@ use dashu_int::IBig;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// By how many roundings of the problem's size a root may be off.
+/// Allowed error of a root: 8 roundings of the problem's size.
 const TOLERANCE: f64 = 8.0 * f64::EPSILON;
 
-/// Rays for each family.
+/// Rays per family.
 const RAYS: u32 = 400;
 
-/// Origin, direction and lengths as whole numbers, and the scale of the ray's parameter.
+/// Origin, direction and lengths as integers, and the exponent of the scale of the ray's parameter.
 fn parts_of(ray: &Ray, lengths: &[f64]) -> (Vec<IBig>, Vec<IBig>, Vec<IBig>, i32) {
     let mut all = ray.origin.to_array().to_vec();
     all.extend(lengths);
@@ -64,11 +65,11 @@ fn exact_sphere(ray: &Ray, radius: f64) -> Exact {
     Exact { c, scale }
 }
 
-/// Checks the roots of one ray; `exact` gives the polynomial for a radius larger by its argument.
+/// Checks the roots of one ray; `exact` returns the polynomial for a radius grown by its argument.
 fn check(ray: &Ray, radii: f64, roots: &[Root], exact: impl Fn(f64) -> Exact) {
-    let reach = |t: f64| (ray.origin.abs() + t.abs() * ray.dir.abs()).element_sum() + radii;
+    let size_at = |t: f64| (ray.origin.abs() + t.abs() * ray.dir.abs()).element_sum() + radii;
     let nearest = -ray.origin.dot(ray.dir) / ray.dir.dot(ray.dir);
-    let slack = TOLERANCE * reach(nearest);
+    let slack = TOLERANCE * size_at(nearest);
     let counts = [0.0, slack, -slack].map(|grown| exact(grown).count());
     let least = counts.into_iter().min().unwrap();
     let most = counts.into_iter().max().unwrap();
@@ -77,7 +78,7 @@ fn check(ray: &Ray, radii: f64, roots: &[Root], exact: impl Fn(f64) -> Exact) {
         "{ray:?}: exact {counts:?}, found {roots:?}"
     );
     for root in roots {
-        let slack = TOLERANCE * reach(root.t);
+        let slack = TOLERANCE * size_at(root.t);
         let (grown, shrunk) = (exact(slack).sign_at(root.t), exact(-slack).sign_at(root.t));
         assert!(grown * shrunk <= 0, "{ray:?}: {root:?} is off the surface");
     }

@@ -1,8 +1,9 @@
-//! How far the roots of shapes lie off their surfaces, in roundings of the problem's size: `|O| + |t·D|`, by coordinates,
-//! and the size of the shape. Rays come from 3 to 10⁹ times that size and from the surface; the distance of the point from
-//! the surface is worked out from the definition of the shape, in doubles too, so its own few roundings count as well.
+//! Distance of computed roots from the surface, for all shapes, in roundings of the problem's size: `|O| + |t·D|`, by
+//! coordinates, and the size of the shape. Rays come from 3 to 10⁹ times that size and from the surface; the distance
+//! of the point from the surface is computed from the definition of the shape, in doubles too, so its own few roundings
+//! are included.
 //!
-//! `oracle` and `tests/stability` ask spheres, tori and quadrics of numbers with many more digits.
+//! `oracle` and `tests/stability` test spheres, tori and quadrics in exact or extended arithmetic.
 
 use crate::base::args::Word;
 use crate::base::args::text::TextArgs;
@@ -11,7 +12,7 @@ use crate::base::math::sampling::random::Random;
 use crate::scene::shape::{Geometry, Shape};
 use glam::{DVec2, DVec3};
 
-/// Rays of each distance.
+/// Rays per distance.
 const RAYS: usize = 2000;
 
 /// The largest distance of a root from the surface, in roundings.
@@ -58,14 +59,14 @@ fn around_y(p: DVec3) -> DVec2 {
     DVec2::new(p.x.hypot(p.z), p.y)
 }
 
-/// From a line through two points of a plane.
+/// Signed distance from a line through two points of the plane.
 fn from_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     (b - a).normalize().perp_dot(p - a)
 }
 
 #[test]
-fn roots_lie_within_a_few_roundings_of_the_surface() {
-    let found = [
+fn roots_lie_within_their_error_bounds() {
+    let measured = [
         (
             "box",
             2.0,
@@ -172,7 +173,7 @@ fn roots_lie_within_a_few_roundings_of_the_surface() {
                         .windows(2)
                         .map(|pair| from_line(p, pair[0], pair[1]).abs());
                     let ends = [(p.y + 1.0).abs(), (p.y - 1.5).abs()];
-                    // What closes the open ends is not seen.
+                    // The pieces that close the open ends are not visible.
                     lines
                         .chain(ends)
                         .chain([(p.x - 0.2).abs(), (p.x - 0.1).abs()])
@@ -249,14 +250,14 @@ fn roots_lie_within_a_few_roundings_of_the_surface() {
                 Word::SphereSweep,
                 "linear_spline 2, <-1,0,0>, 0.5, <1,0.5,0.2>, 0.3",
                 |p, _| {
-                    let (a, way) = (DVec3::new(-1.0, 0.0, 0.0), DVec3::new(2.0, 0.5, 0.2));
-                    // Of the cone that touches both balls, from its slant.
-                    let length = way.length();
-                    let (along, sine) = ((p - a).dot(way) / length, 0.2 / length);
-                    let across = ((p - a) - along * way / length).length();
+                    let (a, axis) = (DVec3::new(-1.0, 0.0, 0.0), DVec3::new(2.0, 0.5, 0.2));
+                    // The cone tangent to both spheres.
+                    let length = axis.length();
+                    let (along, sine) = ((p - a).dot(axis) / length, 0.2 / length);
+                    let across = ((p - a) - along * axis / length).length();
                     let cosine = (1.0 - sine * sine).sqrt();
-                    let place = ((along - across * sine / cosine) / length).clamp(0.0, 1.0);
-                    (p - a - place * way).length() - (0.5 - 0.2 * place)
+                    let param = ((along - across * sine / cosine) / length).clamp(0.0, 1.0);
+                    (p - a - param * axis).length() - (0.5 - 0.2 * param)
                 },
             ),
         ),
@@ -269,17 +270,17 @@ fn roots_lie_within_a_few_roundings_of_the_surface() {
             }),
         ),
     ];
-    let too_far: Vec<_> = found
+    let too_far: Vec<_> = measured
         .iter()
         .filter(|(_, bound, worst)| worst > bound)
         .collect();
-    assert!(too_far.is_empty(), "{too_far:.2?} of {found:.2?}");
+    assert!(too_far.is_empty(), "{too_far:.2?} of {measured:.2?}");
 }
 
 /// Radii 1 and 0.25.
 const QUARTIC_TORUS: &str = "<1,0,0,0,2,0,0,2,0,-2.125,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,1.875,0,0,0,0,1,0,-2.125,0,0.87890625>";
 
-/// The distance in the half-plane, to first order, from the side of the surface of revolution above.
+/// First-order distance in the half-plane from the side of the surface of revolution above.
 fn sor(p: DVec2) -> f64 {
     let points = [
         (0.5, -1.0),
@@ -292,7 +293,7 @@ fn sor(p: DVec2) -> f64 {
     .map(DVec2::from);
     let ring = points
         .windows(4)
-        .find(|four| p.y <= four[2].y)
+        .find(|quad| p.y <= quad[2].y)
         .unwrap_or(&points[2..]);
     let slope = |before: DVec2, here: DVec2, after: DVec2| {
         2.0 * here.x * (after.x - before.x) / (after.y - before.y)

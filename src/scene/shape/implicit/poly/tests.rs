@@ -43,7 +43,7 @@ fn torus(major: f64, minor: f64) -> Poly {
 }
 
 #[test]
-fn coefficients_stand_by_falling_powers() {
+fn coefficients_are_ordered_by_falling_powers() {
     let names: Vec<usize> = degrees(2).collect();
     assert_eq!(names, [2, 2, 2, 1, 2, 2, 1, 2, 1, 0]);
     let mut args = TextArgs::new("2, <1,0,0,0,1,0,0,1,0,-1> sturm");
@@ -102,7 +102,7 @@ fn the_quartic_of_a_torus_has_the_roots_of_a_torus() {
         assert_eq!(quartic.roots(&ray, &mut a), Start::Outside);
         ring.roots(&ray, &mut b);
         hits += b.len();
-        // The coefficients allow a grazing pair to be lost or found.
+        // Rounding of the coefficients may lose or create a grazing pair.
         let is_grazing = |roots: &[Root]| roots.windows(2).any(|p| p[1].t - p[0].t < 1e-4);
         if is_grazing(&a) || is_grazing(&b) {
             continue;
@@ -212,7 +212,7 @@ fn nothing_but_zeros_is_solid_and_has_no_surface() {
 }
 
 #[test]
-fn roots_one_size_from_the_foot_of_the_perpendicular_are_found() {
+fn roots_one_size_from_the_foot_of_the_perpendicular_are_not_lost() {
     let squares = |order, rest: f64| {
         poly(
             order,
@@ -224,27 +224,27 @@ fn roots_one_size_from_the_foot_of_the_perpendicular_are_found() {
             ],
         )
     };
-    for ball in [
+    for sphere in [
         squares(2, -1.0),
         squares(3, -1.0),
         squares(4, -1.0),
         squares(2, -4.0),
         squares(7, -4.0),
     ] {
-        let radius = ball.0.size;
-        for way in [DVec3::Z, -DVec3::Z, 2.0 * DVec3::X, DVec3::NEG_Y] {
-            let (start, roots) = ball.0.crossings(&Ray::new(-4.0 * way.normalize(), way));
-            let expected = [4.0 - radius, 4.0 + radius].map(|t| t / way.length());
+        let radius = sphere.0.size;
+        for dir in [DVec3::Z, -DVec3::Z, 2.0 * DVec3::X, DVec3::NEG_Y] {
+            let (start, roots) = sphere.0.crossings(&Ray::new(-4.0 * dir.normalize(), dir));
+            let expected = [4.0 - radius, 4.0 + radius].map(|t| t / dir.length());
             assert_eq!(start, Start::Outside);
             assert_eq!(
                 roots.iter().map(|root| root.t).collect::<Vec<_>>(),
                 expected
             );
         }
-        // The ball's outside.
+        // The complement of the sphere.
         let hole = Poly(Arc::new(Polynomial::new(
-            ball.0.order,
-            ball.0.c.iter().map(|c| -c).collect(),
+            sphere.0.order,
+            sphere.0.c.iter().map(|c| -c).collect(),
         )));
         let (start, roots) = hole.0.crossings(&Ray::new(-4.0 * DVec3::Z, DVec3::Z));
         assert_eq!((start, roots.len()), (Start::Inside, 2));
@@ -252,7 +252,7 @@ fn roots_one_size_from_the_foot_of_the_perpendicular_are_found() {
 }
 
 #[test]
-fn a_plane_one_size_away_is_met_where_it_is() {
+fn a_plane_one_size_away_is_hit_exactly() {
     for (slope, rest) in [(1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)] {
         let plane = poly(2, &[([0, 0, 1], slope), ([0, 0, 0], rest)]);
         let (_, roots) = plane

@@ -1,18 +1,18 @@
-//! Sizes to the last digit: norms by the powers of the library, and what bounds them along a piece of a ray.
+//! Norms in full precision, by the powers of the standard library, and their bounds along a piece of a ray.
 
 use super::Superellipsoid;
 use crate::base::math::Ray;
 use crate::base::math::roots::interval_roots::{Interval, IntervalFunction};
 use glam::DVec3;
 
-/// The size along a piece of a ray on which no coordinate changes sign.
+/// The norm along a piece of a ray on which no coordinate changes sign.
 pub(super) struct Along<'s> {
     pub(super) shape: &'s Superellipsoid,
     pub(super) ray: Ray,
 }
 
 impl Along<'_> {
-    /// The least and the most of each coordinate without its sign.
+    /// Minimum and maximum of each coordinate's magnitude.
     pub(super) fn reach(&self, from: f64, to: f64) -> (DVec3, DVec3) {
         let (a, b) = (self.ray.at(from).abs(), self.ray.at(to).abs());
         (a.min(b), a.max(b))
@@ -42,17 +42,17 @@ impl IntervalFunction for Along<'_> {
         let (least, most) = self.reach(from, to);
         let ring = [least, most].map(|p| norm(p.x, p.y, across));
         let size = [norm(ring[0], least.z, along), norm(ring[1], most.z, along)];
-        let by_ring = shares(ring, size, along);
+        let by_ring = derivatives(ring, size, along);
         let of_ring = |least: f64, most: f64| {
-            let own = shares([least, most], ring, across);
+            let own = derivatives([least, most], ring, across);
             [by_ring[0] * own[0], by_ring[1] * own[1]]
         };
         let rates = [
             of_ring(least.x, most.x),
             of_ring(least.y, most.y),
-            shares([least.z, most.z], size, along),
+            derivatives([least.z, most.z], size, along),
         ];
-        // Which way each coordinate grows without its sign is the same on all of the piece.
+        // The sign of the growth of each coordinate's magnitude is the same on all of the piece.
         let growth = self.ray.at(0.5 * (from + to)).signum() * self.ray.dir;
         let mut sum = Interval::new(0.0, 0.0);
         for axis in 0..3 {
@@ -69,7 +69,7 @@ impl IntervalFunction for Along<'_> {
     }
 }
 
-/// `(a^p + b^p)^(1/p)` of two numbers that are not negative; the larger one for infinite `p`.
+/// `(a^p + b^p)^(1/p)` of two numbers that are not negative; their maximum for infinite `p`.
 pub(super) fn norm(a: f64, b: f64, p: f64) -> f64 {
     let (small, large) = (a.min(b), a.max(b));
     if small == 0.0 {
@@ -82,11 +82,11 @@ pub(super) fn norm(a: f64, b: f64, p: f64) -> f64 {
     large * (rest.ln_1p() / p).exp()
 }
 
-/// [`norm`] and its derivatives by both numbers, where `p` is 1 at least.
-pub(super) fn norm_and_shares(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
+/// [`norm`] and its derivatives by both numbers, for `p >= 1`.
+pub(super) fn norm_and_derivatives(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
     let (small, large) = (a.min(b), a.max(b));
     let ratio = small / large;
-    let (norm, shares) = if small == 0.0 || ratio == 0.0 {
+    let (norm, derivatives) = if small == 0.0 || ratio == 0.0 {
         let of_small = if p > 1.0 { 0.0 } else { 1.0 };
         (large, [of_small, 1.0])
     } else if p == 2.0 {
@@ -101,15 +101,15 @@ pub(super) fn norm_and_shares(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
     (
         norm,
         if a < b {
-            shares
+            derivatives
         } else {
-            [shares[1], shares[0]]
+            [derivatives[1], derivatives[0]]
         },
     )
 }
 
 /// The derivative of a norm by one of its two numbers: `(part / whole)^(p − 1)`.
-pub(super) fn share(part: f64, whole: f64, p: f64) -> f64 {
+pub(super) fn derivative(part: f64, whole: f64, p: f64) -> f64 {
     if p == 2.0 && whole > 0.0 {
         return part / whole;
     }
@@ -119,8 +119,8 @@ pub(super) fn share(part: f64, whole: f64, p: f64) -> f64 {
     (part / whole).min(1.0).powf(p - 1.0)
 }
 
-/// The least and the most of [`share`].
-fn shares(part: [f64; 2], whole: [f64; 2], p: f64) -> [f64; 2] {
+/// Minimum and maximum of [`derivative`].
+fn derivatives(part: [f64; 2], whole: [f64; 2], p: f64) -> [f64; 2] {
     let ratio = |part: f64, whole: f64| {
         if whole > 0.0 {
             (part / whole).min(1.0)

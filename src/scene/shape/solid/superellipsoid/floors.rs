@@ -1,52 +1,54 @@
-//! That a ray does not meet a superellipsoid with hollow sides, by lower bounds of the size.
+//! Proof that a ray misses a superellipsoid with hollow sides, by lower bounds of the norm.
 
 use super::Superellipsoid;
-use super::norms::{norm, norm_and_shares};
+use super::norms::{norm, norm_and_derivatives};
 use super::rough::{Rough, SLACK};
 use crate::base::math::Ray;
 use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use smallvec::SmallVec;
 
-/// The least power for which a rounding of a coordinate, of zero too, moves the size by less than 1e-7.
+/// The least power for which a rounding of a coordinate, zero included, changes the norm by less than 1e-7.
 const LEAST_POWER: f64 = 0.5;
-/// A size that is by this much above 1 by its lower bounds is found above 1 in any way.
+/// A lower bound above 1 by this margin proves that the norm is above 1, whatever the roundings.
 const MARGIN: f64 = 10.0 * SLACK;
 
-/// Lower bounds of the size at both ends of up to four pieces of a ray on which no coordinate changes sign, such that it
-/// is nowhere on a piece below the lower one.
+/// Lower bounds of the norm at both ends of up to four pieces of a ray on which no coordinate changes sign; the lower
+/// of the two bounds the norm on all of the piece.
 ///
-/// A norm of numbers that are not negative is concave where its power is at most 1 (Minkowski's inequality reversed), and
-/// otherwise convex: then it is nowhere below its tangent at a place of the piece, by which it is replaced. All that is
-/// left is concave and grows with each coordinate, so that along a piece it is concave, too.
-struct Floors<'s> {
+/// A norm of numbers that are not negative is concave if its power is at most 1 (reverse Minkowski inequality), and
+/// otherwise convex: then it is nowhere below its tangent at a point of the piece, which replaces it. The result is
+/// concave and grows with each coordinate, so it is concave along the piece, too.
+struct LowerBounds<'s> {
     rough: &'s Rough<'s>,
-    /// Of each piece where it begins, where the tangent touches, and where it ends.
-    places: [[f64; 4]; 3],
+    /// Parameters at which each piece begins, the tangent touches, and the piece ends.
+    params: [[f64; 4]; 3],
 }
 
-impl SimdKernel for Floors<'_> {
+impl SimdKernel for LowerBounds<'_> {
     type Output = [[f64; 4]; 2];
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> [[f64; 4]; 2] {
         let Superellipsoid { across, along } = *self.rough.shape;
-        let [from, touch, to] = &self.places;
+        let [from, touch, to] = &self.params;
         let [from, to] = [self.points::<F>(from), self.points::<F>(to)];
         let (mut of_plane, mut of_size) = ([F::splat(1.0); 2], [F::splat(1.0); 2]);
         if across > 1.0 || along > 1.0 {
             let touch = self.points::<F>(touch);
             let ring;
-            (ring, of_plane) = norm_and_shares(touch[0], touch[1], across);
+            (ring, of_plane) = norm_and_derivatives(touch[0], touch[1], across);
             if along > 1.0 {
-                (_, of_size) = norm_and_shares(ring, touch[2], along);
+                (_, of_size) = norm_and_derivatives(ring, touch[2], along);
             }
         }
-        let floors = (of_plane, of_size);
-        [self.floor(from, floors), self.floor(to, floors)]
+        [
+            self.lower_bound(from, of_plane, of_size),
+            self.lower_bound(to, of_plane, of_size),
+        ]
     }
 }
 
-impl Floors<'_> {
+impl LowerBounds<'_> {
     #[inline(always)]
     fn points<F: F64Lanes>(&self, t: &[f64; 4]) -> [F; 3] {
         let Ray { origin, dir } = self.rough.ray;
@@ -59,20 +61,21 @@ impl Floors<'_> {
     }
 
     #[inline(always)]
-    fn floor<F: F64Lanes>(
+    fn lower_bound<F: F64Lanes>(
         &self,
         [x, y, z]: [F; 3],
-        (of_plane, of_size): ([F; 2], [F; 2]),
+        of_plane: [F; 2],
+        of_size: [F; 2],
     ) -> [f64; 4] {
         let Superellipsoid { across, along } = *self.rough.shape;
-        let ring = floor_of_norm(x, y, across, of_plane);
-        floor_of_norm(ring, z, along, of_size).to_array()
+        let ring = lower_bound_of_norm(x, y, across, of_plane);
+        lower_bound_of_norm(ring, z, along, of_size).to_array()
     }
 }
 
-/// A norm that is concave, or the tangent with these slopes to one that is convex.
+/// A concave norm, or the tangent with these slopes of a convex one.
 #[inline(always)]
-fn floor_of_norm<F: F64Lanes>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
+fn lower_bound_of_norm<F: F64Lanes>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
     if p > 1.0 {
         a * slopes[0] + b * slopes[1]
     } else {
@@ -81,32 +84,34 @@ fn floor_of_norm<F: F64Lanes>(a: F, b: F, p: f64, slopes: [F; 2]) -> F {
 }
 
 impl Rough<'_> {
-    /// On which of up to four pieces in a row the size is surely above 1, one bit each. What is not known is not set.
+    /// Bit mask of those of up to four consecutive pieces on which the norm is certainly above 1.
     pub(super) fn is_above(&self, stops: &[f64]) -> u32 {
         let count = stops.len() - 1;
-        if !self.has_floors() {
+        if !self.has_lower_bounds() {
             return 0;
         }
         let end = |i: usize| stops[i.min(count)];
         let piece = |i: usize| [end(i), 0.5 * (end(i) + end(i + 1)), end(i + 1)];
         let pieces: [[f64; 3]; 4] = std::array::from_fn(|i| piece(i.min(count - 1)));
-        let places = [0, 1, 2].map(|place| pieces.map(|piece| piece[place]));
-        let floors = with_widest(|lanes| {
-            lanes.run(Floors {
+        let params = [0, 1, 2].map(|param| pieces.map(|piece| piece[param]));
+        let bounds = with_widest(|lanes| {
+            lanes.run(LowerBounds {
                 rough: self,
-                places,
+                params,
             })
         });
         (0..count).fold(0, |bits, i| {
-            let is_above = floors.iter().all(|floor| floor[i] > 1.0 + MARGIN);
+            let is_above = bounds
+                .iter()
+                .all(|lower_bound| lower_bound[i] > 1.0 + MARGIN);
             bits | u32::from(is_above) << i
         })
     }
 
-    /// Whether a size that is not convex along the ray keeps above 1 behind its start on the surface, growing by a slope
-    /// of `least_slope` at least on the first piece.
+    /// True if a norm that is not convex along the ray certainly stays above 1 beyond its start on the surface, and
+    /// grows by a slope of at least `least_slope` on the first piece.
     pub(super) fn is_leaving(&self, least_slope: f64) -> bool {
-        if !self.has_floors() {
+        if !self.has_lower_bounds() {
             return false;
         }
         let Ray { origin, dir } = self.ray;
@@ -134,22 +139,22 @@ impl Rough<'_> {
             [from, if i == 0 { from } else { 0.5 * (from + to) }, to]
         };
         let pieces: [[f64; 3]; 4] = std::array::from_fn(|i| piece(i.min(count - 1)));
-        let places = [0, 1, 2].map(|place| pieces.map(|piece| piece[place]));
+        let params = [0, 1, 2].map(|param| pieces.map(|piece| piece[param]));
         let [from, to] = with_widest(|lanes| {
-            lanes.run(Floors {
+            lanes.run(LowerBounds {
                 rough: self,
-                places,
+                params,
             })
         });
-        // Where the tangent touches the floor is the size.
+        // Where the tangent touches, the lower bound is the norm itself.
         let is_on_surface = (from[0] - 1.0).abs() <= MARGIN;
         let is_growing = to[0] - 1.0 > MARGIN + least_slope * stops[1];
         let is_above = |i: usize| from[i] > 1.0 + MARGIN && to[i] > 1.0 + MARGIN;
         is_on_surface && is_growing && (1..count).all(is_above)
     }
 
-    /// Whether the powers are such that roundings of places move the size by much less than [`MARGIN`].
-    fn has_floors(&self) -> bool {
+    /// True if the powers are such that rounding of points changes the norm by much less than [`MARGIN`].
+    fn has_lower_bounds(&self) -> bool {
         let Superellipsoid { across, along } = *self.shape;
         across >= LEAST_POWER && along >= LEAST_POWER
     }

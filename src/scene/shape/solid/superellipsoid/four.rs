@@ -1,7 +1,7 @@
-//! Four rays and a convex superellipsoid at once: to the bit what each finds by itself.
+//! Packet intersection of a convex superellipsoid, bit for bit what each ray finds by itself.
 //!
-//! The rough part of the search is gone in lanes. Rays for which it is not clear, and those that start within the box, are
-//! left to be asked for singly.
+//! The rough part of the search runs in lanes. Inconclusive lanes, and rays that start within the box, take the scalar
+//! path.
 
 use super::rough::{LAST_ROUGH_STEP, MAX_STEPS, Rough, SLACK};
 use super::{REACH, STEEP, Superellipsoid};
@@ -13,46 +13,46 @@ use crate::scene::shape::packet::{RayPacket, add, scale};
 use crate::scene::shape::packet_search::{FourAsked, FourFound};
 use glam::DVec3;
 
-/// Where four rays pass the box from -1 to 1.
+/// A ray packet clipped to the box from -1 to 1.
 struct Clipped<F: F64Lanes> {
-    /// About the middles of the stretches.
+    /// Rays relative to the middles of their intervals.
     rays: RayPacket<F>,
     middle: F,
     from: F,
     to: F,
-    met: u32,
+    hit_mask: u32,
 }
 
-/// Where four convex sizes fall below 1.
+/// Points where four convex norms fall below 1.
 struct Entries<F: F64Lanes> {
     t: F,
     slope: F,
-    /// Which do very near there, one bit each.
+    /// Bit mask of the lanes with a root very near `t`.
     near: u32,
-    /// Of which it is not known whether they do.
+    /// Bit mask of the inconclusive lanes.
     unclear: u32,
 }
 
 impl Superellipsoid {
-    /// Whether it can be asked for four rays at once.
-    pub(crate) fn has_four(&self) -> bool {
+    /// True if ray packets are supported: the norm is convex and ten digits suffice.
+    pub(crate) fn supports_packets(&self) -> bool {
         self.is_convex() && self.has_rough()
     }
 
-    /// Which of four rays that go out from the surface do not meet it again, one bit each.
+    /// Packet version of `is_exiting`, as a bit mask.
     #[inline(never)]
-    pub(crate) fn four_left_behind(&self, asked: &FourAsked) -> u32 {
-        with_widest(|lanes| lanes.run(LeftBehind(self, asked)))
+    pub(crate) fn is_exiting_packet(&self, query: &FourAsked) -> u32 {
+        with_widest(|lanes| lanes.run(ExitingKernel(self, query)))
     }
 
-    /// Where those of four rays that are asked for enter; not of those that have just left it.
-    pub(crate) fn nearest_of_four(&self, asked: &FourAsked) -> FourFound {
-        with_widest(|lanes| lanes.run(Entering(self, asked)))
+    /// Nearest entering roots of the active lanes; rays that have just left the shape take the scalar path.
+    pub(crate) fn nearest_packet(&self, query: &FourAsked) -> FourFound {
+        with_widest(|lanes| lanes.run(NearestKernel(self, query)))
     }
 
-    /// Newton's iteration from where the rays enter the box, as that of [`Rough::first_inside`].
+    /// Newton's iteration from where the rays enter the box, as in [`Rough::first_inside`].
     #[inline(always)]
-    fn entries<F: F64Lanes>(&self, clipped: &Clipped<F>, mut asked: u32) -> Entries<F> {
+    fn entries<F: F64Lanes>(&self, clipped: &Clipped<F>, mut active: u32) -> Entries<F> {
         let Clipped { rays, from, to, .. } = clipped;
         let slack = F::splat(SLACK);
         let falling = F::splat(-SLACK) * dot(rays.dir, rays.dir).sqrt();
@@ -68,37 +68,37 @@ impl Superellipsoid {
             let (value, slope) = self.rough_at(rays, t);
             let next = t - value / slope;
             let falls = slope.lt(falling);
-            let is_there = F::bitmask(value.abs().le(slack)) & asked;
+            let is_there = F::bitmask(value.abs().le(slack)) & active;
             let goes_on = falls & F::splat(0.0).le(*to - next);
-            let turns = !F::bitmask(goes_on) & asked & !is_there;
+            let turns = !F::bitmask(goes_on) & active & !is_there;
             let rest = (slope * (*to - t)).lane_min(F::splat(0.0)) + value;
             let is_clear = F::splat(0.0).lt(value) & F::splat(8.0 * SLACK).lt(rest);
-            let is_last = F::bitmask((next - t).abs().le(last)) & asked & !is_there & !turns;
+            let is_last = F::bitmask((next - t).abs().le(last)) & active & !is_there & !turns;
             let falls = F::bitmask(falls);
             entries.unclear |= is_there & !falls | turns & !F::bitmask(is_clear);
             entries.near |= is_there & falls | is_last;
-            entries.slope = F::select(F::mask_from_bits(asked), slope, entries.slope);
-            entries.t = F::select(F::mask_from_bits(asked & !is_there), next, t);
-            asked &= !(is_there | turns | is_last);
-            if asked == 0 {
+            entries.slope = F::select(F::mask_from_bits(active), slope, entries.slope);
+            entries.t = F::select(F::mask_from_bits(active & !is_there), next, t);
+            active &= !(is_there | turns | is_last);
+            if active == 0 {
                 break;
             }
         }
-        entries.unclear |= asked;
+        entries.unclear |= active;
         entries
     }
 }
 
-/// Asks which of four rays do not meet the shape again.
-struct LeftBehind<'a>(&'a Superellipsoid, &'a FourAsked);
+/// Kernel that tests which rays do not hit the shape again.
+struct ExitingKernel<'a>(&'a Superellipsoid, &'a FourAsked);
 
-impl SimdKernel for LeftBehind<'_> {
+impl SimdKernel for ExitingKernel<'_> {
     type Output = u32;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let LeftBehind(shape, asked) = self;
-        let rays = asked.rays::<F>();
+        let ExitingKernel(shape, query) = self;
+        let rays = query.rays::<F>();
         let is_near = max_abs(rays.origin).le(F::splat(REACH));
         let (_, slope) = shape.rough_at(&rays, F::splat(0.0));
         let least = F::splat(STEEP) * dot(rays.dir, rays.dir).sqrt();
@@ -106,60 +106,55 @@ impl SimdKernel for LeftBehind<'_> {
     }
 }
 
-/// Asks where four rays enter the shape.
-struct Entering<'a>(&'a Superellipsoid, &'a FourAsked);
+/// Kernel that finds where the rays enter the shape.
+struct NearestKernel<'a>(&'a Superellipsoid, &'a FourAsked);
 
-impl SimdKernel for Entering<'_> {
+impl SimdKernel for NearestKernel<'_> {
     type Output = FourFound;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> FourFound {
-        let Entering(shape, asked) = self;
-        let rays = asked.rays::<F>();
-        let (from, far) = (F::from_array(&asked.from), F::from_array(&asked.far));
-        let unknown = (asked.left | !comfortable(&rays)) & asked.there;
+        let NearestKernel(shape, query) = self;
+        let rays = query.rays::<F>();
+        let (from, far) = (F::from_array(&query.from), F::from_array(&query.far));
+        let unknown = (query.left | !comfortable(&rays)) & query.there;
         let clipped = clip(&rays);
-        let mut found = FourFound {
+        let mut result = FourFound {
             unknown,
             ..FourFound::default()
         };
-        let asked = clipped.met & asked.there & !unknown;
-        if asked == 0 {
-            return found;
+        let active = clipped.hit_mask & query.there & !unknown;
+        if active == 0 {
+            return result;
         }
-        let entries = shape.entries(&clipped, asked);
-        found.unknown |= entries.unclear;
+        let entries = shape.entries(&clipped, active);
+        result.unknown |= entries.unclear;
         let (mut t, slopes) = (entries.t.to_array(), entries.slope.to_array());
         let mut near = entries.near;
         while near != 0 {
             let lane = near.trailing_zeros() as usize % 4;
             near &= near - 1;
-            match clipped.sharpened(shape, lane, (t[lane], slopes[lane])) {
+            match clipped.sharpened(shape, lane, t[lane], slopes[lane]) {
                 Some(exact) => t[lane] = exact,
-                None => found.unknown |= 1 << lane,
+                None => result.unknown |= 1 << lane,
             }
         }
-        let near = entries.near & !found.unknown;
+        let near = entries.near & !result.unknown;
         let t = F::from_array(&t) + clipped.middle;
         let steep = F::splat(-STEEP) * dot(rays.dir, rays.dir).sqrt();
         let is_seen = F::bitmask(from.lt(t) & entries.slope.lt(steep));
         let is_within = F::bitmask(t.le(far));
-        found.t = t.to_array();
-        found.met = near & is_seen & is_within;
-        found.unknown |= near & !is_seen & is_within;
-        found
+        result.t = t.to_array();
+        result.met = near & is_seen & is_within;
+        result.unknown |= near & !is_seen & is_within;
+        result
     }
 }
 
 impl<F: F64Lanes> Clipped<F> {
-    /// The root of the exact size of one ray near a rough one.
+    /// The root of the exact norm of one ray near a rough one.
     #[inline(never)]
-    fn sharpened(
-        &self,
-        shape: &Superellipsoid,
-        lane: usize,
-        (t, slope): (f64, f64),
-    ) -> Option<f64> {
+    fn sharpened(&self, shape: &Superellipsoid, lane: usize, t: f64, slope: f64) -> Option<f64> {
         let one_of = |of: &[F; 3]| DVec3::from_array(of.map(|of| of.to_array()[lane]));
         let ray = Ray::new(one_of(&self.rays.origin), one_of(&self.rays.dir));
         let scale = self.from.to_array()[lane]
@@ -169,7 +164,7 @@ impl<F: F64Lanes> Clipped<F> {
     }
 }
 
-/// Which rays need not be rescaled, one bit each.
+/// Bit mask of the lanes that need no rescaling.
 #[inline(always)]
 fn comfortable<F: F64Lanes>(rays: &RayPacket<F>) -> u32 {
     let (dir_sq, origin_sq) = (dot(rays.dir, rays.dir), dot(rays.origin, rays.origin));
@@ -184,19 +179,19 @@ fn clip<F: F64Lanes>(rays: &RayPacket<F>) -> Clipped<F> {
     let endless = F::splat(f64::INFINITY);
     let (zero, one) = (F::splat(0.0), F::splat(1.0));
     let (mut from, mut to) = (-endless, endless);
-    let mut passes = 0;
+    let mut misses = 0;
     let mut axis = 0;
     while axis < 3 {
         let (p, d) = (rays.origin[axis], rays.dir[axis]);
         let is_along = d.eq(zero);
-        passes |= F::bitmask(is_along & one.lt(p.abs()));
+        misses |= F::bitmask(is_along & one.lt(p.abs()));
         let (a, b) = ((-one - p) / d, (one - p) / d);
         from = F::select(is_along, from, from.lane_max(a.lane_min(b)));
         to = F::select(is_along, to, to.lane_min(a.lane_max(b)));
         axis += 1;
     }
-    let is_met = from.lt(to) & from.abs().lt(endless);
-    let is_met = is_met & to.abs().lt(endless);
+    let is_hit = from.lt(to) & from.abs().lt(endless);
+    let is_hit = is_hit & to.abs().lt(endless);
     let middle = F::splat(0.5) * (from + to);
     Clipped {
         rays: RayPacket {
@@ -206,6 +201,6 @@ fn clip<F: F64Lanes>(rays: &RayPacket<F>) -> Clipped<F> {
         middle,
         from: from - middle,
         to: to - middle,
-        met: F::bitmask(is_met) & !passes,
+        hit_mask: F::bitmask(is_hit) & !misses,
     }
 }

@@ -1,4 +1,4 @@
-//! Norms to ten digits in lanes, as many as lanes there are: what the size of a superellipsoid is made of.
+//! Norms to ten digits, generic over the number of lanes.
 
 use crate::base::math::powers::power;
 use crate::base::math::simd::F64Lanes;
@@ -6,9 +6,9 @@ use crate::base::math::simd::F64Lanes;
 /// Keeps a quotient finite.
 pub(super) const TINY: f64 = 1e-290;
 
-/// `(part / whole)^(p − 1)` for the least part and the most whole and the other way round, of two parts.
+/// `(part / whole)^(p − 1)` for the least part and the largest whole and the other way round, of two parts.
 #[inline(always)]
-pub(super) fn shares<F: F64Lanes>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
+pub(super) fn derivatives<F: F64Lanes>([a, b]: [[f64; 2]; 2], whole: [f64; 2], p: f64) -> [f64; 4] {
     let part = F::from_array(&[a[0], a[1], b[0], b[1]]);
     let whole = F::from_array(&[whole[1], whole[0], whole[1], whole[0]]);
     let ratio = part / whole.lane_max(F::splat(TINY));
@@ -33,9 +33,9 @@ pub(super) fn norm<F: F64Lanes>(a: F, b: F, p: f64) -> F {
     large * power(F::splat(1.0) + rest, 1.0 / p)
 }
 
-/// The same and its derivatives by both numbers.
+/// [`norm`] and its derivatives by both numbers.
 #[inline(always)]
-pub(super) fn norm_and_shares<F: F64Lanes>(a: F, b: F, p: f64) -> (F, [F; 2]) {
+pub(super) fn norm_and_derivatives<F: F64Lanes>(a: F, b: F, p: f64) -> (F, [F; 2]) {
     let one = F::splat(1.0);
     if p == 1.0 {
         return (a + b, [one, one]);
@@ -55,9 +55,9 @@ pub(super) fn norm_and_shares<F: F64Lanes>(a: F, b: F, p: f64) -> (F, [F; 2]) {
     let of_small = rest / ratio * of_large;
     let of_small = F::select(tiny.lt(ratio), of_small, of_nothing);
     let is_first_small = a.lt(b);
-    let shares = [
+    let derivatives = [
         F::select(is_first_small, of_small, of_large),
         F::select(is_first_small, of_large, of_small),
     ];
-    (large * growth, shares)
+    (large * growth, derivatives)
 }

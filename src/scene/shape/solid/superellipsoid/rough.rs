@@ -1,11 +1,11 @@
-//! Roots of a superellipsoid by powers of ten digits: where the size is 1, and that it is not.
+//! Ten-digit search for roots of a superellipsoid, and for proof that there is none.
 //!
-//! A claim that there is no root keeps [`SLACK`] away from zero; what is closer is asked of the exact size. A root ends
-//! with a step of Newton's iteration from the exact size, so that its error is that of the exact size, too.
+//! A claim that there is no root keeps [`SLACK`] away from zero; closer calls are decided by the exact norm. A root
+//! ends with a Newton step from the exact norm, so that its error is that of the exact norm, too.
 
 use super::exact::Along;
-use super::norms::{TINY, norm, norm_and_shares, shares};
-use super::{Crossings, Sought, Superellipsoid, alternating, root};
+use super::norms::{TINY, derivatives, norm, norm_and_derivatives};
+use super::{Crossings, RootRange, Superellipsoid, alternating, root};
 use crate::base::math::Ray;
 use crate::base::math::powers::POWER_ERROR;
 use crate::base::math::roots::interval_roots::{
@@ -17,50 +17,50 @@ use crate::base::math::simd::{F64Lanes, F64x4, SimdKernel, with_widest};
 use crate::scene::shape::packet::RayPacket;
 use glam::DVec3;
 
-/// Above the error of a rough size and of a rough slope, as shares, for powers within [`POWERS`].
+/// Upper bound of the relative error of a rough norm and of a rough slope, for powers within [`POWERS`].
 pub(super) const SLACK: f64 = 100.0 * POWER_ERROR;
-/// Powers for which the errors are known: beyond, one of the terms is all that counts, or the size has no bound.
+/// Powers for which the errors are known: beyond, one of the terms dominates, or the norm has no bound.
 const POWERS: std::ops::Range<f64> = 1.0 / 16.0..256.0;
-/// A step of Newton's iteration that is shorter, as a share, ends the rough part.
+/// A Newton step shorter than this, relative to the ends, ends the rough part.
 pub(super) const LAST_ROUGH_STEP: f64 = 1e-7;
-/// And the exact part: the slope is right to as many digits as the step before has left of the place.
+/// And the exact part: the slope is right to as many digits as the previous step has left of the root.
 const LAST_STEP: f64 = 1e-9;
-/// With more steps the roots are so close that exact numbers are needed.
+/// Roots that need more steps are so close that full precision is needed.
 pub(super) const MAX_STEPS: u32 = 24;
-/// More exact steps than a rough root is away.
+/// More exact steps than a rough root needs.
 const MAX_EXACT_STEPS: u32 = 4;
-/// Pieces that are halved more often are searched in exact numbers.
+/// Pieces that need more bisections are searched in full precision.
 const MAX_HALVINGS: u32 = 24;
 
-/// The size along a ray.
+/// The norm along a ray, to ten digits.
 pub(super) struct Rough<'s> {
     pub(super) shape: &'s Superellipsoid,
     pub(super) ray: Ray,
 }
 
-/// Where a convex size falls below 1.
+/// Result of the search for where a convex norm falls below 1.
 pub(super) enum Estimate {
-    /// Surely nowhere.
+    /// Certainly nowhere.
     None,
-    /// Very near this place, where it has this slope.
+    /// Very near this `t`, with this slope.
     Near(f64, f64),
-    /// It takes more digits to say.
+    /// Undecided at this precision.
     Unclear,
 }
 
 impl Superellipsoid {
-    /// Whether its powers are neither too large nor too small for ten digits.
+    /// True if the powers are neither too large nor too small for ten digits.
     pub(super) fn has_rough(&self) -> bool {
         POWERS.contains(&self.across) && POWERS.contains(&self.along)
     }
 
-    /// By how much the size exceeds 1 at places of rays, and its slopes along them.
+    /// Excess of the norm over 1 at points of rays, and its slopes along them.
     #[inline(always)]
     pub(super) fn rough_at<F: F64Lanes>(&self, rays: &RayPacket<F>, t: F) -> (F, F) {
         let p = add(rays.origin, scale(rays.dir, t));
         let [x, y, z] = abs(p);
-        let (ring, [of_x, of_y]) = norm_and_shares(x, y, self.across);
-        let (size, [of_ring, of_z]) = norm_and_shares(ring, z, self.along);
+        let (ring, [of_x, of_y]) = norm_and_derivatives(x, y, self.across);
+        let (size, [of_ring, of_z]) = norm_and_derivatives(ring, z, self.along);
         let gradient = [of_ring * of_x, of_ring * of_y, of_z];
         let growth = [
             rays.dir[0].xor_sign(p[0]),
@@ -72,17 +72,17 @@ impl Superellipsoid {
 }
 
 impl<'s> Rough<'s> {
-    /// `None` for powers that are too large or too small for this.
+    /// `None` for powers that are too large or too small.
     pub(super) fn new(shape: &'s Superellipsoid, ray: &Ray) -> Option<Self> {
         shape.has_rough().then_some(Rough { shape, ray: *ray })
     }
 
-    /// By how much the size exceeds 1, and its slope along the ray.
+    /// Excess of the norm over 1, and its slope along the ray.
     pub(super) fn at(&self, t: f64) -> (f64, f64) {
         self.shape.rough_at(&RayPacket::of(&self.ray), t)
     }
 
-    /// Where a convex size falls below 1 on the way from one end to the other.
+    /// First point from one end to the other where a convex norm falls below 1.
     pub(super) fn first_inside(&self, from: f64, to: f64) -> Estimate {
         let ahead = (to - from).signum();
         let slack = SLACK * self.ray.dir.length();
@@ -99,7 +99,7 @@ impl<'s> Rough<'s> {
             let next = t - value / slope;
             let is_falling = slope * ahead < -slack && (to - next) * ahead >= 0.0;
             if !is_falling {
-                // The least that a convex function can be on the rest of the way; the box is less than 4 long.
+                // Lower bound of a convex function on the remaining interval; the box is less than 4 long.
                 let rest = value + (slope * (to - t)).min(0.0);
                 return if value > 0.0 && rest > 8.0 * SLACK {
                     Estimate::None
@@ -115,7 +115,7 @@ impl<'s> Rough<'s> {
         Estimate::Unclear
     }
 
-    /// The root of the exact size near `t`, where the slope is known to ten digits. `None` if it is not so near.
+    /// The root of the exact norm near `t`, where the slope is known to ten digits. `None` if it is not that near.
     pub(super) fn sharpened(&self, mut t: f64, slope: f64, scale: f64) -> Option<f64> {
         let along = Along {
             shape: self.shape,
@@ -132,7 +132,7 @@ impl<'s> Rough<'s> {
         None
     }
 
-    /// The one root of a monotone piece.
+    /// The single root of a monotone piece.
     fn root(&self, along: &Along, ends: [f64; 2], is_rising: bool) -> f64 {
         let [mut low, mut high] = ends;
         let scale = low.abs().max(high.abs());
@@ -158,38 +158,38 @@ impl<'s> Rough<'s> {
     }
 }
 
-/// The size on the pieces of a ray on which no coordinate changes sign.
+/// The norm on the pieces of a ray on which no coordinate changes sign.
 pub(super) struct Pieces<'s> {
     rough: Rough<'s>,
     exact: &'s Along<'s>,
-    sought: Sought,
+    range: RootRange,
 }
 
-/// What is known of the size on a piece.
+/// Bounds of the norm on a piece.
 struct Bounded {
-    /// By how much the size exceeds 1.
+    /// Excess of the norm over 1.
     values: Interval,
     slopes: Interval,
-    /// In the middle.
+    /// Excess in the middle.
     value: f64,
 }
 
 impl<'s> Pieces<'s> {
-    pub(super) fn new(rough: Rough<'s>, exact: &'s Along<'s>, sought: Sought) -> Self {
+    pub(super) fn new(rough: Rough<'s>, exact: &'s Along<'s>, range: RootRange) -> Self {
         Pieces {
             rough,
             exact,
-            sought,
+            range,
         }
     }
 
-    /// Appends the roots that are sought between places among which no coordinate changes its sign; outside at the first
-    /// place and the last.
+    /// Appends the needed roots between stops among which no coordinate changes its sign; the first and the last stop
+    /// are outside.
     pub(super) fn all_roots(&self, stops: &[f64], roots: &mut Crossings) {
         let count = stops.len() - 1;
         let is_above = self.rough.is_above(stops);
         let is_empty = |piece: usize| is_above >> piece & 1 == 1;
-        // On which side the next piece starts, if that is known.
+        // Side on which the next piece starts, if known.
         let mut side = Some(false);
         for piece in 0..count {
             let [from, to] = [stops[piece], stops[piece + 1]];
@@ -197,7 +197,7 @@ impl<'s> Pieces<'s> {
                 side = Some(false);
                 continue;
             }
-            if self.sought.is_before(to) {
+            if self.range.is_before(to) {
                 side = None;
                 continue;
             }
@@ -210,12 +210,12 @@ impl<'s> Pieces<'s> {
         }
     }
 
-    /// Tells whether the size is below 1 there.
+    /// True if the norm is below 1 at `t`.
     fn is_inside(&self, t: f64) -> bool {
         self.is_below(self.rough.at(t).0, t)
     }
 
-    /// The same, of which the rough value is known.
+    /// The same, given the rough value.
     fn is_below(&self, rough: f64, t: f64) -> bool {
         if rough.abs() > SLACK {
             rough < 0.0
@@ -224,7 +224,8 @@ impl<'s> Pieces<'s> {
         }
     }
 
-    /// As [`sign_changes`] of the exact size, up to the first root behind which none is sought. Says whether that is found.
+    /// As [`sign_changes`] of the exact norm, up to the first root beyond which none is needed. Returns true if that
+    /// root was reached.
     fn roots(&self, ends: [(f64, bool); 2], roots: &mut Crossings) -> bool {
         let [from, to] = ends.map(|(t, _)| t);
         if self.is_monotone(from, to) {
@@ -233,16 +234,16 @@ impl<'s> Pieces<'s> {
         self.search(ends, MAX_HALVINGS, roots)
     }
 
-    /// Whether all coordinates go the same way without their signs. Beside the axis, where a slope may be no number.
+    /// True if the magnitudes of all coordinates grow, or all shrink. False near the axis, where a slope may be NaN.
     fn is_monotone(&self, from: f64, to: f64) -> bool {
         let Ray { dir, .. } = self.rough.ray;
         let growth = self.rough.ray.at(0.5 * (from + to)).signum() * dir;
         let (least, _) = self.exact.reach(from, to);
-        let is_one_way = growth.min_element() >= 0.0 || growth.max_element() <= 0.0;
-        is_one_way && least.x.max(least.y) > 1e10 * TINY
+        let is_uniform = growth.min_element() >= 0.0 || growth.max_element() <= 0.0;
+        is_uniform && least.x.max(least.y) > 1e10 * TINY
     }
 
-    /// The one root of a monotone piece with a change. Says whether none is sought behind it.
+    /// Appends the single root of a monotone piece with a change. Returns true if none beyond it is needed.
     fn push_root(
         &self,
         [(from, starts_inside), (to, _)]: [(f64, bool); 2],
@@ -250,12 +251,12 @@ impl<'s> Pieces<'s> {
     ) -> bool {
         let t = self.rough.root(self.exact, [from, to], starts_inside);
         roots.push(root(t, starts_inside));
-        self.sought.is_enough(t)
+        self.range.is_enough(t)
     }
 
     fn search(&self, ends: [(f64, bool); 2], depth: u32, roots: &mut Crossings) -> bool {
         let [(from, starts_inside), (to, ends_inside)] = ends;
-        if self.sought.is_before(to) {
+        if self.range.is_before(to) {
             return false;
         }
         let is_change = starts_inside != ends_inside;
@@ -280,17 +281,17 @@ impl<'s> Pieces<'s> {
             return false;
         }
         if depth == 0 {
-            let mut places = Roots::new();
-            sign_changes(self.exact, ends[0], ends[1], &mut places);
-            roots.extend(alternating(&places, starts_inside));
-            return places.iter().any(|t| self.sought.is_enough(*t));
+            let mut params = Roots::new();
+            sign_changes(self.exact, ends[0], ends[1], &mut params);
+            roots.extend(alternating(&params, starts_inside));
+            return params.iter().any(|t| self.range.is_enough(*t));
         }
         let half = (middle, self.is_below(bounded.value, middle));
         self.search([ends[0], half], depth - 1, roots)
             || self.search([half, ends[1]], depth - 1, roots)
     }
 
-    /// Bounds with the slack of slopes in them.
+    /// Bounds that include the error of the slopes.
     fn bounded(&self, from: f64, to: f64, middle: f64) -> Bounded {
         let (least, most) = self.exact.reach(from, to);
         let corners = Corners {
@@ -298,7 +299,7 @@ impl<'s> Pieces<'s> {
             points: [least, most, self.rough.ray.at(middle).abs()],
         };
         let [sizes, of_plane, of_size] = with_widest(|lanes| lanes.run(corners));
-        // Which way each coordinate grows without its sign is the same on all of the piece.
+        // The sign of the growth of each coordinate's magnitude is the same on all of the piece.
         let growth = self.rough.ray.at(middle).signum() * self.rough.ray.dir;
         let by_ring = [of_size[0].min(of_size[1]), of_size[0].max(of_size[1])];
         let mut slopes = Interval::new(0.0, 0.0);
@@ -337,8 +338,8 @@ impl<'s> Pieces<'s> {
     }
 }
 
-/// The sizes at the nearest and the farthest corner of the box around a piece and in its middle; then the least and the
-/// most, in some order, of the derivatives of the ring by x and by y, and of the size by the ring and by z.
+/// Norms at the nearest and the farthest corner of the box around a piece and in its middle; then the bounds, in some
+/// order, of the derivatives of the ring by x and by y, and of the norm by the ring and by z.
 struct Corners<'s> {
     shape: &'s Superellipsoid,
     points: [DVec3; 3],
@@ -357,8 +358,8 @@ impl SimdKernel for Corners<'_> {
         let ring = norm(F::from_array(&x), F::from_array(&y), across);
         let sizes = norm(ring, F::from_array(&z), along).to_array();
         let ring = ring.to_array();
-        let of_plane = shares::<F>([[x[0], x[1]], [y[0], y[1]]], [ring[0], ring[1]], across);
-        let of_size = shares::<F>(
+        let of_plane = derivatives::<F>([[x[0], x[1]], [y[0], y[1]]], [ring[0], ring[1]], across);
+        let of_size = derivatives::<F>(
             [[ring[0], ring[1]], [z[0], z[1]]],
             [sizes[0], sizes[1]],
             along,

@@ -23,7 +23,7 @@ fn stars_are_solids() {
 #[test]
 fn with_both_one_it_is_a_sphere() {
     let ray = Ray::new(DVec3::new(0.3, 0.4, -1e6), DVec3::Z);
-    let roots = Superellipsoid::new(1.0, 1.0).crossings(&ray, Sought::ALL);
+    let roots = Superellipsoid::new(1.0, 1.0).crossings(&ray, RootRange::ALL);
     assert_eq!(roots.len(), 2);
     assert!((roots[0].t - (1e6 - 0.75_f64.sqrt())).abs() < 2e-10);
     assert!((roots[1].t - (1e6 + 0.75_f64.sqrt())).abs() < 2e-10);
@@ -33,7 +33,7 @@ fn with_both_one_it_is_a_sphere() {
 fn exponents_near_zero_make_a_box() {
     for e in [0.0, 1e-9, 1e-3] {
         let ray = Ray::new(DVec3::new(-3.0, 0.9, 0.9), DVec3::X);
-        let roots = Superellipsoid::new(e, e).crossings(&ray, Sought::ALL);
+        let roots = Superellipsoid::new(e, e).crossings(&ray, RootRange::ALL);
         assert!((roots[0].t - 2.0).abs() < 1e-3 && (roots[1].t - 4.0).abs() < 1e-3);
     }
 }
@@ -42,9 +42,9 @@ fn exponents_near_zero_make_a_box() {
 fn a_ray_past_the_hollow_side_of_a_star_passes_two_arms() {
     let star = Superellipsoid::new(4.0, 1.0);
     let ray = Ray::new(DVec3::new(-2.0, 0.1, 0.0), DVec3::X);
-    assert_eq!(star.crossings(&ray, Sought::ALL).len(), 2);
+    assert_eq!(star.crossings(&ray, RootRange::ALL).len(), 2);
     let across = Ray::new(DVec3::new(-0.5, 1.3, 0.0), DVec3::new(1.0, -1.0, 0.0));
-    assert_eq!(star.crossings(&across, Sought::ALL).len(), 4);
+    assert_eq!(star.crossings(&across, RootRange::ALL).len(), 4);
 }
 
 #[test]
@@ -54,8 +54,8 @@ fn exponents_below_zero_are_refused() {
     assert!(Superellipsoid::read(&mut TextArgs::new("<0, 1>")).is_ok());
 }
 
-/// Where a line crosses the surface, in exact numbers alone.
-fn exact_places(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
+/// Crossings of a line with the surface, in full precision alone.
+fn exact_roots(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
     let Some((from, to)) = clip(ray) else {
         return Vec::new();
     };
@@ -67,13 +67,13 @@ fn exact_places(shape: &Superellipsoid, ray: &Ray) -> Vec<f64> {
     stops.push(to);
     stops.sort_by(f64::total_cmp);
     let along = Along { shape, ray };
-    let (mut places, mut start) = (Roots::new(), (from, false));
+    let (mut params, mut start) = (Roots::new(), (from, false));
     for stop in stops {
         let end = (stop, stop < to && along.value(stop) < 0.0);
-        sign_changes(&along, start, end, &mut places);
+        sign_changes(&along, start, end, &mut params);
         start = end;
     }
-    places.iter().map(|t| t + middle).collect()
+    params.iter().map(|t| t + middle).collect()
 }
 
 #[test]
@@ -92,13 +92,13 @@ fn rough_powers_lose_no_root_and_no_digit() {
         (0.01, 30.0),
     ] {
         let shape = Superellipsoid::new(e, n);
-        let mut found = 0;
+        let mut count = 0;
         for _ in 0..1000 {
             let away = rng.vector(3.0);
             let ray = Ray::new(rng.vector(1.0) + away, -away);
-            let roots = shape.crossings(&ray, Sought::ALL);
-            let exact = exact_places(&shape, &ray);
-            found += roots.len();
+            let roots = shape.crossings(&ray, RootRange::ALL);
+            let exact = exact_roots(&shape, &ray);
+            count += roots.len();
             if roots.len() == exact.len() {
                 for (root, t) in roots.iter().zip(&exact) {
                     let size = (1.0 - shape.size(ray.at(root.t).abs())).abs();
@@ -106,7 +106,7 @@ fn rough_powers_lose_no_root_and_no_digit() {
                     assert!(is_near, "<{e}, {n}> {ray:?}: {} {t}", root.t);
                 }
             } else {
-                // Only a line that touches the surface may be judged in two ways.
+                // Only for a grazing line may the two disagree.
                 let own: Vec<f64> = roots.iter().map(|root| root.t).collect();
                 let more = if own.len() > exact.len() { own } else { exact };
                 let is_close = |pair: &[f64]| pair[1] - pair[0] < 1e-6;
@@ -114,6 +114,6 @@ fn rough_powers_lose_no_root_and_no_digit() {
                 assert!(is_touch, "<{e}, {n}> {ray:?}: {more:?}");
             }
         }
-        assert!(found > 200, "<{e}, {n}>: {found}");
+        assert!(count > 200, "<{e}, {n}>: {count}");
     }
 }

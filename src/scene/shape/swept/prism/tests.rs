@@ -51,7 +51,7 @@ fn conic_sweeps_are_solids() {
 }
 
 #[test]
-fn an_upright_ray_meets_the_caps() {
+fn an_upright_ray_hits_the_caps() {
     let solid = prism(&format!("-1, 1, {HOLE}"));
     let down = |x: f64| Ray::new(DVec3::new(x, 5.0, 0.0), DVec3::NEG_Y);
     let depths: Vec<f64> = roots(&solid, &down(1.5)).iter().map(|r| r.t).collect();
@@ -60,7 +60,7 @@ fn an_upright_ray_meets_the_caps() {
 }
 
 #[test]
-fn a_cone_through_its_apex_has_one_stretch_on_each_side() {
+fn a_cone_through_its_apex_has_one_span_on_each_side() {
     let cone = prism("conic_sweep -1, 1, 5, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>");
     let ray = Ray::new(DVec3::new(-3.0, 0.5, 0.0), DVec3::X);
     let depths: Vec<f64> = roots(&cone, &ray).iter().map(|r| r.t).collect();

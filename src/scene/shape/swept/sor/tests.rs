@@ -61,7 +61,7 @@ fn a_cylinder_keeps_its_depth_at_any_distance() {
 }
 
 #[test]
-fn few_points_negative_radii_and_heights_that_fall_are_errors() {
+fn missing_points_negative_radii_and_falling_heights_are_errors() {
     for (text, expected) in [
         (
             "3, <0.5,-1.5>, <0.5,-1>, <1,0>",
@@ -92,7 +92,7 @@ fn v_counts_the_rings() {
     assert!((u - 0.25).abs() < 1e-15 && (v - 1.0 / 3.0).abs() < 1e-15);
 }
 
-/// POV-Ray 3.7 gives the rim of the lower cap 0 and its middle -1, those of the upper one 1 and 2.
+/// In POV-Ray 3.7 v is 0 at the rim of the lower cap and -1 at its centre, 1 and 2 on the upper cap.
 #[test]
 fn v_goes_on_over_the_caps() {
     let vase = sor("6, <0.1,-1.5>, <0.6,-1>, <1,-0.5>, <0.7,0.3>, <0.5,1>, <0.1,1.5>");

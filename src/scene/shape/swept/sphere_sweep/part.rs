@@ -1,27 +1,27 @@
-//! One polynomial piece of the curve of a sweep.
+//! One polynomial segment of the curve of a sweep.
 
 use super::Spans;
-use super::way::{Way, derivative, product};
+use super::way::{ChordEnds, derivative, product};
 use crate::base::math::conditioning::power_of_two;
 use crate::base::math::roots::polynomial::{sign_changes, value};
 use crate::base::math::{Bounds, Ray};
 use glam::{DVec3, DVec4};
 
-/// One polynomial piece of the curve.
+/// One polynomial segment of the curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Part {
-    /// Centre and radius by rising power of `-1 <= x <= 1`, about `centre` and in units of `size`.
+    /// Centre and radius by rising power of `-1 <= x <= 1`, relative to `centre` and in units of `size`.
     curve: [DVec4; 4],
-    /// How many of them there are.
+    /// Number of coefficients.
     len: usize,
     pub(super) centre: DVec3,
     /// A power of two.
     pub(super) size: f64,
-    /// The square of the radius of a ball around it, in units of `size`.
+    /// Squared radius of a bounding sphere, in units of `size`.
     reach_sq: f64,
 }
 
-/// The rows are the powers of `0 <= t <= 1`, the columns four spheres in a row.
+/// Rows are the powers of `0 <= t <= 1`, columns four consecutive spheres.
 pub(super) type Basis = [[f64; 4]; 4];
 
 pub(super) const B_SPLINE: Basis = [
@@ -38,12 +38,12 @@ pub(super) const CATMULL_ROM: Basis = [
 ];
 
 impl Part {
-    pub(super) fn of(basis: &Basis, four: &[DVec4]) -> Self {
-        let power = |row: &[f64; 4]| (0..4).fold(DVec4::ZERO, |sum, i| sum + row[i] * four[i]);
+    pub(super) fn of(basis: &Basis, spheres: &[DVec4]) -> Self {
+        let power = |row: &[f64; 4]| (0..4).fold(DVec4::ZERO, |sum, i| sum + row[i] * spheres[i]);
         Part::new(&basis.each_ref().map(power))
     }
 
-    /// A piece by rising power of `0 <= t <= 1`.
+    /// A segment by rising power of `0 <= t <= 1`.
     pub(super) fn new(powers: &[DVec4]) -> Self {
         let mut c = [DVec4::ZERO; 4];
         c[..powers.len()].copy_from_slice(powers);
@@ -73,7 +73,7 @@ impl Part {
         part
     }
 
-    /// Spheres in the hull of which all spheres of the piece lie (its Bézier points).
+    /// Bézier control spheres; their hull contains all spheres of the segment.
     fn hull(&self) -> [DVec4; 4] {
         let [a, b, c, d] = self.curve;
         // With x = 2 t - 1, then from powers of t to Bézier points.
@@ -105,21 +105,21 @@ impl Part {
         curve.fold(DVec4::ZERO, |sum, c| sum * x + *c)
     }
 
-    /// Adds the parts of a ray that are in this piece.
+    /// Appends the spans of a ray inside this segment.
     pub(super) fn spans(&self, ray: &Ray, number: u32, spans: &mut Spans) {
         let length = ray.dir.length();
         let dir = ray.dir / length;
         let origin = (ray.origin - self.centre) / self.size;
-        // From the place nearest to the middle of the piece.
+        // Relative to the point nearest to the centre of the segment.
         let start = -origin.dot(dir);
         let origin = origin + start * dir;
         let is_near = origin.length_squared() <= self.reach_sq;
         if !is_near {
             return;
         }
-        let way = Way::new(&self.curve[..self.len], origin, dir);
+        let chord_ends = ChordEnds::new(&self.curve[..self.len], origin, dir);
         let to_ray = |s: f64| (start + s) * self.size / length;
-        way.parts(|low, high| {
+        chord_ends.spans(|low, high| {
             let (enter, leave) = (to_ray(low), to_ray(high));
             if enter < leave {
                 spans.push([(enter, number), (leave, number)]);
@@ -127,8 +127,8 @@ impl Part {
         });
     }
 
-    /// The parameter of the sphere in which a point lies deepest, and the square of its distance from that sphere's
-    /// centre less the square of the radius.
+    /// Parameter of the sphere in which a point lies deepest, and its squared distance from that sphere's centre less
+    /// the squared radius.
     pub(super) fn deepest(&self, point: DVec3) -> (f64, f64) {
         let local = ((point - self.centre) / self.size).extend(0.0);
         let mut about = self.curve;

@@ -39,8 +39,8 @@ fn a_linear_sweep_of_equal_radii_is_a_capsule() {
 }
 
 #[test]
-fn a_sweep_in_a_plane_is_met_straight_on() {
-    // The ways in and out have their extremes at the same places.
+fn a_planar_sweep_is_hit_at_right_angles() {
+    // Entry and exit distances have their extremes at the same parameters.
     let flat = sweep("cubic_spline 4, <-2,0,0>, 0.5, <-1,0,0>, 0.5, <1,0,0>, 0.5, <2,0,0>, 0.5");
     for y in [0.0, 0.3, 0.49] {
         let ray = Ray::new(DVec3::new(0.2, y, -5.0), DVec3::Z);
@@ -54,7 +54,7 @@ fn a_sweep_in_a_plane_is_met_straight_on() {
 }
 
 #[test]
-fn too_few_spheres_are_an_error() {
+fn missing_spheres_are_an_error() {
     let fault = |text: &str| {
         SphereSweep::read(&mut TextArgs::new(text))
             .unwrap_err()

@@ -1,30 +1,30 @@
-//! A ray along a piece of a sweep: the way into its spheres and out of them as a function of the curve's parameter.
+//! Ends of the chord of a ray in the spheres of a curve segment, as functions of the curve parameter.
 
 use crate::base::math::roots::polynomial::{sign_changes, value};
 use glam::{DVec3, DVec4};
 use smallvec::SmallVec;
 
-/// Newton steps towards an extreme of the way to the surface; the places found before are nearly right.
+/// Newton steps towards an extreme; the starting points are already nearly right.
 const POLISH: usize = 2;
 
 /// A polynomial by rising power.
 type Poly = SmallVec<[f64; 12]>;
-/// A ray of unit direction along a piece: polynomials in the parameter of the curve.
-pub(super) struct Way {
-    /// From the origin of the ray to the point nearest to the centre of the sphere, reversed.
+/// Chord of a ray of unit direction: polynomials in the curve parameter.
+pub(super) struct ChordEnds {
+    /// Negative distance along the ray from its origin to the point nearest to the centre of the sphere.
     b: Poly,
     b_slope: Poly,
     b_bend: Poly,
-    /// The square of half the chord.
+    /// Squared half-length of the chord.
     d: Poly,
     d_slope: Poly,
     d_bend: Poly,
 }
 
-impl Way {
+impl ChordEnds {
     pub(super) fn new(curve: &[DVec4], origin: DVec3, dir: DVec3) -> Self {
         let mut b = Poly::new();
-        // Beside the ray, and the radius.
+        // Perpendicular offset from the ray, and the radius.
         let mut beside: SmallVec<[DVec4; 4]> = SmallVec::new();
         for (power, c) in curve.iter().enumerate() {
             let centre = c.truncate();
@@ -35,7 +35,7 @@ impl Way {
         }
         let d = product(&beside, |p, q| p.w * q.w - p.truncate().dot(q.truncate()));
         let (b_slope, d_slope) = (derivative(&b), derivative(&d));
-        Way {
+        ChordEnds {
             b_bend: derivative(&b_slope),
             d_bend: derivative(&d_slope),
             b,
@@ -45,33 +45,33 @@ impl Way {
         }
     }
 
-    /// Gives the parts of the ray that are in the piece.
-    pub(super) fn parts(&self, mut give: impl FnMut(f64, f64)) {
+    /// Passes each span of the ray inside the segment to `give`.
+    pub(super) fn spans(&self, mut give: impl FnMut(f64, f64)) {
         let mut ends = sign_changes(&self.d);
         ends.insert(0, -1.0);
         ends.push(1.0);
-        let mut places: Option<SmallVec<[f64; 24]>> = None;
+        let mut params: Option<SmallVec<[f64; 24]>> = None;
         for pair in ends.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             if value(&self.d, 0.5 * (from + to)) < 0.0 {
                 continue;
             }
-            let places = places.get_or_insert_with(|| self.extremes());
+            let params = params.get_or_insert_with(|| self.extremes());
             let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-            let inner = places.iter().copied().filter(|x| from < *x && *x < to);
+            let inner = params.iter().copied().filter(|x| from < *x && *x < to);
             for x in inner.chain([from, to, 0.5 * (from + to)]) {
-                low = low.min(self.polished(x, (from, to), -1.0));
-                high = high.max(self.polished(x, (from, to), 1.0));
+                low = low.min(self.polished(x, from, to, -1.0));
+                high = high.max(self.polished(x, from, to, 1.0));
             }
             give(low, high);
         }
     }
 
-    /// Where the way into a sphere or out of it may be least or largest.
+    /// Parameters at which the entry or the exit distance may be extreme.
     fn extremes(&self) -> SmallVec<[f64; 24]> {
-        let mut places: SmallVec<[f64; 24]> = SmallVec::new();
-        // Where the two extremes fall together the equation has a double root, at which its sign does not change.
-        places.extend(sign_changes(&self.d_slope));
+        let mut params: SmallVec<[f64; 24]> = SmallVec::new();
+        // Where the two extremes coincide the equation has a double root, at which its sign does not change.
+        params.extend(sign_changes(&self.d_slope));
         let squares = product(&self.d_slope, |a, b| a * b);
         let chords = times(&product(&self.b_slope, |a, b| a * b), &self.d);
         let len = squares.len().max(chords.len());
@@ -79,14 +79,15 @@ impl Way {
         let difference: Poly = (0..len)
             .map(|i| term(&squares, i) - 4.0 * term(&chords, i))
             .collect();
-        places.extend(sign_changes(&difference));
-        places
+        params.extend(sign_changes(&difference));
+        params
     }
 
-    /// The way into the sphere at a place (`side` −1) or out of it (`side` 1), or a better one nearby.
-    fn polished(&self, x: f64, (from, to): (f64, f64), side: f64) -> f64 {
-        let way = |x: f64| side * value(&self.d, x).max(0.0).sqrt() - value(&self.b, x);
-        let mut best = way(x);
+    /// The distance to the entry (`side` −1) or the exit (`side` 1) of the sphere at a parameter, or a more extreme one
+    /// nearby.
+    fn polished(&self, x: f64, from: f64, to: f64, side: f64) -> f64 {
+        let distance = |x: f64| side * value(&self.d, x).max(0.0).sqrt() - value(&self.b, x);
+        let mut best = distance(x);
         let mut x = x;
         for _ in 0..POLISH {
             let half = value(&self.d, x).max(0.0).sqrt();
@@ -101,11 +102,11 @@ impl Way {
             if !is_inside {
                 break;
             }
-            let there = way(next);
-            if side * there <= side * best {
+            let at_next = distance(next);
+            if side * at_next <= side * best {
                 break;
             }
-            (x, best) = (next, there);
+            (x, best) = (next, at_next);
         }
         best
     }

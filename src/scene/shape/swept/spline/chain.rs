@@ -1,4 +1,4 @@
-//! Closed chains of segments, and where lines cross them.
+//! Closed chains of segments, and their crossings with lines.
 
 use super::Segment;
 use crate::base::math::roots::polynomial::sign_changes_between;
@@ -7,30 +7,47 @@ use glam::DVec2;
 use smallvec::SmallVec;
 use std::ops::Deref;
 
-/// The share of the size of a cubic below which the sign of a Bernstein coefficient may be that of its rounding.
+/// Share of the size of a cubic below which the sign of a Bernstein coefficient is uncertain from rounding.
 const BERNSTEIN_SLACK: f64 = 1e-14;
 
-/// Segments that follow one another and come back to where they start.
+/// Consecutive segments that return to their start.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::scene::shape) struct Chain {
     segments: Vec<Segment>,
     hulls: Vec<Hulls>,
 }
 
-/// Four segments, each within the hull of four points; behind the last segment of a chain it stands again.
+/// Hulls of four segments, of four points each; the last segment of a chain pads the lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Hulls {
-    /// The coordinates of the points along both axes.
+    /// Coordinates of the points along both axes.
     points: [[[f64; 4]; 2]; 4],
-    /// How far the sum of a product with each coordinate, as it is rounded, may be off for a factor of one.
+    /// Error bound of the sum of products with the coordinates, per unit factor.
     slack: [[f64; 4]; 2],
 }
 
 /// A line `normal · (p − from) + offset = 0`.
-pub(in crate::scene::shape) type Line = (DVec2, DVec2, f64);
+#[derive(Clone, Copy)]
+pub(in crate::scene::shape) struct Line {
+    pub(in crate::scene::shape) normal: DVec2,
+    pub(in crate::scene::shape) from: DVec2,
+    pub(in crate::scene::shape) offset: f64,
+}
 
-/// Asks which of four segments a line may meet.
-struct HullsAndLine<'a> {
+impl Line {
+    /// The line through a point.
+    #[inline(always)]
+    pub(in crate::scene::shape) fn through(point: DVec2, normal: DVec2) -> Self {
+        Line {
+            normal,
+            from: point,
+            offset: 0.0,
+        }
+    }
+}
+
+/// Kernel that tests which of four segments a line may hit.
+struct HullsKernel<'a> {
     hulls: &'a Hulls,
     line: &'a Line,
 }
@@ -48,17 +65,21 @@ impl Hulls {
     }
 }
 
-impl SimdKernel for HullsAndLine<'_> {
+impl SimdKernel for HullsKernel<'_> {
     type Output = u32;
 
     #[inline(always)]
     fn run<F: F64x4>(self) -> u32 {
-        let (normal, from, offset) = *self.line;
+        let Line {
+            normal,
+            from,
+            offset,
+        } = *self.line;
         let rest = offset - normal.dot(from);
         let size = offset.abs() + normal.abs().dot(from.abs());
         let (x, y, rest) = (F::splat(normal.x), F::splat(normal.y), F::splat(rest));
         let [a, b, c, d] = &self.hulls.points;
-        // Spelt out: `map` is not always inlined.
+        // Written out: `map` is not always inlined.
         let a = x * F::from_array(&a[0]) + y * F::from_array(&a[1]) + rest;
         let b = x * F::from_array(&b[0]) + y * F::from_array(&b[1]) + rest;
         let c = x * F::from_array(&c[0]) + y * F::from_array(&c[1]) + rest;
@@ -66,12 +87,12 @@ impl SimdKernel for HullsAndLine<'_> {
         let least = a.lane_min(b).lane_min(c.lane_min(d));
         let most = a.lane_max(b).lane_max(c.lane_max(d));
         let [slack_x, slack_y] = &self.hulls.slack;
-        let care = x.abs() * F::from_array(slack_x);
-        let care = care + y.abs() * F::from_array(slack_y);
-        let care = care + F::splat(BERNSTEIN_SLACK * size);
-        // What is not a number is met.
-        let passed = care.lt(least) | most.lt(-care);
-        F::bitmask(passed) ^ 0b1111
+        let tolerance = x.abs() * F::from_array(slack_x);
+        let tolerance = tolerance + y.abs() * F::from_array(slack_y);
+        let tolerance = tolerance + F::splat(BERNSTEIN_SLACK * size);
+        // NaN counts as a hit.
+        let misses = tolerance.lt(least) | most.lt(-tolerance);
+        F::bitmask(misses) ^ 0b1111
     }
 }
 
@@ -83,7 +104,7 @@ impl Chain {
         }
     }
 
-    /// Visits the places where a line crosses it, by the number of the segment and the place on it.
+    /// Visits the crossings of a line with the chain, by index of the segment and parameter on it.
     #[inline(always)]
     pub(crate) fn line_crossings(
         &self,
@@ -92,26 +113,27 @@ impl Chain {
         mut visit: impl FnMut(usize, f64),
     ) {
         for (hulls, first) in self.hulls.iter().zip((0..).step_by(4)) {
-            let mut met = lanes.run(HullsAndLine { hulls, line: &line });
+            let mut hits = lanes.run(HullsKernel { hulls, line: &line });
             let here = self.segments.len() - first;
             if here < 4 {
-                met &= (1 << here) - 1;
+                hits &= (1 << here) - 1;
             }
-            while met != 0 {
-                let number = first + met.trailing_zeros() as usize;
-                met &= met - 1;
+            while hits != 0 {
+                let number = first + hits.trailing_zeros() as usize;
+                hits &= hits - 1;
                 crossings_of(&self.segments[number], line, |x| visit(number, x));
             }
         }
     }
 
-    /// Whether it winds around a point an odd number of times.
+    /// True if the chain winds around a point an odd number of times.
     pub(crate) fn contains(&self, point: DVec2) -> bool {
         let mut is_inside = false;
         with_widest(
             #[inline(always)]
             |lanes| {
-                self.line_crossings(lanes, (DVec2::Y, point, 0.0), |number, x| {
+                let line = Line::through(point, DVec2::Y);
+                self.line_crossings(lanes, line, |number, x| {
                     is_inside ^= self.segments[number].at(x).x > point.x;
                 });
             },
@@ -119,13 +141,14 @@ impl Chain {
         is_inside
     }
 
-    /// The one of a normal and its opposite, at a point of it, that points out.
+    /// Orients a normal at a point of the chain outward.
     pub(crate) fn outward(&self, point: DVec2, normal: DVec2) -> DVec2 {
         let mut ahead: SmallVec<[f64; 8]> = SmallVec::new();
         with_widest(
             #[inline(always)]
             |lanes| {
-                self.line_crossings(lanes, (normal.perp(), point, 0.0), |number, x| {
+                let line = Line::through(point, normal.perp());
+                self.line_crossings(lanes, line, |number, x| {
                     ahead.push((self.segments[number].at(x) - point).dot(normal));
                 });
             },
@@ -147,9 +170,14 @@ impl Deref for Chain {
     }
 }
 
-/// Visits the places where a line crosses a segment of a chain.
+/// Visits the crossings of a line with a segment of a chain.
 #[inline(always)]
-fn crossings_of(segment: &Segment, (normal, from, offset): Line, mut visit: impl FnMut(f64)) {
+fn crossings_of(segment: &Segment, line: Line, mut visit: impl FnMut(f64)) {
+    let Line {
+        normal,
+        from,
+        offset,
+    } = line;
     let side = |point: DVec2| normal.dot(point - from) + offset;
     let (starts_negative, ends_negative) = (side(segment.start) < 0.0, side(segment.end) < 0.0);
     let [c0, c1, c2, c3] = segment.c;
@@ -171,8 +199,8 @@ fn crossings_of(segment: &Segment, (normal, from, offset): Line, mut visit: impl
     }
 }
 
-/// Tells whether a cubic of these powers keeps its sign between -1 and 1, by more than its rounding: its Bernstein coefficients
-/// do.
+/// True if a cubic with these coefficients keeps its sign between -1 and 1 by more than its rounding, because its
+/// Bernstein coefficients do.
 fn has_one_sign(&[c0, c1, c2, c3]: &[f64; 4]) -> bool {
     let slack = BERNSTEIN_SLACK * (c0.abs() + c1.abs() + c2.abs() + c3.abs());
     let (even, odd) = (c0 + c2, c1 + c3);

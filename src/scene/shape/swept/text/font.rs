@@ -1,5 +1,5 @@
-//! The letters of a TrueType font, and where POV-Ray 3.7 puts them (measured): the first begins at zero, the others
-//! follow by advance, kerning and the offset of the text, of which the depth counts for nothing.
+//! Letters of a TrueType font, and their layout in POV-Ray 3.7 (measured): the first begins at zero, the others follow
+//! by advance, kerning and the offset of the text, whose depth is ignored.
 
 use super::outline::Outline;
 use glam::{DVec2, DVec3};
@@ -8,29 +8,29 @@ use std::sync::Arc;
 use ttf_parser::cmap::{Format, Subtable};
 use ttf_parser::{Face, FaceParsingError, GlyphId, OutlineBuilder, PlatformId, Tag, loca};
 
-/// Single letters of symbol fonts stand here.
+/// Symbol fonts have their characters from this code on.
 const SYMBOLS: u32 = 0xF000;
-/// The codes that are looked for among the symbols.
-const FEW_CODES: u32 = 0x100;
+/// Codes below this are looked up among the symbols.
+const SYMBOL_CODES: u32 = 0x100;
 
-/// The bytes before the pairs of a table of kerning, and those of a pair.
+/// Size of the header of a kerning table, and of a pair, in bytes.
 const KERN_HEADER: usize = 14;
 const PAIR_BYTES: usize = 6;
-/// The bits of the kind of a table of kerning that matter: its form, horizontal, least values, across.
+/// Coverage bits of a kerning table that matter: format, horizontal, minimum values, cross-stream.
 const KERN_KIND: u16 = 0xFF07;
 const KERN_HORIZONTAL: u16 = 1;
 
-/// A letter in its place.
+/// A positioned letter.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Letter {
     pub(super) outline: Arc<Outline>,
-    /// The corners of its box as the font gives it, before it is moved; in units of the em.
+    /// The corners of its box as the font gives it, before positioning; in units of the em.
     pub(super) low: DVec2,
     pub(super) high: DVec2,
     pub(super) at: DVec3,
 }
 
-/// Sets a text in the font of these bytes.
+/// Lays out a text in the font of these bytes.
 pub(super) fn set(
     bytes: &[u8],
     text: &str,
@@ -40,7 +40,7 @@ pub(super) fn set(
     let em = f64::from(face.units_per_em());
     let offset = DVec3::new(offset.x, offset.y, 0.0);
     let table = table(&face);
-    let mut known: FxHashMap<GlyphId, Glyph> = FxHashMap::default();
+    let mut glyphs: FxHashMap<GlyphId, Glyph> = FxHashMap::default();
     let mut letters = Vec::new();
     let mut pen = DVec3::ZERO;
     let mut before = None;
@@ -48,7 +48,9 @@ pub(super) fn set(
         let id = table
             .as_ref()
             .map_or(GlyphId(0), |table| glyph_id(table, letter));
-        let glyph = known.entry(id).or_insert_with(|| Glyph::new(&face, id, em));
+        let glyph = glyphs
+            .entry(id)
+            .or_insert_with(|| Glyph::new(&face, id, em));
         let mut at = pen;
         match before {
             None => {
@@ -73,7 +75,7 @@ pub(super) fn set(
     Ok(letters)
 }
 
-/// A letter of the font, in units of the em.
+/// A glyph of the font, in units of the em.
 struct Glyph {
     outline: Arc<Outline>,
     low: DVec2,
@@ -110,13 +112,13 @@ impl Glyph {
     }
 }
 
-/// The box of a letter as the font tells it: the four numbers behind its count of contours.
+/// The box of a glyph stored in the font: the four numbers after its count of contours.
 fn header(face: &Face, id: GlyphId) -> Option<[f64; 4]> {
     let table = |name| face.raw_face().table(Tag::from_bytes(name));
     let count = face.tables().maxp.number_of_glyphs;
     let format = face.tables().head.index_to_location_format;
-    let places = loca::Table::parse(count, format, table(b"loca")?)?;
-    let bytes = table(b"glyf")?.get(places.glyph_range(id)?)?;
+    let locations = loca::Table::parse(count, format, table(b"loca")?)?;
+    let bytes = table(b"glyf")?.get(locations.glyph_range(id)?)?;
     let number = |at: usize| {
         Some(f64::from(i16::from_be_bytes([
             *bytes.get(at)?,
@@ -126,7 +128,7 @@ fn header(face: &Face, id: GlyphId) -> Option<[f64; 4]> {
     Some([number(2)?, number(4)?, number(6)?, number(8)?])
 }
 
-/// The table of characters: as POV-Ray does for Latin letters, first one for the Macintosh, then one for Windows.
+/// The character map: as in POV-Ray for Latin letters, first one for the Macintosh, then one for Windows.
 fn table<'a>(face: &Face<'a>) -> Option<Subtable<'a>> {
     let tables = face.tables().cmap?.subtables;
     let platforms = [
@@ -149,19 +151,19 @@ fn table<'a>(face: &Face<'a>) -> Option<Subtable<'a>> {
 
 fn glyph_id(table: &Subtable, letter: char) -> GlyphId {
     let code = u32::from(letter);
-    let found = table.glyph_index(code).filter(|id| id.0 != 0);
+    let direct = table.glyph_index(code).filter(|id| id.0 != 0);
     let is_symbol =
-        matches!(table.format, Format::SegmentMappingToDeltaValues(_)) && code < FEW_CODES;
-    let found = found.or_else(|| {
+        matches!(table.format, Format::SegmentMappingToDeltaValues(_)) && code < SYMBOL_CODES;
+    let direct = direct.or_else(|| {
         is_symbol
             .then(|| table.glyph_index(SYMBOLS + code))
             .flatten()
     });
-    found.unwrap_or(GlyphId(0))
+    direct.unwrap_or(GlyphId(0))
 }
 
-/// How much nearer two letters stand, in units of the font. Real fonts have pairs out of order, so they are tried one
-/// by one, and like POV-Ray up to the first whose left letter comes later.
+/// Kerning of two letters, in units of the font. Real fonts have pairs out of order, so they are searched linearly, and
+/// as in POV-Ray up to the first whose left letter comes later.
 fn kerning(face: &Face, left: GlyphId, right: GlyphId) -> f64 {
     let table = face.raw_face().table(Tag::from_bytes(b"kern"));
     kern_tables(table.unwrap_or(&[]))
@@ -179,7 +181,7 @@ fn kerning(face: &Face, left: GlyphId, right: GlyphId) -> f64 {
         .sum()
 }
 
-/// The pairs of each horizontal table of kerning of the usual form.
+/// The pairs of each horizontal kerning table of the common format.
 fn kern_tables(table: &[u8]) -> impl Iterator<Item = &[u8]> {
     let number = |at: usize| Some(u16::from_be_bytes([*table.get(at)?, *table.get(at + 1)?]));
     let mut left = number(2).unwrap_or(0);
@@ -199,7 +201,7 @@ fn kern_tables(table: &[u8]) -> impl Iterator<Item = &[u8]> {
     })
 }
 
-/// Takes down an outline.
+/// Records an outline.
 struct Pen {
     em: f64,
     pieces: Vec<[DVec2; 3]>,
@@ -208,7 +210,7 @@ struct Pen {
 }
 
 impl Pen {
-    fn place(&self, x: f32, y: f32) -> DVec2 {
+    fn em_point(&self, x: f32, y: f32) -> DVec2 {
         DVec2::new(f64::from(x), f64::from(y)) / self.em
     }
 
@@ -220,24 +222,25 @@ impl Pen {
 
 impl OutlineBuilder for Pen {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.at = self.place(x, y);
+        self.at = self.em_point(x, y);
         self.start = self.at;
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        let to = self.place(x, y);
+        let to = self.em_point(x, y);
         self.line(to);
     }
 
     fn quad_to(&mut self, bend_x: f32, bend_y: f32, x: f32, y: f32) {
-        let to = self.place(x, y);
-        self.pieces.push([self.at, self.place(bend_x, bend_y), to]);
+        let to = self.em_point(x, y);
+        self.pieces
+            .push([self.at, self.em_point(bend_x, bend_y), to]);
         self.at = to;
     }
 
-    /// TrueType has no cubic pieces, and other fonts are not read: the curve is a chord.
+    /// TrueType has no cubic segments, and other fonts are not read: the curve becomes its chord.
     fn curve_to(&mut self, _: f32, _: f32, _: f32, _: f32, x: f32, y: f32) {
-        let to = self.place(x, y);
+        let to = self.em_point(x, y);
         self.line(to);
     }
 

@@ -3,7 +3,7 @@ use crate::scene::shape::tests::check;
 use glam::DVec2;
 use outline::Outline;
 
-/// A letter like a ring, round inside and out.
+/// A ring-shaped letter, round inside and out.
 fn ring(at: DVec3) -> Letter {
     let p = DVec2::new;
     let circle = |size: f64| {
@@ -22,9 +22,9 @@ fn ring(at: DVec3) -> Letter {
     }
 }
 
-fn rings(ats: &[DVec3]) -> Text {
+fn rings(positions: &[DVec3]) -> Text {
     Text(Arc::new(Line::new(
-        ats.iter().map(|at| ring(*at)).collect(),
+        positions.iter().map(|at| ring(*at)).collect(),
         0.7,
     )))
 }
@@ -41,7 +41,7 @@ fn overlapping_letters_are_one_solid() {
 }
 
 #[test]
-fn a_ray_straight_through_meets_both_faces() {
+fn a_ray_straight_through_hits_both_faces() {
     let ring = rings(&[DVec3::ZERO]);
     let turn = ring.0.turn.transpose();
     let ray = Ray::new(turn * DVec3::new(0.8, 0.0, -2.0), turn * DVec3::Z);
