@@ -1,22 +1,8 @@
-//! BVH over the items of a model. The leaves are stored in its order, so that neighbours in space are neighbours in
-//! memory.
+//! The BVH over the items of a model.
 
-use super::csg::program::CsgProgram;
-use super::instance::Instance;
-use super::lower::flatten::index;
-use super::model::{Item, ModelBuilder, PendingItem};
-use super::primitive::Leaf;
-use super::sphere_soa::SphereSoa;
-use super::surface::Surface;
+use super::model::Item;
 use crate::base::accel::Bvh;
-use crate::base::math::Bounds;
-use crate::base::memory::prefetch;
 use glam::DVec3;
-use rayon::prelude::*;
-use std::mem::take;
-
-/// Prefetch distance in leaves: about one memory latency ahead.
-pub(super) const AHEAD: usize = 32;
 
 /// An item with its index in file order.
 #[derive(Clone, Copy, Debug)]
@@ -37,78 +23,6 @@ pub(super) struct ItemBvh {
 }
 
 impl ItemBvh {
-    /// Builds the BVH and reorders `parts` to match. The surfaces of its deferred spheres are appended to `surfaces`,
-    /// and the leaf indices of `projectors` are updated.
-    pub(super) fn new<'p>(
-        parts: &mut ModelBuilder,
-        surfaces: &mut Vec<Surface>,
-        projectors: impl Iterator<Item = &'p mut CsgProgram>,
-    ) -> Self {
-        let count = index(parts.items.len());
-        let is_unbounded = |&number: &u32| !parts.bounds[number as usize].is_finite();
-        let numbers = (0..count).into_par_iter();
-        let unbounded: Vec<u32> = numbers.filter(is_unbounded).collect();
-        // For each unbounded item, the number of bounded items before it.
-        let gaps: Vec<u32> = (0..).zip(&unbounded).map(|(i, at)| at - i).collect();
-        let number = |position: u32| position + index(gaps.partition_point(|&gap| gap <= position));
-        let bounds = |position: usize| {
-            let number = number(index(position)) as usize;
-            let bounds = &parts.bounds[number];
-            match parts.items[number] {
-                PendingItem::Sphere(_) => (*bounds, true),
-                PendingItem::Leaf(leaf) => {
-                    let leaf = &parts.leaves[leaf as usize];
-                    match leaf.sphere() {
-                        Some((centre, radius)) => {
-                            (Bounds::new(centre - radius, centre + radius), true)
-                        }
-                        None => (leaf.tightened(bounds), false),
-                    }
-                }
-                PendingItem::Program(_) | PendingItem::Instance(_) => (*bounds, false),
-            }
-        };
-        let (mut tree, mut order) =
-            Bvh::build_in_order(parts.items.len() - unbounded.len(), bounds);
-        if !gaps.is_empty() {
-            order
-                .iter_mut()
-                .for_each(|position| *position = number(*position));
-        }
-        // Freed early: large scenes need the memory.
-        parts.bounds = Vec::new();
-        let mut sorter = LeafReorder::new(take(parts));
-        let (unbounded, bounded) = (sorter.take(unbounded), sorter.take(order));
-        *parts = sorter.finish(surfaces, projectors);
-        let (leaves, programs) = (&parts.leaves, &parts.programs);
-        tree.set_bounding_spheres(bounded.len(), |position| match bounded[position].item {
-            Item::Leaf(leaf) => leaves[leaf as usize].bounding_sphere(),
-            Item::Program(program) => programs[program as usize].bounding_sphere(leaves),
-            Item::Instance(_) => None,
-        });
-        ItemBvh {
-            tree,
-            bounded,
-            unbounded,
-        }
-    }
-
-    /// All items as one array of spheres, if there are only a few spheres.
-    pub(super) fn cluster(&self, parts: &ModelBuilder) -> Option<SphereSoa> {
-        if !self.unbounded.is_empty() || parts.leaves.len() != self.bounded.len() {
-            return None;
-        }
-        SphereSoa::new(self.bounded.len(), |position| {
-            match self.bounded[position].item {
-                Item::Leaf(leaf) => {
-                    let leaf = &parts.leaves[leaf as usize];
-                    leaf.sphere().filter(|_| leaf.shape.has_roots_of_four())
-                }
-                Item::Program(_) | Item::Instance(_) => None,
-            }
-        })
-    }
-
     /// The items whose boxes contain a point.
     pub(super) fn around(&self, point: DVec3) -> Vec<IndexedItem> {
         let mut items = self.unbounded.clone();
@@ -117,113 +31,5 @@ impl ItemBvh {
             false
         });
         items
-    }
-}
-
-/// Reorders the parts of a model to match the order of its items.
-struct LeafReorder {
-    from: ModelBuilder,
-    instances: Vec<Option<Instance>>,
-    /// The deferred spheres, by index in file order. They become the first leaves.
-    spheres: Vec<u32>,
-    /// The other leaves, which follow the spheres, by index in file order.
-    leaves: Vec<u32>,
-    /// For each of the other leaves in file order, its index among all leaves.
-    positions: Vec<u32>,
-    to: ModelBuilder,
-}
-
-impl LeafReorder {
-    fn new(mut from: ModelBuilder) -> Self {
-        let to = ModelBuilder {
-            programs: Vec::with_capacity(from.programs.len()),
-            instances: Vec::with_capacity(from.instances.len()),
-            ..ModelBuilder::default()
-        };
-        LeafReorder {
-            instances: from.instances.drain(..).map(Some).collect(),
-            spheres: Vec::with_capacity(from.spheres.len()),
-            leaves: Vec::with_capacity(from.leaves.len()),
-            positions: vec![u32::MAX; from.leaves.len()],
-            from,
-            to,
-        }
-    }
-
-    /// Takes the items with these indices in file order.
-    fn take(&mut self, numbers: Vec<u32>) -> Vec<IndexedItem> {
-        // In parallel: the items are scattered in memory.
-        let items = &self.from.items;
-        let parts = numbers.par_iter().map(|&number| items[number as usize]);
-        let parts: Vec<PendingItem> = parts.collect();
-        let numbers = numbers.into_iter().zip(parts);
-        numbers
-            .map(|(number, part)| self.take_part(number, part))
-            .collect()
-    }
-
-    fn take_part(&mut self, number: u32, part: PendingItem) -> IndexedItem {
-        let item = match part {
-            PendingItem::Sphere(sphere) => {
-                self.spheres.push(sphere);
-                Item::Leaf(index(self.spheres.len() - 1))
-            }
-            PendingItem::Leaf(leaf) => Item::Leaf(self.take_leaf(leaf)),
-            PendingItem::Program(from) => {
-                let program = take(&mut self.from.programs[from as usize]);
-                for leaf in program.first..program.first + program.len() {
-                    self.take_leaf(leaf);
-                }
-                self.to.programs.push(program);
-                Item::Program(index(self.to.programs.len() - 1))
-            }
-            PendingItem::Instance(from) => {
-                let instance = self.instances[from as usize].take();
-                self.to.instances.extend(instance);
-                Item::Instance(index(self.to.instances.len() - 1))
-            }
-        };
-        IndexedItem { number, item }
-    }
-
-    fn take_leaf(&mut self, leaf: u32) -> u32 {
-        let position = index(self.from.spheres.len() + self.leaves.len());
-        self.positions[leaf as usize] = position;
-        self.leaves.push(leaf);
-        position
-    }
-
-    /// The reordered parts, once every item is taken. The surfaces of the spheres are appended to `surfaces`;
-    /// `projectors` use leaves too.
-    fn finish<'p>(
-        mut self,
-        surfaces: &mut Vec<Surface>,
-        projectors: impl Iterator<Item = &'p mut CsgProgram>,
-    ) -> ModelBuilder {
-        // Last come the leaves of the bounds of CSG programs, and of objects that lights are projected through.
-        for leaf in 0..index(self.positions.len()) {
-            if self.positions[leaf as usize] == u32::MAX {
-                self.take_leaf(leaf);
-            }
-        }
-        let mut next = index(self.spheres.len() + self.leaves.len());
-        for instance in &mut self.to.instances {
-            instance.first = next;
-            next += instance.model.len();
-        }
-        let programs = self.to.programs.par_iter_mut();
-        programs.for_each(|program| program.move_leaves(&self.positions));
-        projectors.for_each(|program| program.move_leaves(&self.positions));
-        self.to.leaves = self.from.spheres.into_leaves(&self.spheres, surfaces);
-        self.to.leaves.reserve_exact(self.leaves.len());
-        let mut unsorted = self.from.leaves;
-        for (position, &leaf) in self.leaves.iter().enumerate() {
-            if let Some(&ahead) = self.leaves.get(position + AHEAD) {
-                prefetch(&unsorted[ahead as usize]);
-            }
-            let leaf = std::mem::replace(&mut unsorted[leaf as usize], Leaf::NOTHING);
-            self.to.leaves.push(leaf);
-        }
-        self.to
     }
 }

@@ -1,8 +1,6 @@
 //! The lights of a world: light groups, and the objects that lights are projected through.
 
-use super::csg::program::{CsgProgram, RawHit, RayInterval};
-use super::primitive::Leaf;
-use super::query::{Query, Scratch};
+use super::csg::program::CsgProgram;
 use crate::scene::light::Light;
 
 /// Identifies the set of lights that shine on a surface.
@@ -149,35 +147,12 @@ impl Lights {
         self.projector(light).is_some()
     }
 
-    fn projector(&self, light: u32) -> Option<&CsgProgram> {
+    /// The object that a light is projected through.
+    pub(super) fn projector(&self, light: u32) -> Option<&CsgProgram> {
         let mut projectors = self.projectors.iter();
         projectors
             .find(|(projected, _)| *projected == light)
             .map(|(_, program)| program)
-    }
-
-    /// Far limit of a shadow ray: the first wanted hit on the object that the light is projected through, beyond
-    /// `least`. `None` if the ray misses the object, so that no light arrives.
-    pub(super) fn t_max_at_projector(
-        &self,
-        light: u32,
-        leaves: &[Leaf],
-        query: &Query,
-        least: f64,
-        wanted: impl FnMut(&RawHit) -> bool,
-        scratch: &mut Scratch,
-    ) -> Option<f64> {
-        let Some(program) = self.projector(light) else {
-            return Some(query.t_max);
-        };
-        let interval = RayInterval {
-            from: least,
-            to: query.t_max,
-        };
-        let (from, sweep) = (query.origin_surface.as_ref(), &mut scratch.sweep);
-        program
-            .nearest(leaves, &query.ray, interval, from, sweep, wanted)
-            .map(|hit| hit.root.t)
     }
 }
 

@@ -3,29 +3,30 @@
 mod bvh_items;
 mod compiled;
 mod csg;
+mod index;
 mod instance;
 mod interiors;
+mod light_buffers;
 mod lights;
 mod lower;
 mod model;
 mod plan;
 mod primitive;
 mod query;
-mod ray_counts;
+mod ray;
 mod sphere_soa;
-mod spheres;
 mod surface;
-mod surface_flags;
 
 pub use compiled::{Globals, World};
 pub use interiors::{InteriorId, Interiors};
 pub use lights::{LightList, Lights};
+pub use lower::probe::{ProbeModel, solid_of};
 pub use primitive::{Extent, Leaf};
+pub use query::Scratch;
 pub use query::packet::hits::{HitPacket4, NO_LEAF, ShadowPacket4};
-pub use query::probe::{ProbeModel, solid_of};
+pub use query::ray_counts::RayCounts;
 pub use query::transmission::{TransmissiveHit, TransmissiveHits};
-pub use query::{Hit, Occlusion, Query, RayKind, Scratch, SpawnSurface};
-pub use ray_counts::RayCounts;
+pub use ray::{Hit, Occlusion, Query, RayKind, SpawnSurface};
 pub use surface::{OwnedOrShared, Surface};
 
 use crate::base::options::RenderOptions;

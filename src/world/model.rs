@@ -5,14 +5,11 @@
 //! identifies every copy of every primitive, however deeply instances are nested.
 
 use super::bvh_items::ItemBvh;
+use super::csg::packet_strategy::PacketStrategy;
 use super::csg::program::CsgProgram;
 use super::instance::Instance;
 use super::primitive::Leaf;
-use super::query::packet::csg::PacketStrategy;
 use super::sphere_soa::SphereSoa;
-use super::spheres::DeferredSpheres;
-use super::surface::Surface;
-use crate::base::math::Bounds;
 use crate::scene::shape::{Shape, TextureWeights};
 use glam::DVec3;
 
@@ -27,38 +24,6 @@ pub(super) enum Item {
     Instance(u32),
 }
 
-/// An item before the BVH is built.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum PendingItem {
-    /// A single primitive.
-    Leaf(u32),
-    /// A sphere without a leaf yet: one of [`ModelBuilder::spheres`].
-    Sphere(u32),
-    /// A CSG program.
-    Program(u32),
-    /// An instance of another model.
-    Instance(u32),
-}
-
-/// The parts of a model in file order.
-#[derive(Debug, Default)]
-pub(super) struct ModelBuilder {
-    pub(super) leaves: Vec<Leaf>,
-    pub(super) programs: Vec<CsgProgram>,
-    pub(super) instances: Vec<Instance>,
-    pub(super) items: Vec<PendingItem>,
-    pub(super) spheres: DeferredSpheres,
-    /// Bounds of the items.
-    pub(super) bounds: Vec<Bounds>,
-}
-
-impl ModelBuilder {
-    pub(super) fn push(&mut self, item: PendingItem, bounds: Bounds) {
-        self.items.push(item);
-        self.bounds.push(bounds);
-    }
-}
-
 /// Primitives and CSG programs ready for intersection.
 #[derive(Debug)]
 pub(super) struct Model {
@@ -70,32 +35,10 @@ pub(super) struct Model {
     /// All items as one array of spheres, if there are only a few spheres; packets can intersect them.
     pub(super) cluster: Option<SphereSoa>,
     /// The packet algorithm of each program.
-    strategies: Vec<PacketStrategy>,
+    pub(super) strategies: Vec<PacketStrategy>,
 }
 
 impl Model {
-    /// Builds the BVH over these parts and reorders them to match. The surfaces of the deferred spheres are appended to
-    /// `surfaces`; `projectors` are further programs over the leaves.
-    pub(super) fn new<'p>(
-        mut parts: ModelBuilder,
-        surfaces: &mut Vec<Surface>,
-        projectors: impl Iterator<Item = &'p mut CsgProgram>,
-    ) -> Model {
-        let bvh = ItemBvh::new(&mut parts, surfaces, projectors);
-        let cluster = bvh.cluster(&parts);
-        let strategies = parts.programs.iter();
-        Model {
-            strategies: strategies
-                .map(|program| program.packet_strategy(&parts.leaves))
-                .collect(),
-            leaves: parts.leaves,
-            programs: parts.programs,
-            instances: parts.instances,
-            bvh,
-            cluster,
-        }
-    }
-
     /// Number of its primitives, with those of its instances.
     pub(super) fn len(&self) -> u32 {
         match self.instances.last() {

@@ -1,10 +1,12 @@
-//! Ray queries, their results, and the buffers that a thread reuses between queries.
+//! Ray queries, and the buffers that a thread reuses between them.
 
 pub(super) mod closest;
+mod instance;
 pub(super) mod intersect;
 pub(super) mod occlusion;
 pub(super) mod packet;
-pub(super) mod probe;
+mod projector;
+pub(super) mod ray_counts;
 pub(super) mod transmission;
 
 use super::bvh_items::IndexedItem;
@@ -12,86 +14,15 @@ use super::csg::program::{RawHit, Sweep};
 use super::query::packet::hits::ShadowPacket4;
 use super::query::packet::mesh::MeshScratch;
 use super::query::packet::rays::RayStream;
+use super::query::ray_counts::RayCounts;
 use super::query::transmission::ItemSet;
-use super::ray_counts::RayCounts;
 use crate::base::accel::Bundle;
 use crate::base::color::Rgb;
-use crate::base::math::Ray;
 use crate::base::math::sampling::mersenne::Stream;
 use crate::render::photons::Near;
 use crate::render::radiosity::Session;
-use crate::scene::shape::{Crossing, Root};
-use glam::DVec3;
+use crate::scene::shape::Root;
 use smallvec::SmallVec;
-
-/// The surface point that a spawned ray leaves, so that the ray does not hit it again.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpawnSurface {
-    /// The leaf.
-    pub leaf: u32,
-    /// The face of the leaf.
-    pub face: u32,
-    /// The outward geometric normal there, in world space.
-    pub normal: DVec3,
-    /// The crossing of the incoming ray there.
-    pub crossing: Crossing,
-    /// Error bound on the coordinates of the point: distances below it are not significant.
-    pub blur: f64,
-}
-
-/// A closest hit.
-#[derive(Clone, Copy, Debug)]
-pub struct Hit {
-    /// Distance along the (unit) ray.
-    pub t: f64,
-    /// The point in world space.
-    pub point: DVec3,
-    /// The unit normal for shading, before any `normal` pattern; differs on smooth triangles only.
-    pub shading_normal: DVec3,
-    /// Index into [`super::World::surfaces`].
-    pub surface: u32,
-    /// Origin surface of the rays spawned here.
-    pub departure: SpawnSurface,
-}
-
-/// Kind of ray: selects between `no_image`, `no_reflection`, `no_radiosity` and `no_shadow`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RayKind {
-    /// A camera ray, or its straight or refracted continuation.
-    Camera,
-    /// A reflected ray and its continuations.
-    Reflection,
-    /// A radiosity sample ray, or its straight or refracted continuation.
-    Radiosity,
-    /// A reflection of such a ray.
-    RadiosityReflection,
-    /// A shadow ray.
-    Shadow,
-}
-
-impl RayKind {
-    /// The kind of a ray after a mirror reflection.
-    #[must_use]
-    pub fn mirrored(self) -> RayKind {
-        match self {
-            RayKind::Camera | RayKind::Reflection | RayKind::Shadow => RayKind::Reflection,
-            RayKind::Radiosity | RayKind::RadiosityReflection => RayKind::RadiosityReflection,
-        }
-    }
-}
-
-/// A ray query.
-#[derive(Clone, Copy, Debug)]
-pub struct Query {
-    /// The ray; its direction has length 1.
-    pub ray: Ray,
-    /// The surface point it leaves; `None` for camera rays.
-    pub origin_surface: Option<SpawnSurface>,
-    /// Far limit: hits at or beyond it are ignored; infinite for none.
-    pub t_max: f64,
-    /// The kind of ray.
-    pub kind: RayKind,
-}
 
 /// Per-thread buffers that are reused between queries.
 #[derive(Debug, Default)]
@@ -144,17 +75,6 @@ impl Scratch {
         self.media_stream = Stream::default();
         self.crand = 0;
     }
-}
-
-/// Occlusion between a point and a light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Occlusion {
-    /// Nothing.
-    Clear,
-    /// Only transmissive surfaces.
-    Transmissive,
-    /// At least one opaque surface.
-    Opaque,
 }
 
 /// The closest hit so far.

@@ -1,16 +1,19 @@
 //! Surface attributes of an object: textures, interior, lights, and visibility by kind of ray.
 
+pub(super) mod cutaway;
+pub(super) mod flags;
+
 use super::interiors::InteriorId;
 use super::lights::LightList;
-use super::lower::cutaway::Cutaway;
-use super::query::RayKind;
-use super::surface_flags::{ObjectFlags, SurfaceFlags};
+use super::surface::cutaway::Cutaway;
+use super::surface::flags::{ObjectFlags, SurfaceFlags};
 use crate::base::color::{Color, Rgb};
 use crate::base::math::{Step, Transform};
 use crate::scene::Importance;
 use crate::scene::light::PhotonRole;
 use crate::scene::shape::{Geometry, Shape};
 use crate::scene::texture::{PreparedLayer, PreparedPigment, PreparedTexture};
+use crate::world::ray::RayKind;
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 use std::ops::Deref;

@@ -3,5 +3,6 @@
 pub(super) mod bounds;
 pub(super) mod inside;
 pub(super) mod memo;
+pub(super) mod packet_strategy;
 pub(super) mod program;
 pub(super) mod simplify;

@@ -15,7 +15,7 @@ use super::simplify::OperandOrder;
 use crate::base::math::Ray;
 use crate::scene::shape::{Crossing, Geometry, Root, Start};
 use crate::world::primitive::Leaf;
-use crate::world::query::SpawnSurface;
+use crate::world::ray::SpawnSurface;
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 use std::ops::Range;

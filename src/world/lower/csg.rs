@@ -1,14 +1,15 @@
 //! Lowering of CSG objects, and of clipped and bounded objects, to CSG programs.
 
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
 use super::inherit::{CsgRole, Inherited, joined};
+use super::model::PendingItem;
 use super::seen_in::{holds, seen_in};
 use crate::base::math::Bounds;
 use crate::scene::shape::Geometry;
 use crate::scene::{Kind, Object, Operation};
 use crate::world::csg::bounds::{Factors, limited};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
-use crate::world::model::PendingItem;
+use crate::world::index::index;
 use crate::world::primitive::{Extent, Leaf};
 use smallvec::smallvec;
 use std::sync::Arc;

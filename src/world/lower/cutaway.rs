@@ -7,59 +7,13 @@
 //!
 //! Missing: textures of single blob components or mesh triangles that a difference cuts.
 
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
 use super::inherit::{Inherited, TransformedTexture, joined, texture_steps};
-use crate::scene::shape::{TextureWeight, TextureWeights};
-use crate::scene::texture::PreparedTexture;
 use crate::scene::{Kind, Object, Operation};
-use crate::world::compiled::World;
-use crate::world::query::probe::compiled;
-use glam::DVec3;
+use crate::world::index::index;
+use crate::world::lower::probe::compiled;
+use crate::world::surface::cutaway::{CutPart, Cutaway};
 use std::sync::Arc;
-
-/// Objects that may lend their textures to the surfaces of a CSG object.
-#[derive(Debug, Default)]
-pub(crate) struct Cutaway {
-    /// Parents before children.
-    parts: Vec<CutPart>,
-    textures: Vec<Arc<PreparedTexture>>,
-}
-
-#[derive(Debug)]
-struct CutPart {
-    solid: World,
-    /// Its texture; `None` for a CSG object.
-    texture: Option<u32>,
-    /// Index of the next part outside it.
-    end: usize,
-}
-
-impl Cutaway {
-    /// All textures.
-    pub(crate) fn textures(&self) -> &[Arc<PreparedTexture>] {
-        &self.textures
-    }
-
-    /// The weights of the textures at a world point.
-    pub(crate) fn shares(&self, point: DVec3) -> TextureWeights {
-        let mut shares = TextureWeights::new();
-        let mut at = 0;
-        while let Some(part) = self.parts.get(at) {
-            if !part.solid.holds(point) {
-                at = part.end;
-                continue;
-            }
-            at += 1;
-            let share = |skin| TextureWeight { weight: 1.0, skin };
-            shares.extend(part.texture.map(share));
-        }
-        let count = f64::from(index(shares.len()));
-        for share in &mut shares {
-            share.weight /= count;
-        }
-        shares
-    }
-}
 
 impl Lowering {
     /// The texture sources for the parts of a CSG object, inverse or not; `below` is what its parts inherit.

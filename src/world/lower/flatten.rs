@@ -4,6 +4,7 @@
 use super::csg::is_gated;
 use super::inherit::Inherited;
 use super::instancing::{SharedModel, SlotTable};
+use super::model::{ModelBuilder, PendingItem};
 use super::targets::Targets;
 use crate::base::math::{Bounds, Step};
 use crate::scene::light::Light;
@@ -12,9 +13,9 @@ use crate::scene::shape::{Geometry, Shape};
 use crate::scene::texture::{PreparedTexture, Texture};
 use crate::scene::{Kind, Look, Object, Plain, Taken};
 use crate::world::csg::memo::CsgMemo;
+use crate::world::index::index;
 use crate::world::interiors::Interiors;
 use crate::world::lights::Lights;
-use crate::world::model::{ModelBuilder, PendingItem};
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use crate::world::surface::Surface;
 use rustc_hash::FxHashMap;
@@ -215,8 +216,4 @@ fn transformed(light: &Light, steps: &[Step]) -> Light {
     let mut light = light.clone();
     steps.iter().for_each(|step| light.transform(step));
     light
-}
-
-pub(crate) fn index(len: usize) -> u32 {
-    u32::try_from(len).expect("the number of objects is limited below 2^32")
 }

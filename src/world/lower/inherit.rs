@@ -1,16 +1,17 @@
 //! Inheritance of object attributes: texture, interior, switches, lights, and transforms.
 
-use super::cutaway::Cutaway;
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
 use crate::base::math::{Step, Transform};
 use crate::scene::shape::{FaceTexture, Geometry, Shape};
 use crate::scene::texture::{Layer, Texture};
 use crate::scene::{Attached, Object};
+use crate::world::index::index;
 use crate::world::interiors::InteriorId;
 use crate::world::lights::LightList;
 use crate::world::primitive::Absorb;
+use crate::world::surface::cutaway::Cutaway;
+use crate::world::surface::flags::ObjectFlags;
 use crate::world::surface::{ObjectSpaceShape, OwnedOrShared, Surface};
-use crate::world::surface_flags::ObjectFlags;
 use std::borrow::Cow;
 use std::sync::Arc;
 

@@ -6,14 +6,16 @@
 //! Copies may have different materials. A model records the materials of its parts as *slots*; each copy has a run of
 //! surfaces, one per slot, and the leaves of the model say which slot they use.
 
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
 use super::inherit::{CsgRole, Inherited, joined};
+use super::model::{ModelBuilder, PendingItem};
 use crate::base::math::{Bounds, Step, Transform};
 use crate::scene::shape::FaceTexture;
 use crate::scene::texture::Texture;
 use crate::scene::{Children, Object};
+use crate::world::index::index;
 use crate::world::instance::Instance;
-use crate::world::model::{Model, ModelBuilder, PendingItem};
+use crate::world::model::Model;
 use crate::world::surface::Surface;
 use glam::{DAffine3, DVec3};
 use rustc_hash::FxHashMap;

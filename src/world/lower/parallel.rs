@@ -1,18 +1,19 @@
 //! Parallel lowering of runs of top-level shapes of one colour, of which there may be millions.
 
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
+use super::model::PendingItem;
 use crate::base::color::Color;
 use crate::base::math::Bounds;
 use crate::base::memory::{self, prefetch};
 use crate::scene::shape::{Geometry, Sphere};
 use crate::scene::texture::{Finish, PreparedTexture};
 use crate::scene::{Colored, Entry, Object, Objects};
+use crate::world::index::index;
 use crate::world::interiors::InteriorId;
 use crate::world::lights::LightList;
-use crate::world::model::PendingItem;
 use crate::world::primitive::{Absorb, Extent, Leaf};
+use crate::world::surface::flags::ObjectFlags;
 use crate::world::surface::{OwnedOrShared, Surface};
-use crate::world::surface_flags::ObjectFlags;
 use rayon::prelude::*;
 use std::mem::take;
 use std::ptr;

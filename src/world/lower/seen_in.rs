@@ -1,11 +1,12 @@
 //! Boxes outside which objects are invisible (see `scene::seen_in`), as bounds of CSG programs that would show more.
 
-use super::flatten::{Lowering, index};
+use super::flatten::Lowering;
 use super::inherit::Inherited;
 use crate::base::math::{Bounds, Step, Transform};
 use crate::scene::shape::{Cuboid, Shape, Sphere};
 use crate::scene::{Kind, Object};
 use crate::world::csg::program::{BoundGate, Combine, CsgProgram, NONE, Node, Operand};
+use crate::world::index::index;
 use crate::world::primitive::{Absorb, Extent, Leaf};
 use smallvec::smallvec;
 

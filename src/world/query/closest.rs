@@ -4,7 +4,7 @@ use super::intersect::{HitPolicy, IndexBase, Search};
 use super::packet::bundle::ItemRays;
 use super::packet::hits::HitPacket4;
 use super::packet::rays::RayStream;
-use super::{ClosestHit, Hit, Query, RayKind, Scratch, SpawnSurface};
+use super::{ClosestHit, Scratch};
 use crate::base::accel::{NewEnds, STREAM};
 use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::base::math::{Bounds, Ray};
@@ -13,6 +13,7 @@ use crate::scene::shape::Root;
 use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
+use crate::world::ray::{Hit, Query, RayKind, SpawnSurface};
 
 /// Distance along a ray, relative to the size of the coordinates, within which rounding can make the ray hit the
 /// surface it starts on: 4096 roundings of a double.

@@ -1,13 +1,14 @@
 //! Intersection of a ray with one item: a primitive, a CSG program or an instance.
 
+use super::Scratch;
 use super::packet::hits::NO_LEAF;
-use super::{Scratch, SpawnSurface};
 use crate::base::math::Ray;
 use crate::base::math::simd::SimdLevel;
 use crate::scene::shape::{Geometry, Root, Shape};
 use crate::world::csg::program::{RawHit, RayInterval, hide_departure};
 use crate::world::model::{Item, Model};
 use crate::world::primitive::Leaf;
+use crate::world::ray::SpawnSurface;
 
 /// Distance from the ray's origin, in units of the error there, within which the root that the ray left almost always
 /// lies.

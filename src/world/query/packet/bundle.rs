@@ -9,7 +9,8 @@ use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::model::Item;
-use crate::world::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
+use crate::world::query::{ClosestHit, Scratch};
+use crate::world::ray::{Occlusion, Query, RayKind};
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 

@@ -14,30 +14,12 @@ use super::rays::{RayPacket4, RayStream};
 use crate::base::math::simd::{F64Lanes, SimdKernel, SimdLevel};
 use crate::scene::shape::{Crossing, RayPacket, Root, SpanPacket};
 use crate::world::compiled::World;
-use crate::world::csg::program::{Combine, CsgProgram, RawHit, hide_departure};
+use crate::world::csg::packet_strategy::{MOST_OPERANDS, Numbers, PacketStrategy};
+use crate::world::csg::program::{CsgProgram, RawHit, hide_departure};
 use crate::world::primitive::Leaf;
+use crate::world::query::Scratch;
 use crate::world::query::closest::SKIN;
-use crate::world::query::{Query, Scratch};
-use smallvec::SmallVec;
-
-/// Most operands tested end by end, besides the required ones; the work grows with the square.
-pub(in crate::world) const MOST_OPERANDS: usize = 16;
-/// Most nodes of a program that packets support.
-pub(in crate::world) const MOST_NODES: usize = 8;
-
-/// Indices of operands.
-pub(in crate::world) type Numbers = SmallVec<[u32; MOST_OPERANDS]>;
-
-/// The packet algorithm for a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::world) enum PacketStrategy {
-    /// None: rays are intersected one by one.
-    Scalar,
-    /// A single intersection.
-    Intersection,
-    /// A tree of operations.
-    Tree,
-}
+use crate::world::ray::Query;
 
 /// A ray packet and the program that it is intersected with.
 #[derive(Clone, Copy)]
@@ -115,31 +97,6 @@ impl<F: F64Lanes> End<F> {
 struct ClipKernel<'a>(CsgPacket<'a>);
 
 impl CsgProgram {
-    /// Selects the algorithm for packets.
-    pub(in crate::world) fn packet_strategy(&self, leaves: &[Leaf]) -> PacketStrategy {
-        let count = self.order.others.len();
-        // Operands in the BVH need no packet code: few rays come near them.
-        let mut always_tested = self.order.required.iter().chain(&self.order.others);
-        let has_four = |&number: &u32| leaves[(self.first + number) as usize].shape.has_four();
-        if count > MOST_OPERANDS || !always_tested.all(has_four) {
-            return PacketStrategy::Scalar;
-        }
-        match self.nodes.as_slice() {
-            // Here all operands that are not inverse are required, so the others are subtracted.
-            [node] if node.combine == Combine::Intersection && !node.is_inverse => {
-                PacketStrategy::Intersection
-            }
-            nodes if nodes.len() <= MOST_NODES => {
-                if count + self.order.required.len() <= MOST_OPERANDS {
-                    PacketStrategy::Tree
-                } else {
-                    PacketStrategy::Scalar
-                }
-            }
-            _ => PacketStrategy::Scalar,
-        }
-    }
-
     /// Hits of the active lanes by the selected algorithm. Not inlined: it is large with many call sites, and
     /// would take as long to compile as all the rest.
     #[inline(never)]
@@ -565,6 +522,7 @@ mod tests {
     use super::super::hits::HitPacket4;
     use super::*;
     use crate::base::math::sampling::random::Random;
+    use crate::world::csg::program::Combine;
     use crate::world::csg::program::{RayInterval, Sweep};
     use crate::world::csg::simplify::tests::{coarse, random_program};
     use glam::DVec3;

@@ -1,7 +1,8 @@
 //! CSG trees for packets of four rays: like `packet_csg`, but each end is tested with the formula of the whole tree.
 
-use super::csg::{CsgPacket, CsgPacketHits, MOST_NODES, MOST_OPERANDS, NearestEnd};
+use super::csg::{CsgPacket, CsgPacketHits, NearestEnd};
 use crate::base::math::simd::{F64Lanes, SimdKernel};
+use crate::world::csg::packet_strategy::{MOST_NODES, MOST_OPERANDS};
 use crate::world::csg::program::{Combine, NONE};
 
 /// A ray packet and the CSG tree that it is intersected with.

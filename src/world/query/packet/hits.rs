@@ -9,8 +9,9 @@ use crate::base::memory::prefetch;
 use crate::scene::shape::{Crossing, Shape};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
+use crate::world::query::ClosestHit;
 use crate::world::query::closest::BLUR;
-use crate::world::query::{ClosestHit, Hit, Occlusion, Query, RayKind, SpawnSurface};
+use crate::world::ray::{Hit, Occlusion, Query, RayKind, SpawnSurface};
 use glam::DVec3;
 
 /// Index that stands for no leaf.

@@ -10,7 +10,8 @@ use crate::base::math::simd::{SimdLevel, with_widest};
 use crate::world::bvh_items::IndexedItem;
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
-use crate::world::query::{ClosestHit, Occlusion, Query, RayKind, Scratch};
+use crate::world::query::{ClosestHit, Scratch};
+use crate::world::ray::{Occlusion, Query, RayKind};
 use glam::DVec3;
 
 /// Rays per packet.

@@ -13,7 +13,8 @@ use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::model::Item;
 use crate::world::primitive::Leaf;
-use crate::world::query::{ClosestHit, Occlusion, Query, Scratch};
+use crate::world::query::{ClosestHit, Scratch};
+use crate::world::ray::{Occlusion, Query};
 use glam::{DAffine3, DVec3};
 
 /// Smaller meshes are intersected by one ray at a time, like all other shapes.

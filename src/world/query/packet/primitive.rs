@@ -8,7 +8,7 @@ use crate::scene::shape::{Crossing, RayPacket, Root};
 use crate::world::compiled::World;
 use crate::world::csg::program::RawHit;
 use crate::world::primitive::Leaf;
-use crate::world::query::Query;
+use crate::world::ray::Query;
 
 /// A ray packet and a primitive.
 struct PrimitivePacket<'a, const ANY: bool> {

@@ -5,7 +5,7 @@ use crate::base::math::Ray;
 use crate::base::math::simd::F64Lanes;
 use crate::base::math::simd::vec3::from_arrays;
 use crate::scene::shape::RayPacket;
-use crate::world::query::Query;
+use crate::world::ray::Query;
 use glam::DVec3;
 
 /// Four ray queries. Unused lanes repeat the last query.

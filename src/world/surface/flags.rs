@@ -1,60 +1,60 @@
 //! Surface properties that any ray may need, as single bits: the switches of the object, and properties of its
 //! textures, which are stored elsewhere in memory.
 
-use super::query::RayKind;
 use crate::scene::Importance;
 use crate::scene::light::PhotonRole;
+use crate::world::ray::RayKind;
 
 /// The object switches that matter while tracing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct ObjectFlags {
+pub(crate) struct ObjectFlags {
     /// Casts no shadow.
-    pub(super) no_shadow: bool,
+    pub(crate) no_shadow: bool,
     /// Not seen by camera rays and their straight or refracted continuations.
-    pub(super) no_image: bool,
+    pub(crate) no_image: bool,
     /// Not seen by reflected rays.
-    pub(super) no_reflection: bool,
+    pub(crate) no_reflection: bool,
     /// Invisible to radiosity sample rays.
-    pub(super) no_radiosity: bool,
+    pub(crate) no_radiosity: bool,
     /// Share of the radiosity sample rays to it that count, if set.
-    pub(super) importance: Option<Importance>,
+    pub(crate) importance: Option<Importance>,
     /// Does not displace the atmosphere around it.
-    pub(super) hollow: bool,
+    pub(crate) hollow: bool,
     /// Lit from both sides.
-    pub(super) double_illuminate: bool,
+    pub(crate) double_illuminate: bool,
     /// All its patterns are evaluated at texture coordinates.
-    pub(super) uv_mapping: bool,
+    pub(crate) uv_mapping: bool,
     /// Its photon settings, if photons are on.
-    pub(super) photons: PhotonRole,
+    pub(crate) photons: PhotonRole,
 }
 
 /// One bit per property.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct SurfaceFlags(u32);
+pub(crate) struct SurfaceFlags(u32);
 
 impl SurfaceFlags {
-    pub(super) const OPAQUE: u32 = 1;
-    pub(super) const TAKES_LIGHT: u32 = 1 << 1;
-    pub(super) const LIT_FROM_BEHIND: u32 = 1 << 2;
-    pub(super) const FRESNEL: u32 = 1 << 3;
-    pub(super) const PLAIN: u32 = 1 << 4;
-    pub(super) const NEARLY_PLAIN: u32 = 1 << 5;
-    pub(super) const BUMPY: u32 = 1 << 6;
-    pub(super) const GRAINY: u32 = 1 << 7;
-    pub(super) const USES_UV: u32 = 1 << 8;
-    pub(super) const FILTERS_EVENLY: u32 = 1 << 9;
-    pub(super) const NO_SHADOW: u32 = 1 << 10;
-    pub(super) const NO_IMAGE: u32 = 1 << 11;
-    pub(super) const NO_REFLECTION: u32 = 1 << 12;
-    pub(super) const NO_RADIOSITY: u32 = 1 << 13;
-    pub(super) const HOLLOW: u32 = 1 << 14;
-    pub(super) const DOUBLE_ILLUMINATE: u32 = 1 << 15;
-    pub(super) const UV_MAPPING: u32 = 1 << 16;
+    pub(crate) const OPAQUE: u32 = 1;
+    pub(crate) const TAKES_LIGHT: u32 = 1 << 1;
+    pub(crate) const LIT_FROM_BEHIND: u32 = 1 << 2;
+    pub(crate) const FRESNEL: u32 = 1 << 3;
+    pub(crate) const PLAIN: u32 = 1 << 4;
+    pub(crate) const NEARLY_PLAIN: u32 = 1 << 5;
+    pub(crate) const BUMPY: u32 = 1 << 6;
+    pub(crate) const GRAINY: u32 = 1 << 7;
+    pub(crate) const USES_UV: u32 = 1 << 8;
+    pub(crate) const FILTERS_EVENLY: u32 = 1 << 9;
+    pub(crate) const NO_SHADOW: u32 = 1 << 10;
+    pub(crate) const NO_IMAGE: u32 = 1 << 11;
+    pub(crate) const NO_REFLECTION: u32 = 1 << 12;
+    pub(crate) const NO_RADIOSITY: u32 = 1 << 13;
+    pub(crate) const HOLLOW: u32 = 1 << 14;
+    pub(crate) const DOUBLE_ILLUMINATE: u32 = 1 << 15;
+    pub(crate) const UV_MAPPING: u32 = 1 << 16;
 
     const HIDDEN: u32 = Self::NO_SHADOW | Self::NO_IMAGE | Self::NO_REFLECTION | Self::NO_RADIOSITY;
 
     /// The properties that hold, with the switches of the object.
-    pub(super) fn new(all: &[(u32, bool)], flags: &ObjectFlags) -> Self {
+    pub(crate) fn new(all: &[(u32, bool)], flags: &ObjectFlags) -> Self {
         let switches = [
             (Self::NO_SHADOW, flags.no_shadow),
             (Self::NO_IMAGE, flags.no_image),
@@ -70,18 +70,18 @@ impl SurfaceFlags {
 
     /// Returns true if any of these bits is set.
     #[inline(always)]
-    pub(super) fn has(self, bits: u32) -> bool {
+    pub(crate) fn has(self, bits: u32) -> bool {
         self.0 & bits != 0
     }
 
     /// Returns true if some kinds of ray do not see the object.
-    pub(super) fn hides_from_some(self) -> bool {
+    pub(crate) fn hides_from_some(self) -> bool {
         self.has(Self::HIDDEN)
     }
 
     /// Returns true if this kind of ray sees the object.
     #[inline]
-    pub(super) fn is_seen(self, kind: RayKind) -> bool {
+    pub(crate) fn is_seen(self, kind: RayKind) -> bool {
         !self.has(match kind {
             RayKind::Camera => Self::NO_IMAGE,
             RayKind::Reflection => Self::NO_REFLECTION,
@@ -92,7 +92,7 @@ impl SurfaceFlags {
     }
 
     /// Makes the object visible to the camera.
-    pub(super) fn show(&mut self) {
+    pub(crate) fn show(&mut self) {
         self.0 &= !Self::NO_IMAGE;
     }
 }

@@ -1,6 +1,6 @@
 //! Ray statistics: numbers of rays traced, by kind.
 
-use super::query::{Query, RayKind};
+use crate::world::ray::{Query, RayKind};
 use std::ops::AddAssign;
 
 /// Numbers of rays by kind.
@@ -29,7 +29,7 @@ impl RayCounts {
 
     /// Counts a closest-hit query.
     #[inline]
-    pub(super) fn count(&mut self, query: &Query) {
+    pub(in crate::world) fn count(&mut self, query: &Query) {
         match (query.kind, &query.origin_surface) {
             (RayKind::Camera, None) => self.camera += 1,
             (RayKind::Camera, Some(_)) => self.onward += 1,

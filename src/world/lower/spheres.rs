@@ -1,18 +1,18 @@
 //! Spheres that become leaves, and get their surfaces, once the order of the BVH is known: with a million of them, one
 //! pass less saves a tenth of the preparation time, and neighbours in space are stored together.
 
-use super::bvh_items::AHEAD;
-use super::interiors::InteriorId;
-use super::lower::flatten::index;
-use super::lower::parallel::{PlainShapes, SurfaceTemplate};
-use super::primitive::{Absorb, Extent, Leaf};
-use super::surface::Surface;
+use super::model::AHEAD;
+use super::parallel::{PlainShapes, SurfaceTemplate};
 use crate::scene::shape::{Shape, Sphere};
+use crate::world::index::index;
+use crate::world::interiors::InteriorId;
+use crate::world::primitive::{Absorb, Extent, Leaf};
+use crate::world::surface::Surface;
 use rayon::prelude::*;
 
 /// Spheres of one colour each in file order, with their own indices.
 #[derive(Debug, Default)]
-pub(super) struct DeferredSpheres {
+pub(crate) struct DeferredSpheres {
     runs: Vec<SphereRun>,
     count: u32,
 }
@@ -28,7 +28,7 @@ struct SphereRun {
 
 impl DeferredSpheres {
     /// Appends `count` spheres whose interiors start at `interior`; returns the index of the first.
-    pub(super) fn add(&mut self, shapes: PlainShapes, count: u32, interior: InteriorId) -> u32 {
+    pub(crate) fn add(&mut self, shapes: PlainShapes, count: u32, interior: InteriorId) -> u32 {
         let first = self.count;
         self.count += count;
         self.runs.push(SphereRun {
@@ -40,7 +40,7 @@ impl DeferredSpheres {
     }
 
     /// Number of spheres.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.count as usize
     }
 
@@ -54,7 +54,7 @@ impl DeferredSpheres {
 
     /// The sphere with this index.
     #[inline]
-    pub(super) fn sphere(&self, number: u32) -> Sphere {
+    pub(crate) fn sphere(&self, number: u32) -> Sphere {
         let (run, at) = self.locate(number);
         let sphere = run.shapes.sphere(at as usize);
         sphere.expect("the row is one of balls")
@@ -75,7 +75,7 @@ impl DeferredSpheres {
     }
 
     /// The leaves of all spheres in this order; their surfaces are appended to `surfaces` in the same order.
-    pub(super) fn into_leaves(self, order: &[u32], surfaces: &mut Vec<Surface>) -> Vec<Leaf> {
+    pub(crate) fn into_leaves(self, order: &[u32], surfaces: &mut Vec<Surface>) -> Vec<Leaf> {
         let first = surfaces.len();
         let leaf = |template: &mut SurfaceTemplate, (position, &number): (usize, &u32)| {
             // The spheres are scattered in memory.

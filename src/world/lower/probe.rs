@@ -1,6 +1,5 @@
 //! Ray and point queries on single objects while the scene is read: `trace`, `inside` and `object` patterns.
 
-use super::{Query, RayKind, Scratch};
 use crate::base::math::Ray;
 use crate::base::options::{LeastDistance, RenderOptions};
 use crate::scene::atmosphere::Atmosphere;
@@ -10,6 +9,8 @@ use crate::scene::shape::Shape;
 use crate::scene::{Background, Globals, Object, Objects, Scene};
 use crate::world::compiled::World;
 use crate::world::lower::flatten::Lowering;
+use crate::world::query::Scratch;
+use crate::world::ray::{Query, RayKind};
 use crate::world::surface::Surface;
 use glam::DVec3;
 use std::any::Any;

@@ -1,0 +1,51 @@
+//! The packet algorithm that suits a CSG program.
+
+use super::program::{Combine, CsgProgram};
+use crate::world::primitive::Leaf;
+use smallvec::SmallVec;
+
+/// Most operands tested end by end, besides the required ones; the work grows with the square.
+pub(in crate::world) const MOST_OPERANDS: usize = 16;
+/// Most nodes of a program that packets support.
+pub(in crate::world) const MOST_NODES: usize = 8;
+
+/// Indices of operands.
+pub(in crate::world) type Numbers = SmallVec<[u32; MOST_OPERANDS]>;
+
+/// The packet algorithm for a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::world) enum PacketStrategy {
+    /// None: rays are intersected one by one.
+    Scalar,
+    /// A single intersection.
+    Intersection,
+    /// A tree of operations.
+    Tree,
+}
+
+impl CsgProgram {
+    /// Selects the algorithm for packets.
+    pub(in crate::world) fn packet_strategy(&self, leaves: &[Leaf]) -> PacketStrategy {
+        let count = self.order.others.len();
+        // Operands in the BVH need no packet code: few rays come near them.
+        let mut always_tested = self.order.required.iter().chain(&self.order.others);
+        let has_four = |&number: &u32| leaves[(self.first + number) as usize].shape.has_four();
+        if count > MOST_OPERANDS || !always_tested.all(has_four) {
+            return PacketStrategy::Scalar;
+        }
+        match self.nodes.as_slice() {
+            // Here all operands that are not inverse are required, so the others are subtracted.
+            [node] if node.combine == Combine::Intersection && !node.is_inverse => {
+                PacketStrategy::Intersection
+            }
+            nodes if nodes.len() <= MOST_NODES => {
+                if count + self.order.required.len() <= MOST_OPERANDS {
+                    PacketStrategy::Tree
+                } else {
+                    PacketStrategy::Scalar
+                }
+            }
+            _ => PacketStrategy::Scalar,
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Assembles the compiled world from what lowering has gathered.
+
+use super::flatten::Lowering;
+use crate::base::color::{Color, Rgb};
+use crate::base::options::RenderOptions;
+use crate::render::photons::Photons;
+use crate::render::radiosity::Radiosity;
+use crate::scene::Scene;
+use crate::scene::camera::Lens;
+use crate::world::compiled::{Globals, SingleBox, World};
+use crate::world::light_buffers::LightBuffers;
+use crate::world::model::Model;
+use crate::world::surface::SurfaceSummary;
+use rayon::prelude::*;
+
+/// With fewer objects and lights than this POV-Ray builds no tree, and ties are decided by file order.
+const TREE_FROM: usize = 3;
+
+/// Below this quality there is no radiosity (facts 4.11).
+const QUALITY_OF_RADIOSITY: u8 = 9;
+
+impl World {
+    /// The compiled scene, once all of its objects are added.
+    pub(in crate::world) fn new(
+        scene: &Scene,
+        mut flat: Lowering,
+        options: &RenderOptions,
+    ) -> World {
+        let has_tree = flat.parts.items.len() + flat.lights.len() >= TREE_FROM;
+        let boxes = flat.parts.bounds.par_iter().map(SingleBox::new).collect();
+        let parts = std::mem::take(&mut flat.parts);
+        let model = Model::new(parts, &mut flat.surfaces, flat.lights.projectors_mut());
+        let transparent = Color {
+            transmit: 1.0,
+            ..Color::default()
+        };
+        let radiosity = scene.globals.radiosity;
+        let radiosity = radiosity.filter(|_| options.quality >= QUALITY_OF_RADIOSITY);
+        // From version 3.7 on, radiosity replaces `ambient`.
+        let ambient_light = match radiosity {
+            Some(_) if scene.version >= 3.7 => Rgb::BLACK,
+            _ => scene.globals.ambient_light,
+        };
+        let mut world = World {
+            camera: scene.camera.prepared(&scene.pattern_settings()),
+            lens: Lens::new(&scene.camera, &scene.pattern_settings()),
+            background: scene.background.color.unwrap_or(transparent),
+            sky: scene
+                .atmosphere
+                .sky_sphere
+                .as_ref()
+                .map(|sky| sky.prepare(&scene.pattern_settings(), scene.version >= 3.7)),
+            media: scene
+                .atmosphere
+                .media
+                .iter()
+                .map(|media| media.prepare(&[], &scene.pattern_settings()))
+                .collect(),
+            fogs: scene
+                .atmosphere
+                .fogs
+                .iter()
+                .filter(|fog| fog.exists())
+                .cloned()
+                .collect(),
+            rainbows: scene.atmosphere.rainbows.clone(),
+            globals: Globals {
+                noise: scene.pattern_settings().noise_generator,
+                adc_bailout: scene.globals.adc_bailout,
+                unit: scene.globals.unit,
+                origin: scene.globals.origin,
+                max_trace_level: scene.globals.max_trace_level,
+                ambient_light,
+                irid_wavelength: scene.globals.irid_wavelength,
+                rules_37: scene.version >= 3.7,
+                has_alpha: options.alpha,
+                working_gamma: scene.working_gamma(),
+            },
+            ties_by_box: has_tree,
+            least_distance: options.least_distance,
+            summary: SurfaceSummary::of(&flat.surfaces),
+            radiosity: radiosity
+                .map(|settings| Radiosity::new(settings, scene.globals.importance.share())),
+            photons: flat.targets.and_then(|targets| {
+                let settings = scene.globals.photons.as_ref()?;
+                Photons::new(settings, targets.into_list(), &scene.globals)
+            }),
+            boxes,
+            lights: flat.lights,
+            surfaces: flat.surfaces,
+            interiors: flat.interiors,
+            model,
+            meshes: Vec::new(),
+            light_buffers: LightBuffers::default(),
+            uses_packets: false,
+            streams: false,
+        };
+        let (suited, _) = world.packet_programs(&world.bvh().unbounded);
+        world.uses_packets = suited > 0;
+        let (suited, others) = world.packet_programs(&world.bvh().bounded);
+        world.streams = suited > 0 && suited >= others;
+        world.meshes = world.large_meshes();
+        world
+    }
+}
