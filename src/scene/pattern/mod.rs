@@ -5,15 +5,57 @@
 //! colours, pigments, normals, textures. All that a scene writes beside the pattern's own word is in [`Modifiers`],
 //! which pigments, normals, densities and textures share.
 
-mod block;
+/// Patterns that tile space with blocks of one value each.
+mod block {
+    pub(super) mod brick;
+    pub(super) mod cells;
+    pub(super) mod checker;
+    pub(super) mod hexagon;
+    pub(super) mod square;
+    pub(super) mod tiling;
+    pub(super) mod triangular;
+}
 mod chain;
 mod field;
 mod fractal;
-mod geometric;
-mod lookup;
+/// Patterns that are a formula of the coordinates.
+mod geometric {
+    pub(super) mod boxed;
+    pub(super) mod cubic;
+    pub(super) mod cylindrical;
+    pub(super) mod formula;
+    pub(super) mod gradient;
+    pub(super) mod leopard;
+    pub(super) mod onion;
+    pub(super) mod planar;
+    pub(super) mod quilted;
+    pub(super) mod radial;
+    pub(super) mod spherical;
+    pub(super) mod spiral;
+}
+/// Patterns whose values come from files, functions, objects or the surface.
+mod lookup {
+    pub(super) mod aoi;
+    pub(super) mod density_file;
+    pub(super) mod function;
+    pub(super) mod image_pattern;
+    pub(super) mod object;
+    pub(super) mod slope;
+}
 mod map;
 mod modifiers;
-mod noise;
+/// Patterns made of noise.
+mod noise {
+    pub(super) mod agate;
+    pub(super) mod bozo;
+    pub(super) mod crackle;
+    pub(super) mod dents;
+    pub(super) mod granite;
+    pub(super) mod marble;
+    pub(super) mod ripples;
+    pub(super) mod wood;
+    pub(super) mod wrinkles;
+}
 mod prepared;
 #[cfg(test)]
 mod tests;

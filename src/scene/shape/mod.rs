@@ -8,15 +8,52 @@
 
 mod container;
 mod face_texture;
-mod implicit;
+/// Surfaces given by a field: blobs, functions, polynomials and fractals.
+mod implicit {
+    pub(super) mod blob;
+    pub(super) mod isosurface;
+    pub(super) mod julia_fractal;
+    pub(super) mod poly;
+}
 mod mesh;
 mod outside;
 mod packet;
 mod packet_search;
-mod patch;
+/// Surfaces without a volume.
+mod patch {
+    pub(super) mod bicubic_patch;
+    pub(super) mod disc;
+    pub(super) mod parametric;
+    pub(super) mod parametric_patch;
+    pub(super) mod polygon;
+    pub(super) mod smooth_triangle;
+    pub(super) mod triangle;
+}
 mod read;
-mod solid;
-mod swept;
+/// Solids given by a formula.
+mod solid {
+    pub(super) mod axial;
+    pub(super) mod cone;
+    pub(super) mod cuboid;
+    pub(super) mod cylinder;
+    pub(super) mod ovus;
+    pub(super) mod plane;
+    pub(super) mod quadric;
+    pub(super) mod quadric_packet;
+    pub(super) mod sphere;
+    pub(super) mod superellipsoid;
+    pub(super) mod torus;
+    pub(super) mod torus_packet;
+}
+/// Shapes made of a curve or an outline: turned, extruded or swept.
+mod swept {
+    pub(super) mod lathe;
+    pub(super) mod prism;
+    pub(super) mod sor;
+    pub(super) mod sphere_sweep;
+    pub(super) mod spline;
+    pub(super) mod text;
+}
 
 pub use face_texture::{FaceTexture, TextureWeight, TextureWeights};
 pub use implicit::blob::Blob;
